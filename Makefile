@@ -1,0 +1,135 @@
+# ParaDT's tools, tests and benchmarks. The library itself needs no building: it is paradt.h.
+# A target's "##" text is what `make help` prints. Everything that is built goes under build/.
+
+BUILD    := build
+CC       ?= cc
+CXX      ?= c++
+CFLAGS   ?= -O3
+CXXFLAGS ?= -O2
+JOBS     ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+WARNINGS := -Wall -Wextra -Wshadow
+
+# A rule's compiler writes what it included into a .d beside its output, so a changed header rebuilds what used it.
+DEPENDS = -MMD -MP -MT $@ -MF $@.d
+# Sub-makes share an outer -j; without one they get the machine's processors.
+PARALLEL = $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j$(JOBS))
+
+MPICC ?= $(shell command -v mpicc 2>/dev/null)
+TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
+
+.PHONY: all run test bench thesis clean help test-programs
+.DELETE_ON_ERROR:
+
+all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
+
+$(BUILD)/paradt: examples/paradt.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+
+$(BUILD)/paradt_mpi: examples/paradt_mpi.c
+	@mkdir -p $(@D)
+	$(MPICC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+
+RUN_INPUT   := gen:plummer:100000:1
+RUN_OUTPUTS := $(BUILD)/cluster.vtu $(BUILD)/cluster.png
+
+run: $(BUILD)/paradt ## Triangulate and certify a star cluster of 100,000 points; write build/cluster.vtu and build/cluster.png
+	@echo "Triangulating $(RUN_INPUT) (a star cluster of 100,000 points) on $(JOBS) processors, and certifying the result:"
+	$(BUILD)/paradt --jobs $(JOBS) --check --stats - $(addprefix -o ,$(RUN_OUTPUTS)) $(RUN_INPUT)
+	@echo "Certified. Written: $(RUN_OUTPUTS) (ParaView opens the first, any image viewer the second)."
+
+# --- tests -----------------------------------------------------------------------------------------------------------
+# tests/*.c are cmocka programs, tests/*.sh print TAP lines. tests/setup.sh installs what it can and writes HAVE_... lines; what is
+# still missing becomes a skipped test with its reason.
+
+T        := $(BUILD)/tests
+PROVIDED := $(T)/have.mk
+-include $(if $(filter test-programs test-list,$(MAKECMDGOALS)),$(PROVIDED))
+
+C_TESTS      := $(sort $(wildcard tests/*.c))
+SHELL_TESTS  := $(filter-out tests/run.sh tests/setup.sh,$(sort $(wildcard tests/*.sh)))
+FUZZERS      := $(sort $(wildcard fuzz/*.c))
+# A test program that includes gmp.h or one of these headers needs GMP; cgal.h, CGAL.
+NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
+NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
+# The sanitizers see every part of the library in these. Left out are the comparison with CGAL, whose own code is not the
+# object, and the two that run thousands of triangulations only to compare their cells.
+SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c tests/methods_agree.c,$(C_TESTS))
+
+missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
+          $(if $(filter $1,$(NEEDS_CGAL)),$(if $(HAVE_CGAL),,libcgal-dev libeigen3-dev)))
+ready   = $(foreach t,$1,$(if $(call missing,$t),,$t))
+program = $(patsubst tests/%.c,$(T)/%,$1)
+
+TEST_PROGRAMS := $(call program,$(call ready,$(C_TESTS)))
+ASAN_PROGRAMS := $(if $(HAVE_SANITIZERS),$(patsubst tests/%.c,$(T)/sanitized/%,$(call ready,$(SANITIZED))))
+FUZZ_PROGRAMS := $(FUZZERS:fuzz/%.c=$(T)/fuzz/%)
+TEST_INPUT    := $(if $(wildcard tests/programs/families.c),$(T)/families)
+CGAL_OBJECTS  := $(patsubst tests/%.cc,$(T)/%.o,$(sort $(wildcard tests/cgal_*.cc)))
+GMP_LIBRARY   := $(if $(HAVE_GMP),-lgmp)
+SANITIZE      := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+
+test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
+
+$(T)/%: tests/%.c
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+
+$(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
+	$(CXX) -o $@ $@.o $(CGAL_OBJECTS) -pthread -lcmocka -lmpfr -lgmp -lm
+
+# Without NDEBUG CGAL asserts its own exactness; -frounding-math is what its interval arithmetic asks for.
+$(T)/cgal_%.o: tests/cgal_%.cc
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(CXXFLAGS) -DNDEBUG -frounding-math $(DEPENDS) -isystem /usr/include/eigen3 -I. -Itests -c -o $@ $<
+
+$(T)/sanitized/%: tests/%.c
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O1 -g $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+
+$(T)/fuzz/%: fuzz/%.c
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O1 -g -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
+
+$(T)/families: tests/programs/families.c
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
+
+# What `make test` hands to the runner: programs in the order in which they start, then skipped ones with their reason.
+test-list:
+	@for t in $(SHELL_TESTS) $(ASAN_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
+	@$(foreach t,$(C_TESTS),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
+	@$(if $(HAVE_SANITIZERS),,echo "skip sanitized needs a compiler with -fsanitize=address$(comma)undefined")
+
+comma := ,
+
+test: ## Run all tests, after installing what they need (apt-get, as root or by sudo) or saying what to install
+	@mkdir -p $(T)
+	@CC="$(CC)" CXX="$(CXX)" sh tests/setup.sh $(PROVIDED)
+	-@$(MAKE) --no-print-directory -k $(PARALLEL) test-programs >$(T)/build.log 2>&1 || \
+	    { grep -E 'error|Error|undefined reference' $(T)/build.log | head -40; echo "See $(T)/build.log."; }
+	@$(MAKE) --no-print-directory -s test-list >$(T)/list
+	@CC="$(CC)" CXX="$(CXX)" JOBS=$(JOBS) sh tests/run.sh $(T)/list $(T)/logs
+
+# --- the rest --------------------------------------------------------------------------------------------------------
+
+bench: ## Compare speed and memory with the peers that Debian packages (CGAL, TetGen, Qhull)
+	sh tests/bench/run.sh
+
+thesis: $(TOOLS) ## Repeat the thesis' experiment over MPI, beside its own figures (about 20 minutes)
+	sh tests/bench/thesis.sh
+
+clean: ## Remove everything that was built
+	rm -rf $(BUILD)
+
+help: ## List these targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{ printf "%-12s %s\n", $$1, $$2 }'
+
+-include $(wildcard $(BUILD)/*.d $(T)/*.d $(T)/*/*.d)

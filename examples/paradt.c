@@ -1,0 +1,541 @@
+// paradt - the command-line tool of ParaDT
+//
+//     cc -O3 -o paradt examples/paradt.c -pthread -lm
+//     paradt gen:plummer:100000:1 -o cluster.vtu -o cluster.png --check
+//
+// `paradt --help` says what it reads, writes and does; paradt_io.h has the details of the formats.
+
+#define PARADT_IO_IMPLEMENTATION
+#include "paradt_io.h"
+
+#define PARADT_IMPLEMENTATION
+#include "../paradt.h"
+
+#include <inttypes.h>
+#include <pthread.h>
+#include <time.h>
+
+enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
+enum { MAX_JOBS = 1024 };
+enum { POINTS_PER_REGION = 20000 }; // with fewer, what regions compute twice outweighs what they share out
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>settings
+
+typedef struct settings {
+    const char *input;
+    const char **outputs;
+    size_t output_count;
+    const char *stats; // file, or "-"; NULL: none
+    paradt_io_want want;
+    paradt_method method;
+    paradt_partition partition;
+    size_t regions; // 0: as suits the jobs
+    size_t jobs;    // 0: all processors
+    int check, hash, quiet, help, version;
+} settings;
+
+static int fail(int status, const char *text) {
+    fprintf(stderr, "paradt: %s\n", text);
+    return status;
+}
+
+// Says what is wrong with the command line; returns 0.
+static int wrong(const char *option, const char *reason) {
+    fprintf(stderr, "paradt: %s: %s (paradt --help lists the options)\n", option, reason);
+    return 0;
+}
+
+static int take_number(const char *text, uintmax_t high, size_t *value) {
+    char *end;
+    uintmax_t number;
+    errno = 0;
+    number = strtoumax(text, &end, 10);
+    if (!isdigit((unsigned char)*text) || *end || errno || number < 1 || number > high)
+        return 0;
+    *value = (size_t)number;
+    return 1;
+}
+
+static const char *take_output(settings *s, const char *value) {
+    s->outputs[s->output_count++] = value;
+    return NULL;
+}
+
+static const char *take_dim(settings *s, const char *value) {
+    size_t dim;
+    if (!take_number(value, PARADT_MAX_DIM, &dim) || dim < 2)
+        return "the dimension is a number from 2 to 8";
+    s->want.dim = (int)dim;
+    return NULL;
+}
+
+static const char *take_method(settings *s, const char *value) {
+    int m;
+    for (m = 0; m < PARADT_METHOD_COUNT; m++)
+        if (strcmp(value, paradt_method_string((paradt_method)m)) == 0) {
+            s->method = (paradt_method)m;
+            return NULL;
+        }
+    return "no such method";
+}
+
+static const char *take_regions(settings *s, const char *value) {
+    return take_number(value, SIZE_MAX, &s->regions) ? NULL : "the number of regions is a whole number from 1";
+}
+
+static const char *take_jobs(settings *s, const char *value) {
+    return take_number(value, MAX_JOBS, &s->jobs) ? NULL : "the number of jobs is a whole number from 1 to 1024";
+}
+
+static const char *take_partition(settings *s, const char *value) {
+    s->partition = strcmp(value, "uniform") == 0 ? PARADT_UNIFORM : PARADT_BISECTION;
+    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL : "bisection or uniform";
+}
+
+static const char *take_stats(settings *s, const char *value) {
+    s->stats = value;
+    return NULL;
+}
+
+static const struct {
+    const char *name;
+    const char *value;                                   // what --help calls its argument; NULL: it takes none
+    const char *(*take)(settings *s, const char *value); // returns NULL, or what is wrong with the value
+    size_t flag;                                         // without an argument: the int to set
+    const char *about;
+} options_table[] = {
+    {"-o", "FILE", take_output, 0, "write the result; may be given several times"},
+    {"--method", "NAME", take_method, 0, "how to triangulate; the result is the same by every method"},
+    {"--dim", "D", take_dim, 0, "dimension, 2 to 8: the first D columns are coordinates"},
+    {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
+    {"--regions", "K", take_regions, 0, "divide space into K regions (default: as suits the jobs)"},
+    {"--jobs", "J", take_jobs, 0, "threads (default: all processors)"},
+    {"--partition", "HOW", take_partition, 0, "bisection (default: regions of equal points) or uniform"},
+    {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
+    {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
+    {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
+    {"--quiet", NULL, NULL, offsetof(settings, quiet), "no summary, no progress bar"},
+    {"--help", NULL, NULL, offsetof(settings, help), "this text"},
+    {"--version", NULL, NULL, offsetof(settings, version), "the version"},
+};
+
+enum { OPTIONS = sizeof options_table / sizeof *options_table };
+
+static void print_help(void) {
+    int i;
+    printf("paradt [options] INPUT\n\n"
+           "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly.\n\n"
+           "INPUT: %s, - (standard input, as .txt) or gen:KIND:N:SEED\n\n",
+           paradt_io_inputs());
+    for (i = 0; i < OPTIONS; i++) {
+        char left[40];
+        snprintf(left, sizeof left, "%s%s%s", options_table[i].name, options_table[i].value ? " " : "",
+                 options_table[i].value ? options_table[i].value : "");
+        printf("  %-16s  %s\n", left, options_table[i].about);
+    }
+    printf(
+        "\nOutputs, by extension: %s\n"
+        "  .ele: with .node and .neigh beside it; .off, .ply and .obj: the hull in 3D, the triangles in 2D\n\nMethods:",
+        paradt_io_outputs());
+    for (i = 0; i < PARADT_METHOD_COUNT; i++)
+        printf(" %s", paradt_method_string((paradt_method)i));
+    printf("\n\nKinds of points for gen:KIND:N:SEED:\n");
+    for (i = 0; i < paradt_gen_kinds(); i++)
+        printf("  %-16s  %s\n", paradt_gen_name(i), paradt_gen_about(i));
+    printf("\nExit status: 0 done, 1 the work failed, 2 usage, 3 the input can't be read or is not finite\n");
+}
+
+// Takes one option, whose value follows "=" or is the next argument. Returns how many arguments it took; 0: it is
+// wrong.
+static int take_option(settings *s, int left, char **arguments) {
+    const char *text = arguments[0], *equals = strncmp(text, "--", 2) == 0 ? strchr(text, '=') : NULL, *value, *reason;
+    size_t n = equals ? (size_t)(equals - text) : strlen(text);
+    int i;
+    for (i = 0; i < OPTIONS; i++)
+        if (strlen(options_table[i].name) == n && memcmp(options_table[i].name, text, n) == 0)
+            break;
+    if (i == OPTIONS)
+        return wrong(text, "no such option");
+    if (!options_table[i].take) {
+        if (equals)
+            return wrong(text, "takes no value");
+        *(int *)((char *)s + options_table[i].flag) = 1;
+        return 1;
+    }
+    value = equals ? equals + 1 : left > 1 ? arguments[1] : NULL;
+    if (!value)
+        return wrong(text, "its value is missing");
+    reason = options_table[i].take(s, value);
+    if (reason)
+        return wrong(text, reason);
+    return equals ? 1 : 2;
+}
+
+// Returns 1, or 0 when the command line is wrong.
+static int parse(settings *s, int count, char **arguments) {
+    int i, only_names = 0;
+    for (i = 1; i < count;) {
+        const char *text = arguments[i];
+        if (!only_names && strcmp(text, "--") == 0) {
+            only_names = 1;
+            i++;
+        } else if (!only_names && text[0] == '-' && text[1]) {
+            int taken = take_option(s, count - i, arguments + i);
+            if (!taken)
+                return 0;
+            i += taken;
+        } else if (s->input)
+            return wrong(text, "a second input");
+        else
+            s->input = arguments[i++];
+    }
+    if (!s->input && !s->help && !s->version)
+        return wrong("INPUT", "nothing to read is named");
+    return 1;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>work: threads, progress, time
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+typedef struct work {
+    size_t jobs;
+    pthread_mutex_t lock; // guards what follows
+    double begun;
+    double shown; // when the bar was last drawn; 0: never
+} work;
+
+typedef struct tasks {
+    void (*task)(void *context, size_t index);
+    void *context;
+    size_t count;
+    size_t next;
+    pthread_mutex_t lock; // guards next
+} tasks;
+
+static void *run_tasks(void *argument) {
+    tasks *t = (tasks *)argument;
+    for (;;) {
+        size_t index;
+        pthread_mutex_lock(&t->lock);
+        index = t->next < t->count ? t->next++ : t->count;
+        pthread_mutex_unlock(&t->lock);
+        if (index == t->count)
+            return NULL;
+        t->task(t->context, index);
+    }
+}
+
+// A paradt_parallel_for. Threads that can't be had are done without: the caller's own always works.
+static void parallel_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    const work *w = (const work *)user;
+    pthread_t threads[MAX_JOBS];
+    size_t wanted = (w->jobs < count ? w->jobs : count), started = 0, i;
+    tasks t;
+    t.task = task;
+    t.context = context;
+    t.count = count;
+    t.next = 0;
+    pthread_mutex_init(&t.lock, NULL);
+    while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &t) == 0)
+        started++;
+    run_tasks(&t);
+    for (i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+    pthread_mutex_destroy(&t.lock);
+}
+
+// A paradt_progress that draws a bar after a second, and then ten times a second.
+static int show_progress(void *user, double fraction) {
+    static const char full[] = "########################################";
+    work *w = (work *)user;
+    double time = now();
+    pthread_mutex_lock(&w->lock);
+    if (time - w->begun > 1 && time - w->shown > 0.1) {
+        fprintf(stderr, "\r[%-40.*s] %3d%% %.0f s ", (int)(fraction * 40), full, (int)(fraction * 100),
+                time - w->begun);
+        w->shown = time;
+    }
+    pthread_mutex_unlock(&w->lock);
+    return 0;
+}
+
+static void clear_progress(const work *w) {
+    if (w->shown > 0)
+        fprintf(stderr, "\r%70s\r", "");
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>report
+
+typedef struct job {
+    const settings *s;
+    paradt_io_points points;
+    paradt_triangulation t;
+    size_t regions;
+    size_t jobs;
+    double seconds; // of the triangulation alone
+    double check_seconds;
+} job;
+
+// The fields of paradt_stats under their own names; its total is measured here again, as a caller sees it.
+// clang-format off
+#define COUNTERS(X)                                                                                                    \
+    X(cells) X(hull_facets) X(duplicates) X(hidden) X(distance_evaluations) X(grid_cells_visited) X(active_peak)       \
+    X(orient_calls) X(insphere_calls) X(exact_small) X(exact_fixed) X(exact_general) X(perturbed) X(regions)           \
+    X(cells_recomputed) X(peak_bytes)
+// clang-format on
+#define TIMERS(X) X(seconds_points) X(seconds_grid) X(seconds_build) X(seconds_finish)
+
+typedef struct text {
+    char *at;
+    size_t left;
+} text;
+
+static void say(text *out, const char *format, ...) PARADT_IO__FORMAT(2, 3);
+
+static void say(text *out, const char *format, ...) {
+    va_list arguments;
+    int n;
+    va_start(arguments, format);
+    n = vsnprintf(out->at, out->left, format, arguments);
+    va_end(arguments);
+    out->at += n;
+    out->left -= (size_t)n;
+}
+
+static void say_string(text *out, const char *string) {
+    say(out, "\"");
+    for (; *string; string++)
+        if ((unsigned char)*string < 32 || *string == '"' || *string == '\\' || *string == 127)
+            say(out, "\\u%04x", (unsigned)(unsigned char)*string);
+        else
+            say(out, "%c", *string);
+    say(out, "\"");
+}
+
+// The statistics as JSON: malloc'ed, or NULL
+static char *make_stats(const job *j) {
+    size_t room = 8192 + 6 * strlen(j->s->input);
+    char *result = (char *)malloc(room);
+    text out;
+    if (!result)
+        return NULL;
+    out.at = result;
+    out.left = room;
+    say(&out, "{\n  \"version\": \"%d.%d.%d\",\n  \"input\": ", PARADT_VERSION / 10000, PARADT_VERSION / 100 % 100,
+        PARADT_VERSION % 100);
+    say_string(&out, j->s->input);
+    say(&out, ",\n  \"points\": %zu,\n  \"dim\": %d,\n  \"affine_dim\": %d,\n  \"weights\": %s,\n", j->points.count,
+        j->points.dim, j->t.dim, j->points.weights ? "true" : "false");
+    say(&out, "  \"method\": \"%s\",\n  \"partition\": \"%s\",\n  \"jobs\": %zu,\n  \"certified\": %s,\n",
+        paradt_method_string(j->s->method), j->s->partition == PARADT_UNIFORM ? "uniform" : "bisection", j->jobs,
+        j->s->check ? "true" : "false");
+    if (j->s->hash)
+        say(&out, "  \"hash\": \"%016" PRIx64 "\",\n", paradt_hash(&j->t));
+#define SAY_COUNTER(field) say(&out, "  \"%s\": %" PRIu64 ",\n", #field, j->t.stats.field);
+#define SAY_TIMER(field)   say(&out, "  \"%s\": %.6f,\n", #field, j->t.stats.field);
+    COUNTERS(SAY_COUNTER)
+    TIMERS(SAY_TIMER)
+    say(&out, "  \"seconds\": %.6f\n}\n", j->seconds);
+    return result;
+}
+
+static void print_summary(const job *j) {
+    const paradt_stats *stats = &j->t.stats;
+    size_t i;
+    printf("points       %zu in %d dimensions", j->points.count, j->points.dim);
+    if (j->t.dim >= 0 && j->t.dim < j->points.dim)
+        printf(", all in a flat of dimension %d", j->t.dim);
+    printf("\ncells        %zu\nhull facets  %" PRIu64 "\nduplicates   %" PRIu64 "\n", j->t.cell_count,
+           stats->hull_facets, stats->duplicates);
+    if (j->points.weights)
+        printf("hidden       %" PRIu64 "\n", stats->hidden);
+    printf("time         %.3f s", j->seconds);
+    if (j->seconds > 0 && j->t.cell_count)
+        printf(", %.0f cells a second", (double)j->t.cell_count / j->seconds);
+    printf(" (%s, %zu job%s, %zu region%s)\n", paradt_method_string(j->s->method), j->jobs, j->jobs == 1 ? "" : "s",
+           j->regions, j->regions == 1 ? "" : "s");
+    if (j->s->check)
+        printf("certified    in %.3f s\n", j->check_seconds);
+    for (i = 0; i < j->s->output_count; i++)
+        printf("wrote        %s\n", j->s->outputs[i]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>main
+
+static paradt_io_stage stage; // what an interrupted run has to remove
+
+static void interrupted(int number) {
+    paradt_io_stage_abort(&stage);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void catch_signals(void) {
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action;
+    size_t i;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupted;
+    for (i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        sigaction(numbers[i], &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); // too large a file is an error of write
+}
+
+static int exit_status(paradt_io_status status) {
+    static const int statuses[] = {EXIT_DONE, EXIT_INPUT, EXIT_USAGE, EXIT_FAILED};
+    return statuses[status];
+}
+
+static int io_failed(const paradt_io_error *error) {
+    return fail(exit_status(error->status), error->text);
+}
+
+static int check_outputs(const settings *s, int dim, paradt_io_error *error) {
+    size_t i;
+    for (i = 0; i < s->output_count; i++)
+        if (!paradt_io_check_output(s->outputs[i], dim, s->input, error))
+            return 0;
+    return !s->stats || strcmp(s->stats, "-") == 0 || paradt_io_check_place(s->stats, s->input, error);
+}
+
+static void plan(job *j) {
+    const settings *s = j->s;
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    j->jobs = s->jobs ? s->jobs : processors < 1 ? 1 : processors > MAX_JOBS ? MAX_JOBS : (size_t)processors;
+    j->regions = j->points.count / POINTS_PER_REGION;
+    if (j->regions > j->jobs)
+        j->regions = j->jobs;
+    if (j->regions < 1)
+        j->regions = 1;
+    if (s->regions)
+        j->regions = s->regions;
+}
+
+static int triangulate(job *j) {
+    paradt_points points;
+    paradt_options options;
+    paradt_fault fault = {NULL, -1, -1};
+    paradt_status status;
+    work w;
+    char reason[200];
+    memset(&points, 0, sizeof points);
+    memset(&options, 0, sizeof options);
+    memset(&w, 0, sizeof w);
+    points.data = j->points.coordinates;
+    points.count = j->points.count;
+    points.dim = j->points.dim;
+    points.weights = j->points.weights;
+    options.method = j->s->method;
+    options.partition = j->s->partition;
+    options.regions = j->regions;
+    options.parallel_for = j->jobs > 1 ? parallel_for : NULL;
+    options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
+    options.user = &w;
+    pthread_mutex_init(&w.lock, NULL);
+    w.jobs = j->jobs;
+    w.begun = now();
+    status = paradt_triangulate(&j->t, &points, &options);
+    j->seconds = now() - w.begun;
+    snprintf(reason, sizeof reason, "%s", paradt_status_string(status));
+    if (!status && j->s->check) {
+        status = paradt_check(&j->t, &points, &options, &fault);
+        j->check_seconds = now() - w.begun - j->seconds;
+        snprintf(reason, sizeof reason, "the check found: %s (cell %lld, point %lld)",
+                 fault.reason ? fault.reason : paradt_status_string(status), (long long)fault.cell,
+                 (long long)fault.point);
+    }
+    clear_progress(&w);
+    pthread_mutex_destroy(&w.lock);
+    if (!status)
+        return EXIT_DONE;
+    fprintf(stderr, "paradt: %s: %s\n", j->s->input, reason);
+    return EXIT_FAILED;
+}
+
+static int write_all(const job *j, const char *stats, paradt_io_error *error) {
+    const settings *s = j->s;
+    size_t i;
+    for (i = 0; i < s->output_count; i++)
+        if (!paradt_io_write(&stage, s->outputs[i], &j->points, &j->t, error))
+            return 0;
+    if (stats && strcmp(s->stats, "-") != 0 && !paradt_io_write_text(&stage, s->stats, stats, error))
+        return 0;
+    return paradt_io_stage_commit(&stage, error);
+}
+
+static int print_all(const job *j, const char *stats) {
+    const settings *s = j->s;
+    if (stats && strcmp(s->stats, "-") == 0)
+        fputs(stats, stdout);
+    else if (!s->quiet)
+        print_summary(j);
+    if (s->hash)
+        printf("%016" PRIx64 "\n", paradt_hash(&j->t));
+    return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
+}
+
+static int finish(const job *j) {
+    paradt_io_error error;
+    char *stats = NULL;
+    int status;
+    if (j->s->stats && !(stats = make_stats(j)))
+        return fail(EXIT_FAILED, "not enough memory");
+    if (!paradt_io_stage_init(&stage, j->s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error) ||
+        !write_all(j, stats, &error)) {
+        paradt_io_stage_abort(&stage);
+        status = io_failed(&error);
+    } else
+        status = print_all(j, stats);
+    paradt_io_stage_free(&stage);
+    free(stats);
+    return status;
+}
+
+static int run(const settings *s) {
+    paradt_io_error error;
+    job j;
+    int status;
+    memset(&j, 0, sizeof j);
+    j.s = s;
+    if (!check_outputs(s, s->want.dim, &error) || !paradt_io_read(&j.points, s->input, &s->want, &error))
+        return io_failed(&error);
+    if (!check_outputs(s, j.points.dim, &error))
+        status = io_failed(&error);
+    else {
+        plan(&j);
+        status = triangulate(&j);
+        if (!status)
+            status = finish(&j);
+        paradt_free(&j.t);
+    }
+    paradt_io_free(&j.points);
+    return status;
+}
+
+int main(int count, char **arguments) {
+    settings s;
+    int status;
+    memset(&s, 0, sizeof s);
+    s.outputs = (const char **)malloc((size_t)count * sizeof *s.outputs);
+    if (!s.outputs)
+        return fail(EXIT_FAILED, "not enough memory");
+    catch_signals();
+    status = parse(&s, count, arguments) ? EXIT_DONE : EXIT_USAGE;
+    if (!status && s.help)
+        print_help();
+    else if (!status && s.version)
+        printf("paradt %d.%d.%d\n", PARADT_VERSION / 10000, PARADT_VERSION / 100 % 100, PARADT_VERSION % 100);
+    else if (!status)
+        status = run(&s);
+    free(s.outputs);
+    return status;
+}

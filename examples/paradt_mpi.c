@@ -1,0 +1,629 @@
+// paradt_mpi - the command-line tool of ParaDT over MPI
+//
+//     mpicc -O3 -o paradt_mpi examples/paradt_mpi.c -lm
+//     mpiexec -n 8 paradt_mpi gen:plummer:1000000:1 -o cluster.pvtu
+//
+// It takes the inputs and options of `paradt` that make sense here; `paradt_mpi --help` lists them. Each rank makes or
+// reads its own part of gen:..., of .npy and of binary .ply; other inputs are read by rank 0, which hands in all
+// points. Each rank writes its own piece of a .pvtu; for other outputs and for --check the cells are gathered on rank
+// 0. Only rank 0 prints.
+
+#define PARADT_IO_IMPLEMENTATION
+#include "paradt_io.h"
+
+#define PARADT_MPI_IMPLEMENTATION
+#include "../paradt_mpi.h"
+
+#include <inttypes.h>
+
+enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
+
+static int rank, ranks;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>settings
+
+typedef struct settings {
+    const char *input;
+    const char **outputs;
+    size_t output_count;
+    const char *stats; // file, or "-"; NULL: none
+    paradt_io_want want;
+    paradt_method method;
+    paradt_partition partition;
+    int replicated, check, hash, quiet, help, version;
+} settings;
+
+// Says on rank 0 what went wrong; returns the exit status.
+static int fail(int status, const char *format, ...) PARADT_IO__FORMAT(2, 3);
+
+static int fail(int status, const char *format, ...) {
+    va_list arguments;
+    if (rank == 0) {
+        va_start(arguments, format);
+        fputs("paradt_mpi: ", stderr);
+        vfprintf(stderr, format, arguments);
+        fputc('\n', stderr);
+        va_end(arguments);
+    }
+    return status;
+}
+
+static const char *take_output(settings *s, const char *value) {
+    s->outputs[s->output_count++] = value;
+    return NULL;
+}
+
+static const char *take_dim(settings *s, const char *value) {
+    if (value[0] < '2' || value[0] > '0' + PARADT_MAX_DIM || value[1]) return "the dimension is a number from 2 to 8";
+    s->want.dim = value[0] - '0';
+    return NULL;
+}
+
+static const char *take_method(settings *s, const char *value) {
+    int m;
+    for (m = 0; m < PARADT_METHOD_COUNT; m++)
+        if (strcmp(value, paradt_method_string((paradt_method)m)) == 0) {
+            s->method = (paradt_method)m;
+            return NULL;
+        }
+    return "no such method";
+}
+
+static const char *take_partition(settings *s, const char *value) {
+    s->partition = strcmp(value, "uniform") == 0 ? PARADT_UNIFORM : PARADT_BISECTION;
+    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL : "bisection or uniform";
+}
+
+static const char *take_stats(settings *s, const char *value) {
+    s->stats = value;
+    return NULL;
+}
+
+static const struct {
+    const char *name;
+    const char *value;                                   // what --help calls its argument; NULL: it takes none
+    const char *(*take)(settings *s, const char *value); // returns NULL, or what is wrong with the value
+    size_t flag;                                         // without an argument: the int to set
+    const char *about;
+} options_table[] = {
+    {"-o", "FILE", take_output, 0, "write the result; may be given several times"},
+    {"--method", "NAME", take_method, 0, "how each rank triangulates; the result is the same by every method"},
+    {"--dim", "D", take_dim, 0, "dimension, 2 to 8: the first D columns are coordinates"},
+    {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
+    {"--partition", "HOW", take_partition, 0, "bisection (default: boxes of equal points) or uniform"},
+    {"--replicated", NULL, NULL, offsetof(settings, replicated), "every rank gets all points, by --method incode"},
+    {"--check", NULL, NULL, offsetof(settings, check), "certify the result on rank 0 in exact arithmetic"},
+    {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
+    {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
+    {"--quiet", NULL, NULL, offsetof(settings, quiet), "no summary"},
+    {"--help", NULL, NULL, offsetof(settings, help), "this text"},
+    {"--version", NULL, NULL, offsetof(settings, version), "the version"},
+};
+
+enum { OPTIONS = sizeof options_table / sizeof *options_table };
+
+static void print_help(void) {
+    int i;
+    printf("mpiexec -n RANKS paradt_mpi [options] INPUT\n\n"
+           "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly, on many ranks.\n\n"
+           "INPUT: %s or gen:KIND:N:SEED (paradt --help lists the kinds)\n\n",
+           paradt_io_inputs());
+    for (i = 0; i < OPTIONS; i++) {
+        char left[40];
+        snprintf(left, sizeof left, "%s%s%s", options_table[i].name, options_table[i].value ? " " : "",
+                 options_table[i].value ? options_table[i].value : "");
+        printf("  %-16s  %s\n", left, options_table[i].about);
+    }
+    printf("\nOutputs, by extension: .pvtu %s\n  .pvtu: a piece for each rank beside it\n\nMethods:",
+           paradt_io_outputs());
+    for (i = 0; i < PARADT_METHOD_COUNT; i++) printf(" %s", paradt_method_string((paradt_method)i));
+    printf("\n\nExit status: 0 done, 1 the work failed, 2 usage, 3 the input can't be read or is not finite\n");
+}
+
+static int wrong(const char *option, const char *reason) {
+    fail(EXIT_USAGE, "%s: %s (paradt_mpi --help lists the options)", option, reason);
+    return 0;
+}
+
+// Takes one option, whose value follows "=" or is the next argument. Returns how many arguments it took; 0: it is
+// wrong.
+static int take_option(settings *s, int left, char **arguments) {
+    const char *text = arguments[0], *equals = strncmp(text, "--", 2) == 0 ? strchr(text, '=') : NULL, *value, *reason;
+    size_t n = equals ? (size_t)(equals - text) : strlen(text);
+    int i;
+    for (i = 0; i < OPTIONS; i++)
+        if (strlen(options_table[i].name) == n && memcmp(options_table[i].name, text, n) == 0) break;
+    if (i == OPTIONS) return wrong(text, "no such option");
+    if (!options_table[i].take) {
+        if (equals) return wrong(text, "takes no value");
+        *(int *)((char *)s + options_table[i].flag) = 1;
+        return 1;
+    }
+    value = equals ? equals + 1 : left > 1 ? arguments[1] : NULL;
+    if (!value) return wrong(text, "its value is missing");
+    reason = options_table[i].take(s, value);
+    if (reason) return wrong(text, reason);
+    return equals ? 1 : 2;
+}
+
+// Returns 1, or 0 when the command line is wrong.
+static int parse(settings *s, int count, char **arguments) {
+    int i, only_names = 0;
+    for (i = 1; i < count;) {
+        const char *text = arguments[i];
+        if (!only_names && strcmp(text, "--") == 0) {
+            only_names = 1;
+            i++;
+        } else if (!only_names && text[0] == '-' && text[1]) {
+            int taken = take_option(s, count - i, arguments + i);
+            if (!taken) return 0;
+            i += taken;
+        } else if (s->input) return wrong(text, "a second input");
+        else s->input = arguments[i++];
+    }
+    if (!s->input && !s->help && !s->version) return wrong("INPUT", "nothing to read is named");
+    return 1;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>parts: the share of the input that a rank hands in
+
+typedef struct part {
+    void *rows;      // of the file, or coordinates; from malloc
+    double *weights; // [points.count], from malloc; NULL: none
+    paradt_points points;
+} part;
+
+static void part_free(part *p) {
+    free(p->rows);
+    free(p->weights);
+    memset(p, 0, sizeof *p);
+}
+
+// The largest status of all ranks.
+static int agree(int status) {
+    MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    return status;
+}
+
+// A table of numbers in a file: what rank 0 tells the others of its header.
+enum { TABLE_OFFSET, TABLE_ROWS, TABLE_STRIDE, TABLE_COLUMNS, TABLE_FLOATS, TABLE_FIELDS };
+
+// A .npy of little-endian floats in rows. Returns 1 if it is one.
+static int npy_table(const char *head, size_t size, int64_t *table) {
+    const char *text = head + 10, *shape;
+    unsigned length;
+    long long rows, columns;
+    if (size < 128 || memcmp(head, "\x93NUMPY\x01", 7) != 0) return 0;
+    length = (unsigned char)head[8] | (unsigned)(unsigned char)head[9] << 8;
+    shape = strstr(text, "'shape': (");
+    if (10 + length >= size || !strstr(text, "'fortran_order': False") || !shape || shape > text + length ||
+        sscanf(shape, "'shape': (%lld, %lld)", &rows, &columns) != 2 || rows < 0 || columns < 1 || columns > 1 << 20)
+        return 0;
+    table[TABLE_FLOATS] = strstr(text, "'descr': '<f4'") != NULL;
+    if (!table[TABLE_FLOATS] && !strstr(text, "'descr': '<f8'")) return 0;
+    table[TABLE_OFFSET] = 10 + (int64_t)length;
+    table[TABLE_ROWS] = rows;
+    table[TABLE_COLUMNS] = columns;
+    table[TABLE_STRIDE] = columns * (table[TABLE_FLOATS] ? 4 : 8);
+    return 1;
+}
+
+// Bytes of a PLY type; 0: a list, or unknown
+static int ply_size(const char *type) {
+    static const struct {
+        const char *name;
+        int size;
+    } types[] = {{"char", 1},  {"uchar", 1},  {"short", 2},   {"ushort", 2}, {"int", 4},   {"uint", 4},
+                 {"float", 4}, {"double", 8}, {"int8", 1},    {"uint8", 1},  {"int16", 2}, {"uint16", 2},
+                 {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float64", 8}};
+    size_t i;
+    for (i = 0; i < sizeof types / sizeof *types; i++)
+        if (strcmp(type, types[i].name) == 0) return types[i].size;
+    return 0;
+}
+
+// A binary .ply whose vertices come first and begin with x, y, z of one floating-point type. Returns 1 if it is one.
+static int ply_table(const char *head, int64_t *table) {
+    const char *end = strstr(head, "end_header\n"), *line = strstr(head, "\nelement "), *next;
+    char type[16], name[16];
+    long long rows;
+    int place = 0, first = 0;
+    if (strncmp(head, "ply\nformat binary_little_endian 1.0\n", 36) != 0 || !end || !line || line > end ||
+        sscanf(line, "\nelement vertex %lld", &rows) != 1 || rows < 0)
+        return 0;
+    table[TABLE_STRIDE] = 0;
+    for (line = strchr(line + 1, '\n') + 1; strncmp(line, "property ", 9) == 0; line = next) {
+        int size;
+        next = strchr(line, '\n') + 1;
+        if (sscanf(line, "property %15s %15s", type, name) != 2 || (size = ply_size(type)) == 0) return 0;
+        if (place < 3 && (strlen(name) != 1 || name[0] != 'x' + place || (type[0] != 'f' && type[0] != 'd') ||
+                          (place && size != first)))
+            return 0;
+        first = place ? first : size;
+        place++;
+        table[TABLE_STRIDE] += size;
+    }
+    table[TABLE_OFFSET] = end + 11 - head;
+    table[TABLE_ROWS] = rows;
+    table[TABLE_COLUMNS] = 3;
+    table[TABLE_FLOATS] = first == 4;
+    return place >= 3;
+}
+
+// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is.
+static int find_table(const settings *s, int64_t *table) {
+    static const union {
+        unsigned short number;
+        unsigned char bytes[2];
+    } order = {1};
+    char head[4097];
+    int found = 0;
+    if (rank == 0 && order.bytes[0]) {
+        FILE *file = fopen(s->input, "rb");
+        size_t size = file ? fread(head, 1, sizeof head - 1, file) : 0, n = strlen(s->input);
+        head[size] = '\0';
+        if (n > 4 && strcasecmp(s->input + n - 4, ".npy") == 0) found = npy_table(head, size, table);
+        if (n > 4 && strcasecmp(s->input + n - 4, ".ply") == 0 && !s->want.weights) found = ply_table(head, table);
+        if (found) { // a file cut short is for the reader that says so
+            int64_t dim = s->want.dim ? s->want.dim : table[TABLE_COLUMNS] - s->want.weights;
+            fseek(file, 0, SEEK_END);
+            found = ftell(file) >= table[TABLE_OFFSET] + table[TABLE_ROWS] * table[TABLE_STRIDE] && dim >= 2 &&
+                    dim <= PARADT_MAX_DIM && dim + s->want.weights <= table[TABLE_COLUMNS];
+        }
+        if (file) fclose(file);
+    }
+    MPI_Bcast(&found, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Bcast(table, TABLE_FIELDS, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    return found;
+}
+
+// The first of a rank's elements, where `count` are dealt out in blocks.
+static int64_t share(int64_t count, int r) {
+    return count / ranks * r + count % ranks * r / ranks;
+}
+
+// Reads `bytes` bytes from an offset of its own on each rank; collective.
+static int read_bytes(MPI_File file, int64_t offset, char *to, int64_t bytes) {
+    const int64_t piece = 1 << 30;
+    int64_t most = bytes, done;
+    int good = 1;
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, MPI_COMM_WORLD);
+    for (done = 0; done < most; done += piece) {
+        int64_t left = bytes - done;
+        MPI_Status status;
+        int count = left <= 0 ? 0 : left < piece ? (int)left : (int)piece, got = 0;
+        good &= MPI_File_read_at_all(file, offset + done, to + done, count, MPI_BYTE, &status) == MPI_SUCCESS;
+        MPI_Get_count(&status, MPI_BYTE, &got);
+        good &= got == count;
+    }
+    return good;
+}
+
+// Copies the column behind the coordinates.
+static void take_weights(part *p) {
+    size_t i, size = p->points.scalar == PARADT_F32 ? 4 : 8;
+    for (i = 0; i < p->points.count; i++) {
+        const char *at = (const char *)p->rows + i * p->points.stride + (size_t)p->points.dim * size;
+        float narrow;
+        if (size == 4) {
+            memcpy(&narrow, at, size);
+            p->weights[i] = narrow;
+        } else memcpy(p->weights + i, at, size);
+    }
+    p->points.weights = p->weights;
+}
+
+static int read_table(const settings *s, const int64_t *table, part *p) {
+    int64_t first = share(table[TABLE_ROWS], rank), count = share(table[TABLE_ROWS], rank + 1) - first;
+    MPI_File file;
+    int status = EXIT_DONE;
+    p->points.count = (size_t)count;
+    p->points.dim = s->want.dim ? s->want.dim : (int)table[TABLE_COLUMNS] - s->want.weights;
+    p->points.stride = (size_t)table[TABLE_STRIDE];
+    p->points.scalar = table[TABLE_FLOATS] ? PARADT_F32 : PARADT_F64;
+    p->rows = malloc((size_t)(count * table[TABLE_STRIDE]) + 1);
+    p->weights = s->want.weights ? (double *)malloc((size_t)count * sizeof(double) + 1) : NULL;
+    p->points.data = p->rows;
+    if (agree(!p->rows || (s->want.weights && !p->weights)))
+        return fail(EXIT_FAILED, "%s: not enough memory", s->input);
+    if (MPI_File_open(MPI_COMM_WORLD, s->input, MPI_MODE_RDONLY, MPI_INFO_NULL, &file) != MPI_SUCCESS)
+        return fail(EXIT_INPUT, "%s: can't be opened by all ranks", s->input);
+    if (!read_bytes(file, table[TABLE_OFFSET] + first * table[TABLE_STRIDE], (char *)p->rows,
+                    count * table[TABLE_STRIDE]))
+        status = EXIT_INPUT;
+    MPI_File_close(&file);
+    if (agree(status)) return fail(EXIT_INPUT, "%s: can't be read", s->input);
+    if (p->weights) take_weights(p);
+    return EXIT_DONE;
+}
+
+// Makes this rank's share of a gen: input.
+static int generate(const settings *s, part *p) {
+    paradt_gen_spec spec;
+    const char *reason = paradt_gen_parse(&spec, s->input);
+    int dim = s->want.dim ? s->want.dim : 3;
+    int64_t first, end;
+    double *x;
+    if (reason) return fail(EXIT_USAGE, "%s: %s", s->input, reason);
+    first = s->replicated ? 0 : share((int64_t)spec.count, rank);
+    end = s->replicated ? (int64_t)spec.count : share((int64_t)spec.count, rank + 1);
+    p->points.count = (size_t)(end - first);
+    p->points.dim = dim;
+    p->rows = x = (double *)malloc(p->points.count * (size_t)dim * sizeof *x + 1);
+    p->weights = s->want.weights ? (double *)malloc(p->points.count * sizeof(double) + 1) : NULL;
+    if (agree(!x || (s->want.weights && !p->weights))) return fail(EXIT_FAILED, "%s: not enough memory", s->input);
+    paradt_gen_points(&spec, dim, (size_t)first, p->points.count, x);
+    if (p->weights) paradt_gen_weights(&spec, dim, (size_t)first, p->points.count, p->weights);
+    p->points.data = x;
+    p->points.weights = p->weights;
+    return EXIT_DONE;
+}
+
+static int exit_status(paradt_io_status status) {
+    static const int statuses[] = {EXIT_DONE, EXIT_INPUT, EXIT_USAGE, EXIT_FAILED};
+    return statuses[status];
+}
+
+// Reads all of the input, on rank 0 or on all ranks; collective. The others get no points.
+static int read_whole(const settings *s, int on_all, part *p) {
+    paradt_io_points points;
+    paradt_io_error error;
+    int status = EXIT_DONE, dim = 0;
+    memset(&points, 0, sizeof points);
+    if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error))
+        status = fail(exit_status(error.status), "%s", error.text);
+    status = agree(status);
+    if (!status && on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))
+        status = exit_status(error.status);
+    status = agree(status);
+    dim = points.dim;
+    MPI_Bcast(&dim, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    p->rows = points.coordinates;
+    p->weights = points.weights;
+    p->points.data = points.coordinates;
+    p->points.count = points.count;
+    p->points.dim = dim;
+    p->points.weights = points.weights;
+    return status;
+}
+
+static int read_part(const settings *s, part *p) {
+    int64_t table[TABLE_FIELDS] = {0};
+    if (strncmp(s->input, "gen:", 4) == 0) return generate(s, p);
+    if (!s->replicated && find_table(s, table)) return read_table(s, table, p);
+    return read_whole(s, s->replicated, p);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>report
+
+static void print_json(FILE *out, const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash) {
+    fprintf(out, "{\n  \"ranks\": %d,\n  \"points_given\": %" PRIu64 ",\n  \"dim\": %d,\n  \"affine_dim\": %d,\n",
+            ranks, t->point_total, p->points.dim, t->dim);
+    fprintf(out, "  \"method\": \"%s\",\n  \"hash\": \"%016" PRIx64 "\",\n", paradt_method_string(s->method), hash);
+#define PRINT_COUNTER(name, about)                                                                                     \
+    fprintf(out, "  \"%s\": %" PRIu64 ",\n  \"%s_largest\": %" PRIu64 ",\n", #name, t->sum.name, #name,                \
+            t->largest.name);
+#define PRINT_TIMER(name, about)                                                                                       \
+    fprintf(out, "  \"%s_sum\": %.6f,\n  \"%s_largest\": %.6f,\n", #name, t->sum.name, #name, t->largest.name);
+    PARADT_MPI_COUNTERS(PRINT_COUNTER)
+    PARADT_MPI_TIMERS(PRINT_TIMER)
+    fprintf(out, "  \"seconds\": %.6f\n}\n", t->largest.seconds);
+}
+
+static void print_summary(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
+    double cells = (double)t->cell_total;
+    size_t i;
+    printf("points       %" PRIu64 " in %d dimensions", t->point_total, p->points.dim);
+    if (t->dim >= 0 && t->dim < p->points.dim) printf(", all in a flat of dimension %d", t->dim);
+    printf("\ncells        %" PRIu64 " (%" PRIu64 " to %" PRIu64 " a rank)\nhull facets  %" PRIu64 "\n", t->cell_total,
+           t->cell_total / (uint64_t)ranks, t->largest.cells, t->sum.hull_facets);
+    printf("duplicates   %" PRIu64 "\n", t->sum.duplicates);
+    if (s->want.weights) printf("hidden       %" PRIu64 "\n", t->sum.hidden);
+    printf("time         %.3f s on %d rank%s (%s), %.2f %% of the cells made twice\n", t->largest.seconds, ranks,
+           ranks == 1 ? "" : "s", s->replicated ? "replicated" : "distributed",
+           cells > 0 ? 100.0 * (double)t->sum.cells_recomputed / cells : 0.0);
+    printf("exchanged    %" PRIu64 " points, %.1f MB in %" PRIu64 " messages\n",
+           t->sum.points_guessed + t->sum.points_asked, (double)t->sum.bytes_sent * 1e-6, t->sum.messages_sent);
+    for (i = 0; i < s->output_count; i++) printf("wrote        %s\n", s->outputs[i]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>output
+
+static int is_pvtu(const char *name) {
+    size_t n = strlen(name);
+    return n > 5 && strcasecmp(name + n - 5, ".pvtu") == 0;
+}
+
+// "cluster.pvtu" to "cluster_3.vtu"; malloc'ed
+static char *piece_name(const char *name, int r) {
+    size_t room = strlen(name) + 24;
+    char *piece = (char *)malloc(room);
+    if (piece) snprintf(piece, room, "%.*s_%d.vtu", (int)strlen(name) - 5, name, r);
+    return piece;
+}
+
+// What binds the pieces together: malloc'ed text
+static char *pvtu_text(const char *name) {
+    const char *slash = strrchr(name, '/'), *base = slash ? slash + 1 : name;
+    size_t room = 1024 + (size_t)ranks * (strlen(base) + 64);
+    char *text = (char *)malloc(room);
+    size_t used;
+    int r;
+    if (!text) return NULL;
+    used =
+        (size_t)snprintf(text, room,
+                         "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+                         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
+                         "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
+                         "</PPoints>\n");
+    for (r = 0; r < ranks; r++)
+        used += (size_t)snprintf(text + used, room - used, "<Piece Source=\"%.*s_%d.vtu\"/>\n", (int)strlen(base) - 5,
+                                 base, r);
+    snprintf(text + used, room - used, "</PUnstructuredGrid>\n</VTKFile>\n");
+    return text;
+}
+
+// This rank's piece, and on rank 0 what binds them together.
+static int write_pieces(paradt_io_stage *stage, const char *name, const paradt_mpi_triangulation *t,
+                        paradt_io_error *error) {
+    char *piece = piece_name(name, rank), *text = rank == 0 ? pvtu_text(name) : NULL;
+    paradt_io_points points;
+    paradt_triangulation own;
+    int good;
+    memset(&points, 0, sizeof points);
+    memset(&own, 0, sizeof own);
+    points.dim = t->ambient;
+    points.count = t->vertex_count;
+    points.coordinates = t->coordinates;
+    own.dim = t->dim;
+    own.cell_count = t->cell_count;
+    own.cells = t->cells;
+    own.point_count = t->vertex_count;
+    if (!piece || (rank == 0 && !text)) good = paradt_io__no_memory(error, name);
+    else {
+        good = paradt_io_write(stage, piece, &points, &own, error);
+        if (good && rank == 0) good = paradt_io_write_text(stage, name, text, error);
+    }
+    free(piece);
+    free(text);
+    return good;
+}
+
+// On rank 0, with all points and cells.
+static int finish_whole(const settings *s, paradt_io_stage *stage, const part *all, const paradt_triangulation *t,
+                        paradt_io_error *error) {
+    paradt_io_points points;
+    paradt_fault fault = {NULL, -1, -1};
+    size_t i;
+    memset(&points, 0, sizeof points);
+    points.dim = all->points.dim;
+    points.count = all->points.count;
+    points.coordinates = (double *)all->rows;
+    points.weights = all->weights;
+    if (s->check && paradt_check(t, &all->points, NULL, &fault) != PARADT_OK)
+        return paradt_io__error(error, PARADT_IO_FAILED, "%.900s: the check found: %s", s->input,
+                                fault.reason ? fault.reason : "no memory");
+    for (i = 0; i < s->output_count; i++)
+        if (!is_pvtu(s->outputs[i]) && !paradt_io_write(stage, s->outputs[i], &points, t, error)) return 0;
+    return 1;
+}
+
+// Writes and checks; collective.
+static int finish(const settings *s, paradt_io_stage *stage, const paradt_mpi_triangulation *t) {
+    paradt_io_error error;
+    int status = EXIT_DONE, gathers = s->check;
+    size_t i;
+    error.text[0] = '\0';
+    for (i = 0; i < s->output_count; i++) {
+        gathers |= !is_pvtu(s->outputs[i]);
+        if (is_pvtu(s->outputs[i]) && !status && !write_pieces(stage, s->outputs[i], t, &error))
+            status = exit_status(error.status);
+    }
+    if (gathers) {
+        part all;
+        paradt_triangulation whole;
+        paradt_status gathered = paradt_mpi_gather(&whole, MPI_COMM_WORLD, t, 0);
+        memset(&all, 0, sizeof all);
+        if (gathered) return fail(EXIT_FAILED, "%s: %s", s->input, paradt_status_string(gathered));
+        if (read_whole(s, 0, &all)) status = EXIT_INPUT;
+        else if (rank == 0 && !status && !finish_whole(s, stage, &all, &whole, &error))
+            status = exit_status(error.status);
+        paradt_free(&whole);
+        part_free(&all);
+    }
+    if (agree(status) == EXIT_DONE && !paradt_io_stage_commit(stage, &error)) status = exit_status(error.status);
+    if (status && error.text[0]) fprintf(stderr, "paradt_mpi: %s\n", error.text);
+    return agree(status);
+}
+
+static int report(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash) {
+    if (rank) return EXIT_DONE;
+    if (s->stats) {
+        FILE *out = strcmp(s->stats, "-") == 0 ? stdout : fopen(s->stats, "w");
+        if (!out) return fail(EXIT_FAILED, "%s: %s", s->stats, strerror(errno));
+        print_json(out, s, p, t, hash);
+        if (out != stdout && fclose(out) != 0) return fail(EXIT_FAILED, "%s: can't be written", s->stats);
+    }
+    if (!s->quiet && !(s->stats && strcmp(s->stats, "-") == 0)) print_summary(s, p, t);
+    if (s->hash) printf("%016" PRIx64 "\n", hash);
+    return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>main
+
+static int check_outputs(const settings *s) {
+    paradt_io_error error;
+    size_t i;
+    for (i = 0; i < s->output_count && rank == 0; i++) {
+        int good = is_pvtu(s->outputs[i]) ? paradt_io_check_place(s->outputs[i], s->input, &error)
+                                          : paradt_io_check_output(s->outputs[i], s->want.dim, s->input, &error);
+        if (good && is_pvtu(s->outputs[i]) && s->want.dim > 3)
+            return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions", s->outputs[i]);
+        if (!good) return fail(exit_status(error.status), "%s", error.text);
+    }
+    return EXIT_DONE;
+}
+
+static int triangulate(const settings *s, const part *p, paradt_mpi_triangulation *t) {
+    paradt_mpi_options options;
+    paradt_status status;
+    memset(&options, 0, sizeof options);
+    options.local.method = s->method;
+    options.local.partition = s->partition;
+    options.flags = s->replicated ? PARADT_MPI_REPLICATED : 0;
+    status = paradt_mpi_triangulate(t, MPI_COMM_WORLD, &p->points, &options);
+    if (status == PARADT_ERROR_NOT_FINITE)
+        return fail(EXIT_INPUT, "%s: point %zu of rank %d is not finite", s->input, t->error_point, t->error_rank);
+    if (status) return fail(EXIT_FAILED, "%s: rank %d: %s", s->input, t->error_rank, paradt_status_string(status));
+    return EXIT_DONE;
+}
+
+static int run(const settings *s) {
+    part p;
+    paradt_mpi_triangulation t;
+    paradt_io_stage stage;
+    paradt_io_error error;
+    int status = agree(check_outputs(s));
+    memset(&p, 0, sizeof p);
+    memset(&t, 0, sizeof t);
+    if (!status) status = agree(read_part(s, &p));
+    if (!status) status = agree(triangulate(s, &p, &t));
+    if (!status) {
+        uint64_t hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
+        int staged = paradt_io_stage_init(&stage, s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error);
+        status = agree(staged ? EXIT_DONE : EXIT_FAILED);
+        if (!status) status = finish(s, &stage, &t);
+        if (status && staged) paradt_io_stage_abort(&stage);
+        if (staged) paradt_io_stage_free(&stage);
+        if (!status) status = agree(report(s, &p, &t, hash));
+    }
+    paradt_mpi_free(&t);
+    part_free(&p);
+    return status;
+}
+
+int main(int count, char **arguments) {
+    settings s;
+    int status;
+    MPI_Init(&count, &arguments);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    memset(&s, 0, sizeof s);
+    s.outputs = (const char **)malloc((size_t)count * sizeof *s.outputs);
+    status = agree(s.outputs ? EXIT_DONE : EXIT_FAILED);
+    if (!status) status = parse(&s, count, arguments) ? EXIT_DONE : EXIT_USAGE;
+    if (!status && s.help) {
+        if (rank == 0) print_help();
+    } else if (!status && s.version) {
+        if (rank == 0)
+            printf("paradt_mpi %d.%d.%d\n", PARADT_VERSION / 10000, PARADT_VERSION / 100 % 100, PARADT_VERSION % 100);
+    } else if (!status) status = run(&s);
+    free(s.outputs);
+    MPI_Finalize();
+    return status;
+}

@@ -1,0 +1,748 @@
+// paradt_picture.h - draws a triangulation in two or three dimensions as an SVG or PNG picture
+//
+// In one file: #define PARADT_PICTURE_IMPLEMENTATION, then #include "paradt_picture.h". C99; needs sqrt and log of
+// libm.
+//
+// Triangles are drawn flat. Tetrahedra are cut open: those in front of a plane through the middle of the points are
+// left out, so that the picture shows the inside; small results are drawn whole, their cells pulled apart. Colour tells
+// the size of a cell, from small and bright to large and dark.
+
+#ifndef PARADT_PICTURE_H
+#define PARADT_PICTURE_H
+
+#include "../paradt.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct paradt_picture {
+    unsigned char *bytes; // the file, from malloc
+    size_t size;
+} paradt_picture;
+
+// coordinates: [point_count][dim], dim 2 or 3. Returns 1; 0 when memory runs out.
+int paradt_picture_svg(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t);
+int paradt_picture_png(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif // PARADT_PICTURE_H
+
+#ifdef PARADT_PICTURE_IMPLEMENTATION
+#ifndef PARADT_PICTURE_IMPLEMENTATION_DONE
+#define PARADT_PICTURE_IMPLEMENTATION_DONE
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>scene: the faces to draw, in pixels, from back to front
+
+enum { PARADT_PICTURE__WIDTH = 1200, PARADT_PICTURE__HEIGHT = 1000, PARADT_PICTURE__MARGIN = 40 };
+enum { PARADT_PICTURE__FEW = 150 }; // up to so many tetrahedra are pulled apart instead of cut open
+
+typedef struct paradt_picture__face {
+    float x[3], y[3], z[3]; // z grows away from the viewer
+    float depth;            // mean z
+    int corners;            // 1 to 3
+    unsigned char rgb[3];
+} paradt_picture__face;
+
+typedef struct paradt_picture__scene {
+    const paradt_triangulation *t;
+    int dim;
+    float *points;        // [point_count][3], the middle of the points at 0, all within the unit ball
+    float *sizes;         // [cell_count] log of the longest edge
+    unsigned char *shown; // [cell_count]
+    float least;          // sizes of the brightest ...
+    float largest;        // ... and the darkest cells
+    float shrink;         // cells are drawn this size, pulled apart when it is below 1
+    paradt_picture__face *faces;
+    size_t count;
+    size_t capacity;
+} paradt_picture__scene;
+
+// The viewer's axes: right, down and away; the object stands on its z axis and is seen from its front, left and above.
+static const float paradt_picture__view[3][3] = {
+    {0.8660254f, 0.5f, 0.0f}, {0.1710101f, -0.2961981f, -0.9396926f}, {-0.4698463f, 0.8137977f, -0.3420201f}};
+static const float paradt_picture__light[3] = {-0.45f, -0.65f, 0.6123f}; // in the object's axes
+static const float paradt_picture__cut[3] = {-0.25f, -0.93f, 0.27f};     // what is on this side is left out
+
+static float paradt_picture__dot(const float *a, const float *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Halves and a division keep 1.7e308 from overflowing and subnormals from vanishing.
+static double paradt_picture__extent(const double *coordinates, size_t count, int dim, double *middle) {
+    double extent = 0;
+    size_t i;
+    int k;
+    for (k = 0; k < dim; k++) {
+        double low = 0, high = 0, sum = 0;
+        for (i = 0; i < count; i++) {
+            double x = coordinates[i * (size_t)dim + (size_t)k] / 2;
+            if (!i || x < low)
+                low = x;
+            if (!i || x > high)
+                high = x;
+            sum += x / (double)count;
+        }
+        middle[k] = dim == 3 ? sum : low / 2 + high / 2;
+        if (high - middle[k] > extent)
+            extent = high - middle[k];
+        if (middle[k] - low > extent)
+            extent = middle[k] - low;
+    }
+    return extent;
+}
+
+static int paradt_picture__place(paradt_picture__scene *s, const double *coordinates) {
+    size_t i, count = s->t->point_count;
+    double middle[3] = {0, 0, 0}, extent = paradt_picture__extent(coordinates, count, s->dim, middle), reach = 0;
+    int k;
+    s->points = (float *)malloc((count + 1) * 3 * sizeof *s->points);
+    if (!s->points)
+        return 0;
+    for (i = 0; i < count; i++) {
+        float *p = s->points + 3 * i;
+        for (k = 0; k < 3; k++)
+            p[k] = k < s->dim && extent > 0
+                       ? (float)((coordinates[i * (size_t)s->dim + (size_t)k] / 2 - middle[k]) / extent)
+                       : 0;
+        if (paradt_picture__dot(p, p) > reach)
+            reach = paradt_picture__dot(p, p);
+    }
+    reach = reach > 0 ? sqrt(reach) : 1;
+    for (i = 0; i < 3 * count; i++)
+        s->points[i] = (float)(s->points[i] / reach);
+    return 1;
+}
+
+static int paradt_picture__compare_sizes(const void *a, const void *b) {
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+// Sizes of the cells, and the range of the middle nine tenths of a sample of them
+static int paradt_picture__measure(paradt_picture__scene *s) {
+    size_t corners = (size_t)(s->t->dim + 1), cells = s->t->cell_count, c, i, j, n = 0, step = cells / 5000 + 1;
+    float *sample;
+    s->sizes = (float *)malloc((cells + 1) * sizeof *s->sizes);
+    sample = (float *)malloc((cells / step + 2) * sizeof *sample);
+    for (c = 0; s->sizes && sample && c < cells; c++) {
+        const paradt_index *cell = s->t->cells + c * corners;
+        float longest = 1e-30f, edge[3];
+        int k;
+        for (i = 0; i < corners; i++)
+            for (j = 0; j < i; j++) {
+                for (k = 0; k < 3; k++)
+                    edge[k] = s->points[3 * (size_t)cell[i] + (size_t)k] - s->points[3 * (size_t)cell[j] + (size_t)k];
+                if (paradt_picture__dot(edge, edge) > longest)
+                    longest = paradt_picture__dot(edge, edge);
+            }
+        s->sizes[c] = (float)log((double)longest) / 2;
+        if (c % step == 0)
+            sample[n++] = s->sizes[c];
+    }
+    if (n) {
+        qsort(sample, n, sizeof *sample, paradt_picture__compare_sizes);
+        s->least = sample[n / 20];
+        s->largest = sample[n - 1 - n / 20];
+    }
+    free(sample);
+    return s->sizes && sample;
+}
+
+static void paradt_picture__centre(const paradt_picture__scene *s, const paradt_index *cell, float *centre) {
+    size_t corners = (size_t)(s->t->dim + 1), i;
+    int k;
+    for (k = 0; k < 3; k++)
+        for (centre[k] = 0, i = 0; i < corners; i++)
+            centre[k] += s->points[3 * (size_t)cell[i] + (size_t)k] / (float)corners;
+}
+
+// Is the cell behind the cut, its middle wholly and its corners almost? Flat cells of the hull would stick out
+// otherwise.
+static int paradt_picture__behind(const paradt_picture__scene *s, const paradt_index *cell) {
+    float centre[3];
+    int i;
+    paradt_picture__centre(s, cell, centre);
+    if (paradt_picture__dot(centre, paradt_picture__cut) > 0)
+        return 0;
+    for (i = 0; i <= s->t->dim; i++)
+        if (paradt_picture__dot(s->points + 3 * (size_t)cell[i], paradt_picture__cut) > 0.2f)
+            return 0;
+    return 1;
+}
+
+static int paradt_picture__open(paradt_picture__scene *s) {
+    size_t corners = (size_t)(s->t->dim + 1), c;
+    s->shown = (unsigned char *)malloc(s->t->cell_count + 1);
+    if (!s->shown)
+        return 0;
+    s->shrink = s->t->dim == 3 && s->t->cell_count <= PARADT_PICTURE__FEW ? 0.85f : 1.0f;
+    for (c = 0; c < s->t->cell_count; c++)
+        s->shown[c] = s->t->dim < 3 || s->shrink < 1 || paradt_picture__behind(s, s->t->cells + c * corners);
+    return 1;
+}
+
+// Colours of small cells first; each step is about as far from the next to the eye.
+static void paradt_picture__colour(const paradt_picture__scene *s, size_t cell, float light, unsigned char *rgb) {
+    static const float steps[][3] = {{255, 244, 214}, {255, 209, 120}, {247, 153, 84}, {221, 98, 96},
+                                     {166, 76, 132},  {112, 76, 154},  {80, 82, 156}};
+    const int last = (int)(sizeof steps / sizeof *steps) - 1;
+    float range = s->largest - s->least;
+    float at = range > 1e-3f ? (s->sizes[cell] - s->least) / range * (float)last : (float)last / 2;
+    int i, k;
+    at = at < 0 ? 0 : at > (float)last ? (float)last : at;
+    i = at < (float)last ? (int)at : last - 1;
+    for (k = 0; k < 3; k++) {
+        float shade = (steps[i][k] + (steps[i + 1][k] - steps[i][k]) * (at - (float)i)) * light;
+        rgb[k] = (unsigned char)(shade < 0 ? 0 : shade > 255 ? 255 : shade);
+    }
+}
+
+// How bright a face is, or below 0 when it looks away; p: its corners in the object's axes
+static float paradt_picture__brightness(float p[3][3], int solid) {
+    float u[3], v[3], n[3], length, towards, lit;
+    int k;
+    for (k = 0; k < 3; k++) {
+        u[k] = p[1][k] - p[0][k];
+        v[k] = p[2][k] - p[0][k];
+    }
+    n[0] = u[1] * v[2] - u[2] * v[1];
+    n[1] = u[2] * v[0] - u[0] * v[2];
+    n[2] = u[0] * v[1] - u[1] * v[0];
+    length = (float)sqrt((double)paradt_picture__dot(n, n));
+    if (!(length > 0))
+        return solid ? -1.0f : 1.0f;
+    towards = -paradt_picture__dot(n, paradt_picture__view[2]) / length;
+    if (solid && towards <= 0)
+        return -1;
+    lit = paradt_picture__dot(n, paradt_picture__light) / length;
+    if (towards < 0)
+        lit = -lit;
+    return 0.68f + 0.34f * lit;
+}
+
+static int paradt_picture__add(paradt_picture__scene *s, size_t cell, const paradt_index *vertices, int corners,
+                               int solid) {
+    float p[3][3], centre[3], light = 1;
+    paradt_picture__face *face;
+    int i, k;
+    paradt_picture__centre(s, s->t->cells + cell * (size_t)(s->t->dim + 1), centre);
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++) {
+            float at = s->points[3 * (size_t)vertices[i < corners ? i : 0] + (size_t)k];
+            p[i][k] = s->shrink < 1 ? centre[k] * 1.3f + (at - centre[k]) * s->shrink : at;
+        }
+    if (corners == 3 && s->dim == 3)
+        light = paradt_picture__brightness(p, solid);
+    if (light < 0)
+        return 1;
+    if (s->count == s->capacity) {
+        size_t capacity = s->capacity ? 2 * s->capacity : 1024;
+        face = (paradt_picture__face *)realloc(s->faces, capacity * sizeof *face);
+        if (!face)
+            return 0;
+        s->faces = face;
+        s->capacity = capacity;
+    }
+    face = &s->faces[s->count++];
+    face->corners = corners;
+    face->depth = 0;
+    for (i = 0; i < 3; i++) {
+        face->x[i] = s->dim == 3 ? paradt_picture__dot(p[i], paradt_picture__view[0]) : p[i][0];
+        face->y[i] = s->dim == 3 ? paradt_picture__dot(p[i], paradt_picture__view[1]) : -p[i][1];
+        face->z[i] = s->dim == 3 ? paradt_picture__dot(p[i], paradt_picture__view[2]) : 0;
+        face->depth += face->z[i] / 3;
+    }
+    paradt_picture__colour(s, cell, light, face->rgb);
+    return 1;
+}
+
+// The faces between what is shown and what is not, turned outward; below three dimensions the cells themselves
+static int paradt_picture__collect(paradt_picture__scene *s) {
+    size_t corners = (size_t)(s->t->dim + 1), c, i;
+    for (c = 0; c < s->t->cell_count; c++) {
+        const paradt_index *cell = s->t->cells + c * corners;
+        if (corners < 4 && !paradt_picture__add(s, c, cell, (int)corners, 0))
+            return 0;
+        for (i = 0; corners == 4 && s->shown[c] && i < 4; i++) {
+            static const int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+            const paradt_index beyond = s->t->neighbors[c * 4 + i];
+            paradt_index face[3];
+            int k;
+            if (s->shrink == 1 && beyond >= 0 && s->shown[beyond])
+                continue;
+            for (k = 0; k < 3; k++)
+                face[k] = cell[outward[i][k]];
+            if (!paradt_picture__add(s, c, face, 3, 1))
+                return 0;
+        }
+    }
+    return 1;
+}
+
+// Moves and scales what is drawn into the picture.
+static void paradt_picture__fit(paradt_picture__scene *s) {
+    float low[2] = {0, 0}, high[2] = {0, 0}, scale, across, down;
+    size_t i;
+    int k;
+    for (i = 0; i < s->count; i++)
+        for (k = 0; k < 3; k++) {
+            const float x = s->faces[i].x[k], y = s->faces[i].y[k];
+            int first = i == 0 && k == 0;
+            if (first || x < low[0])
+                low[0] = x;
+            if (first || x > high[0])
+                high[0] = x;
+            if (first || y < low[1])
+                low[1] = y;
+            if (first || y > high[1])
+                high[1] = y;
+        }
+    across = (float)(PARADT_PICTURE__WIDTH - 2 * PARADT_PICTURE__MARGIN) / (high[0] - low[0] + 1e-6f);
+    down = (float)(PARADT_PICTURE__HEIGHT - 2 * PARADT_PICTURE__MARGIN) / (high[1] - low[1] + 1e-6f);
+    scale = across < down ? across : down;
+    for (i = 0; i < s->count; i++)
+        for (k = 0; k < 3; k++) {
+            s->faces[i].x[k] = (s->faces[i].x[k] - (low[0] + high[0]) / 2) * scale + PARADT_PICTURE__WIDTH / 2;
+            s->faces[i].y[k] = (s->faces[i].y[k] - (low[1] + high[1]) / 2) * scale + PARADT_PICTURE__HEIGHT / 2;
+        }
+}
+
+static int paradt_picture__compare_depths(const void *a, const void *b) {
+    const float x = ((const paradt_picture__face *)a)->depth, y = ((const paradt_picture__face *)b)->depth;
+    return (x < y) - (x > y);
+}
+
+// Leaves the faces in *faces (from malloc) and returns how many there are; -1 when memory runs out.
+static long paradt_picture__faces(paradt_picture__face **faces, const double *coordinates, int dim,
+                                  const paradt_triangulation *t) {
+    paradt_picture__scene s;
+    int good;
+    memset(&s, 0, sizeof s);
+    s.t = t;
+    s.dim = dim;
+    good = paradt_picture__place(&s, coordinates) && paradt_picture__measure(&s) && paradt_picture__open(&s) &&
+           paradt_picture__collect(&s);
+    if (good)
+        paradt_picture__fit(&s);
+    if (good && s.count)
+        qsort(s.faces, s.count, sizeof *s.faces, paradt_picture__compare_depths);
+    free(s.points);
+    free(s.sizes);
+    free(s.shown);
+    if (!good) {
+        free(s.faces);
+        s.faces = NULL;
+    }
+    *faces = s.faces;
+    return good ? (long)s.count : -1;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>bytes: a growing file in memory
+
+typedef struct paradt_picture__bytes {
+    unsigned char *data;
+    size_t size;
+    size_t capacity;
+    int failed;
+} paradt_picture__bytes;
+
+static void paradt_picture__put(paradt_picture__bytes *out, const void *data, size_t size) {
+    if (size > out->capacity - out->size) {
+        size_t capacity = 2 * (out->capacity + size);
+        unsigned char *larger = out->failed ? NULL : (unsigned char *)realloc(out->data, capacity);
+        if (!larger) {
+            out->failed = 1;
+            return;
+        }
+        out->data = larger;
+        out->capacity = capacity;
+    }
+    memcpy(out->data + out->size, data, size);
+    out->size += size;
+}
+
+static int paradt_picture__finish(paradt_picture__bytes *out, paradt_picture *picture) {
+    if (out->failed) {
+        free(out->data);
+        out->data = NULL;
+        out->size = 0;
+    }
+    picture->bytes = out->data;
+    picture->size = out->size;
+    return !out->failed;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>svg
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+static void
+paradt_picture__putf(paradt_picture__bytes *out, const char *format, ...) {
+    char text[400];
+    int n;
+    va_list arguments;
+    va_start(arguments, format);
+    n = vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    paradt_picture__put(out, text, (size_t)n);
+}
+
+static void paradt_picture__put_face(paradt_picture__bytes *out, const paradt_picture__face *face) {
+    const float *x = face->x, *y = face->y;
+    const int r = face->rgb[0], g = face->rgb[1], b = face->rgb[2];
+    if (face->corners == 3)
+        paradt_picture__putf(out, "<path fill=\"#%02x%02x%02x\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fZ\"/>\n", r, g, b,
+                             (double)x[0], (double)y[0], (double)x[1], (double)y[1], (double)x[2], (double)y[2]);
+    else if (face->corners == 2)
+        paradt_picture__putf(out, "<path stroke=\"#%02x%02x%02x\" stroke-width=\"2\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", r,
+                             g, b, (double)x[0], (double)y[0], (double)x[1], (double)y[1]);
+    else
+        paradt_picture__putf(out, "<circle fill=\"#%02x%02x%02x\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\"/>\n", r, g, b,
+                             (double)x[0], (double)y[0]);
+}
+
+int paradt_picture_svg(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t) {
+    paradt_picture__bytes out = {NULL, 0, 0, 0};
+    paradt_picture__face *faces;
+    long count = paradt_picture__faces(&faces, coordinates, dim, t), i;
+    paradt_picture__putf(&out,
+                         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\">\n<rect width=\"%d\" "
+                         "height=\"%d\" fill=\"#14161f\"/>\n<g stroke=\"#14161f\" stroke-width=\"%.2f\" "
+                         "stroke-linejoin=\"round\">\n",
+                         PARADT_PICTURE__WIDTH, PARADT_PICTURE__HEIGHT, PARADT_PICTURE__WIDTH, PARADT_PICTURE__HEIGHT,
+                         count < 2000    ? 1.0
+                         : count < 20000 ? 0.5
+                                         : 0.2);
+    for (i = 0; i < count; i++)
+        paradt_picture__put_face(&out, &faces[i]);
+    paradt_picture__putf(&out, "</g>\n</svg>\n");
+    free(faces);
+    out.failed |= count < 0;
+    return paradt_picture__finish(&out, picture);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>raster: faces into pixels, four samples each, with a depth buffer
+
+enum { PARADT_PICTURE__SAMPLES = 2 }; // a pixel is so many samples wide and high
+
+typedef struct paradt_picture__raster {
+    int width, height;
+    float *depth;       // [height][width]
+    unsigned char *rgb; // [height][width][3]
+} paradt_picture__raster;
+
+// Twice the area of (a, b, p), positive when p is right of the way from a to b
+static float paradt_picture__side(const float *x, const float *y, int a, int b, float px, float py) {
+    return (x[b] - x[a]) * (py - y[a]) - (y[b] - y[a]) * (px - x[a]);
+}
+
+static int paradt_picture__clamp(float value, int bound) {
+    return value < 0 ? 0 : value > (float)bound ? bound : (int)value;
+}
+
+// Draws a triangle whose edges are darker; `lines`: width of that darker rim in samples, less on small triangles
+static void paradt_picture__triangle(paradt_picture__raster *raster, const float *x, const float *y, const float *z,
+                                     const unsigned char *rgb, float lines) {
+    float area = paradt_picture__side(x, y, 0, 1, x[2], y[2]), high[3], low = 0;
+    float left = x[0], right = x[0], top = y[0], bottom = y[0];
+    int i, px, py;
+    if (!(area > 1e-12f || area < -1e-12f))
+        return;
+    for (i = 0; i < 3; i++) { // high: the triangle's height over the edge opposite i
+        int b = (i + 1) % 3, c = (i + 2) % 3;
+        float dx = x[c] - x[b], dy = y[c] - y[b];
+        high[i] = (float)sqrt((double)(area * area / (dx * dx + dy * dy)));
+        if (i == 0 || high[i] < low)
+            low = high[i];
+        if (x[i] < left)
+            left = x[i];
+        if (x[i] > right)
+            right = x[i];
+        if (y[i] < top)
+            top = y[i];
+        if (y[i] > bottom)
+            bottom = y[i];
+    }
+    if (low < 10 * lines)
+        lines = low / 10;
+    for (py = paradt_picture__clamp(top, raster->height - 1); py <= paradt_picture__clamp(bottom, raster->height - 1);
+         py++)
+        for (px = paradt_picture__clamp(left, raster->width - 1); px <= paradt_picture__clamp(right, raster->width - 1);
+             px++) {
+            float at[3], deep = 0, rim = 1e30f, dark;
+            size_t pixel = (size_t)py * (size_t)raster->width + (size_t)px;
+            for (i = 0; i < 3; i++) {
+                at[i] = paradt_picture__side(x, y, (i + 1) % 3, (i + 2) % 3, (float)px + 0.5f, (float)py + 0.5f) / area;
+                deep += at[i] * z[i];
+                if (at[i] * high[i] < rim)
+                    rim = at[i] * high[i];
+            }
+            if (rim < 0 || deep > raster->depth[pixel])
+                continue;
+            raster->depth[pixel] = deep;
+            dark = rim < lines ? 0.45f : 1.0f;
+            for (i = 0; i < 3; i++)
+                raster->rgb[3 * pixel + (size_t)i] = (unsigned char)((float)rgb[i] * dark);
+        }
+}
+
+// Points and segments become squares and bars of two triangles.
+static void paradt_picture__bar(paradt_picture__raster *raster, const paradt_picture__face *face, const float *x,
+                                const float *y) {
+    const float z[3] = {0, 0, 0}, half = face->corners == 1 ? 6.0f : 2.0f;
+    float dx = x[1] - x[0], dy = y[1] - y[0], length = (float)sqrt((double)(dx * dx + dy * dy));
+    float bx[4], by[4];
+    dx = length > 0 ? dx / length * half : half;
+    dy = length > 0 ? dy / length * half : 0;
+    bx[0] = x[0] - dx - dy, by[0] = y[0] - dy + dx;
+    bx[1] = x[0] - dx + dy, by[1] = y[0] - dy - dx;
+    bx[2] = x[1] + dx + dy, by[2] = y[1] + dy - dx;
+    bx[3] = x[1] + dx - dy, by[3] = y[1] + dy + dx;
+    paradt_picture__triangle(raster, bx, by, z, face->rgb, 0);
+    bx[1] = bx[3], by[1] = by[3];
+    paradt_picture__triangle(raster, bx, by, z, face->rgb, 0);
+}
+
+static void paradt_picture__background(paradt_picture__raster *raster) {
+    size_t i, pixels = (size_t)raster->width * (size_t)raster->height;
+    for (i = 0; i < pixels; i++) {
+        raster->depth[i] = 1e30f;
+        raster->rgb[3 * i] = 20;
+        raster->rgb[3 * i + 1] = 22;
+        raster->rgb[3 * i + 2] = 31;
+    }
+}
+
+static int paradt_picture__draw(paradt_picture__raster *raster, const paradt_picture__face *faces, long count) {
+    size_t pixels = (size_t)raster->width * (size_t)raster->height;
+    long i;
+    int k;
+    raster->depth = (float *)malloc(pixels * sizeof *raster->depth);
+    raster->rgb = (unsigned char *)malloc(3 * pixels);
+    if (!raster->depth || !raster->rgb)
+        return 0;
+    paradt_picture__background(raster);
+    for (i = 0; i < count; i++) {
+        float x[3], y[3];
+        for (k = 0; k < 3; k++) {
+            x[k] = faces[i].x[k] * PARADT_PICTURE__SAMPLES;
+            y[k] = faces[i].y[k] * PARADT_PICTURE__SAMPLES;
+        }
+        if (faces[i].corners == 3)
+            paradt_picture__triangle(raster, x, y, faces[i].z, faces[i].rgb, 1.0f);
+        else
+            paradt_picture__bar(raster, &faces[i], x, y);
+    }
+    return 1;
+}
+
+// Averages the samples of each pixel, in place.
+static void paradt_picture__average(paradt_picture__raster *raster) {
+    const int n = PARADT_PICTURE__SAMPLES, width = raster->width / n, height = raster->height / n;
+    int x, y, i, j, k;
+    for (y = 0; y < height; y++)
+        for (x = 0; x < width; x++)
+            for (k = 0; k < 3; k++) {
+                int sum = n * n / 2;
+                for (j = 0; j < n; j++)
+                    for (i = 0; i < n; i++)
+                        sum += raster->rgb[((size_t)(y * n + j) * (size_t)raster->width + (size_t)(x * n + i)) * 3 +
+                                           (size_t)k];
+                raster->rgb[((size_t)y * (size_t)width + (size_t)x) * 3 + (size_t)k] = (unsigned char)(sum / (n * n));
+            }
+    raster->width = width;
+    raster->height = height;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>png: RFC 2083, with deflate's fixed codes (RFC 1951) and matches found through a small hash table
+
+typedef struct paradt_picture__deflate {
+    paradt_picture__bytes *out;
+    uint32_t bits; // not yet written, the first ones lowest
+    int held;      // how many
+} paradt_picture__deflate;
+
+static void paradt_picture__put_bits(paradt_picture__deflate *d, uint32_t bits, int count) {
+    d->bits |= bits << d->held;
+    for (d->held += count; d->held >= 8; d->held -= 8) {
+        unsigned char byte = (unsigned char)(d->bits & 255);
+        paradt_picture__put(d->out, &byte, 1);
+        d->bits >>= 8;
+    }
+}
+
+// A Huffman code: its bits come highest first.
+static void paradt_picture__put_code(paradt_picture__deflate *d, uint32_t code, int count) {
+    uint32_t turned = 0;
+    int i;
+    for (i = 0; i < count; i++)
+        turned |= (code >> i & 1) << (count - 1 - i);
+    paradt_picture__put_bits(d, turned, count);
+}
+
+static void paradt_picture__put_symbol(paradt_picture__deflate *d, unsigned symbol) {
+    if (symbol < 144)
+        paradt_picture__put_code(d, 0x30 + symbol, 8);
+    else if (symbol < 256)
+        paradt_picture__put_code(d, 0x190 + symbol - 144, 9);
+    else if (symbol < 280)
+        paradt_picture__put_code(d, symbol - 256, 7);
+    else
+        paradt_picture__put_code(d, 0xc0 + symbol - 280, 8);
+}
+
+// Lengths and distances share a scheme: codes of a few leading bits, and extra bits for the rest. bits: leading ones
+// after the first; value: counted from 0. Returns the code.
+static unsigned paradt_picture__class(unsigned value, int bits, int *extra) {
+    int top = bits;
+    while (value >> (top + 1))
+        top++;
+    *extra = value >> bits ? top - bits : 0;
+    return value >> bits ? ((unsigned)(top - bits) << bits) + (value >> (top - bits)) : value;
+}
+
+static void paradt_picture__put_match(paradt_picture__deflate *d, unsigned length, unsigned distance) {
+    int extra;
+    unsigned code = paradt_picture__class(length - 3, 2, &extra);
+    paradt_picture__put_symbol(d, 257 + code);
+    paradt_picture__put_bits(d, (length - 3) & ((1u << extra) - 1), extra);
+    code = paradt_picture__class(distance - 1, 1, &extra);
+    paradt_picture__put_code(d, code, 5);
+    paradt_picture__put_bits(d, (distance - 1) & ((1u << extra) - 1), extra);
+}
+
+// The zlib stream of some data. Matches end at 257 bytes: the code of 258 is outside the scheme.
+static void paradt_picture__compress(paradt_picture__bytes *out, const unsigned char *data, size_t size) {
+    static const unsigned char head[2] = {0x78, 0x01};
+    paradt_picture__deflate d = {out, 0, 0};
+    size_t *heads = (size_t *)calloc(1 << 15, sizeof *heads), i = 0; // where + 1; 0: nowhere
+    uint32_t a = 1, b = 0, check;
+    unsigned char tail[4];
+    out->failed |= !heads;
+    paradt_picture__put(out, head, 2);
+    paradt_picture__put_bits(&d, 3, 3); // the last block, of fixed codes
+    while (heads && i < size) {
+        size_t length = 0, from = 0;
+        if (i + 4 <= size) {
+            uint32_t key = (uint32_t)data[i] | (uint32_t)data[i + 1] << 8 | (uint32_t)data[i + 2] << 16 |
+                           (uint32_t)data[i + 3] << 24;
+            size_t *slot = &heads[key * 2654435761u >> 17];
+            from = *slot;
+            *slot = i + 1;
+            if (from && i + 1 - from <= 32768)
+                while (length < 257 && i + length < size && data[from - 1 + length] == data[i + length])
+                    length++;
+        }
+        if (length >= 4)
+            paradt_picture__put_match(&d, (unsigned)length, (unsigned)(i + 1 - from));
+        else {
+            paradt_picture__put_symbol(&d, data[i]);
+            length = 1;
+        }
+        for (; length; length--, i++) {
+            a = (a + data[i]) % 65521;
+            b = (b + a) % 65521;
+        }
+    }
+    paradt_picture__put_symbol(&d, 256);
+    paradt_picture__put_bits(&d, 0, 7);
+    check = b << 16 | a;
+    for (i = 0; i < 4; i++)
+        tail[i] = (unsigned char)(check >> (24 - 8 * i) & 255);
+    paradt_picture__put(out, tail, 4);
+    free(heads);
+}
+
+static void paradt_picture__big_endian(unsigned char *bytes, uint32_t value) {
+    int i;
+    for (i = 0; i < 4; i++)
+        bytes[i] = (unsigned char)(value >> (24 - 8 * i) & 255);
+}
+
+static void paradt_picture__put_chunk(paradt_picture__bytes *out, const char *type, const unsigned char *data,
+                                      size_t size) {
+    unsigned char word[4];
+    size_t begin, i;
+    uint32_t crc = 0xffffffffu;
+    int k;
+    paradt_picture__big_endian(word, (uint32_t)size);
+    paradt_picture__put(out, word, 4);
+    begin = out->size;
+    paradt_picture__put(out, type, 4);
+    paradt_picture__put(out, data, size);
+    for (i = begin; !out->failed && i < out->size; i++)
+        for (crc ^= out->data[i], k = 0; k < 8; k++)
+            crc = crc & 1 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+    paradt_picture__big_endian(word, ~crc);
+    paradt_picture__put(out, word, 4);
+}
+
+// Rows as differences to the row above, each begun by the number of that filter
+static unsigned char *paradt_picture__filter(const paradt_picture__raster *raster, size_t *size) {
+    size_t row = 3 * (size_t)raster->width, i, y;
+    unsigned char *bytes = (unsigned char *)malloc((row + 1) * (size_t)raster->height);
+    *size = (row + 1) * (size_t)raster->height;
+    for (y = 0; bytes && y < (size_t)raster->height; y++) {
+        bytes[y * (row + 1)] = 2;
+        for (i = 0; i < row; i++)
+            bytes[y * (row + 1) + 1 + i] =
+                (unsigned char)(raster->rgb[y * row + i] - (y ? raster->rgb[(y - 1) * row + i] : 0));
+    }
+    return bytes;
+}
+
+static void paradt_picture__encode(paradt_picture__bytes *out, const paradt_picture__raster *raster) {
+    unsigned char header[13] = {0, 0, 0, 0, 0, 0, 0, 0, 8, 2, 0, 0, 0}; // 8 bits of red, green and blue
+    paradt_picture__bytes packed = {NULL, 0, 0, 0};
+    size_t size;
+    unsigned char *rows = paradt_picture__filter(raster, &size);
+    out->failed |= !rows;
+    if (rows)
+        paradt_picture__compress(&packed, rows, size);
+    out->failed |= packed.failed;
+    paradt_picture__big_endian(header, (uint32_t)raster->width);
+    paradt_picture__big_endian(header + 4, (uint32_t)raster->height);
+    paradt_picture__put(out, "\x89PNG\r\n\x1a\n", 8);
+    paradt_picture__put_chunk(out, "IHDR", header, sizeof header);
+    if (packed.data)
+        paradt_picture__put_chunk(out, "IDAT", packed.data, packed.size);
+    paradt_picture__put_chunk(out, "IEND", header, 0);
+    free(packed.data);
+    free(rows);
+}
+
+int paradt_picture_png(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t) {
+    paradt_picture__bytes out = {NULL, 0, 0, 0};
+    paradt_picture__raster raster = {PARADT_PICTURE__WIDTH * PARADT_PICTURE__SAMPLES,
+                                     PARADT_PICTURE__HEIGHT * PARADT_PICTURE__SAMPLES, NULL, NULL};
+    paradt_picture__face *faces;
+    long count = paradt_picture__faces(&faces, coordinates, dim, t);
+    out.failed = count < 0 || !paradt_picture__draw(&raster, faces, count);
+    free(faces);
+    free(raster.depth);
+    if (!out.failed) {
+        paradt_picture__average(&raster);
+        paradt_picture__encode(&out, &raster);
+    }
+    free(raster.rgb);
+    return paradt_picture__finish(&out, picture);
+}
+
+#endif // PARADT_PICTURE_IMPLEMENTATION_DONE
+#endif // PARADT_PICTURE_IMPLEMENTATION

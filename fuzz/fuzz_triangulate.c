@@ -1,0 +1,327 @@
+// Any bytes are points in 2 to 5 dimensions. All methods, regions and the points in reverse order have to give the
+// same cells, each result has to pass the certificate, no allocation that fails may leak, and whatever bytes get into
+// the arrays of a result, the certificate has to end and may accept nothing else.
+//
+//     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. fuzz/fuzz_triangulate.c && ./a.out fuzz/corpus
+//     cc -g -DPARADT_FUZZ_STANDALONE -I. fuzz/fuzz_triangulate.c -lm && ./a.out fuzz/corpus/*
+//
+// The bytes: a header of five,
+//     0: bits 0-1 dimension - 2, bits 2-3 encoding, bit 4 weights, bit 5 each third point is a copy, bit 6 not finite
+//        is left as it is, bit 7 regions by the uniform partition
+//     1: regions - 1
+//     2: a parameter of the encoding
+//     3: which allocation fails, which element is spoiled
+//     4: 0, or what makes the points flat: bit 0: an axis equals the next one, else it is constant; bits 1-7: which
+//     axis
+// then points, each of its coordinates and the weight if there are weights. See the decoders for the encodings.
+#define PARADT_IMPLEMENTATION
+#include "paradt.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_POINTS = 64, MAX_DIM = 5, MAX_REGIONS = 9 };
+
+static void fail(const char *what, const char *detail) {
+    fprintf(stderr, "%s: %s\n", what, detail);
+    abort();
+}
+
+// --- bytes to points
+
+typedef struct bytes {
+    const uint8_t *data;
+    size_t left;
+} bytes;
+
+// 0 at the end
+static int next_byte(bytes *b) {
+    if (!b->left)
+        return 0;
+    b->left--;
+    return *b->data++;
+}
+
+static int next_signed(bytes *b) {
+    int byte = next_byte(b);
+    return byte < 128 ? byte : byte - 256;
+}
+
+static double from_bits(uint64_t bits) {
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static uint64_t to_bits(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static int is_finite(double x) {
+    return (to_bits(x) >> 52 & 2047) != 2047;
+}
+
+// m * 2^e, |m| < 2^8; what is too large or too small becomes the nearest power that is not.
+static double scaled(int m, int e) {
+    double x = m;
+    for (; e > 0 && x < 0x1p1000 && x > -0x1p1000; e--)
+        x *= 2;
+    for (; e < 0 && (x > 0x1p-1000 || x < -0x1p-1000); e++)
+        x *= 0.5;
+    return x;
+}
+
+enum { LATTICE, ULPS, SCALED, RAW };
+
+// LATTICE: a signed byte, modulo (the parameter's bits 0-4) + 1 (0: as it is), times a power of two chosen by bits 5-7
+// ULPS:    a signed byte, so many representable numbers away from a base which the parameter chooses
+// SCALED:  two signed bytes m, e: m * 2^(8 e)
+// RAW:     the eight bytes of the double, least significant first
+static double next_number(bytes *b, int encoding, int parameter, int keep) {
+    static const double bases[] = {
+        1.0,   0.0, 0x1p-1022, 0x1p-1060, 0x1.fffffffffffp1023, 0x1p300, 0x1p-300, 0x1.8p52, 0x1.999999999999ap-4,
+        1024.0};
+    static const int shifts[8] = {0, 20, -20, 40, -60, 500, -500, 900};
+    uint64_t bits = 0;
+    int i, value;
+    if (encoding == LATTICE) {
+        value = next_signed(b);
+        return scaled(parameter & 31 ? value % ((parameter & 31) + 1) : value, shifts[parameter >> 5]);
+    }
+    if (encoding == ULPS) {
+        value = next_signed(b);
+        bits = to_bits(bases[(unsigned)parameter % (sizeof bases / sizeof *bases)]);
+        if (value < 0 && (uint64_t)-value > bits)
+            return -from_bits((uint64_t)-value - bits);
+        return from_bits(bits + (uint64_t)(int64_t)value);
+    }
+    if (encoding == SCALED) {
+        value = next_signed(b);
+        return scaled(value, 8 * next_signed(b));
+    }
+    for (i = 0; i < 8; i++)
+        bits |= (uint64_t)next_byte(b) << (8 * i);
+    if (!keep && !is_finite(from_bits(bits)))
+        bits &= ~((uint64_t)1 << 62);
+    return from_bits(bits);
+}
+
+typedef struct input {
+    double x[MAX_POINTS * MAX_DIM], w[MAX_POINTS];
+    paradt_points points;
+    size_t regions;
+    paradt_partition partition;
+    int spoil;
+    int first_bad; // the first point that is not finite, or -1
+} input;
+
+static void decode(input *in, const uint8_t *data, size_t size) {
+    // fewer in higher dimensions, where a point costs more: well below a tenth of a second an input, sanitizers
+    // included
+    static const int most[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
+    bytes b = {data, size};
+    int flags = next_byte(&b), regions = next_byte(&b), parameter = next_byte(&b), dim = 2 + (flags & 3), count = 0, i;
+    int encoding = flags >> 2 & 3, weighted = flags >> 4 & 1, copies = flags >> 5 & 1, keep = flags >> 6 & 1;
+    int flat, axis;
+    in->spoil = next_byte(&b);
+    flat = next_byte(&b);
+    axis = (flat >> 1) % dim;
+    in->first_bad = -1;
+    for (; b.left && count < most[dim]; count++) {
+        double *x = in->x + count * dim;
+        int from = copies && count % 3 == 2 ? next_byte(&b) % count : -1, bad;
+        for (i = 0; i < dim; i++)
+            x[i] = from >= 0 ? in->x[from * dim + i] : next_number(&b, encoding, parameter, keep);
+        if (flat)
+            x[axis] = flat & 1 ? x[(axis + 1) % dim] : 3;
+        in->w[count] = weighted ? next_number(&b, encoding, 0, keep) : 0;
+        for (i = 0, bad = !is_finite(in->w[count]); i < dim; i++)
+            bad |= !is_finite(x[i]);
+        if (bad && in->first_bad < 0)
+            in->first_bad = count;
+    }
+    memset(&in->points, 0, sizeof in->points);
+    in->points.data = in->x;
+    in->points.count = (size_t)count;
+    in->points.dim = dim;
+    in->points.weights = weighted ? in->w : NULL;
+    in->regions = (size_t)(regions % MAX_REGIONS + 1);
+    in->partition = flags >> 7 ? PARADT_UNIFORM : PARADT_BISECTION;
+}
+
+static input reversed(const input *in) {
+    input out = *in;
+    size_t i, count = in->points.count, dim = (size_t)in->points.dim;
+    for (i = 0; i < count; i++) {
+        memcpy(out.x + i * dim, in->x + (count - 1 - i) * dim, dim * sizeof(double));
+        out.w[i] = in->w[count - 1 - i];
+    }
+    return out;
+}
+
+// --- what has to hold
+
+static void certify(const paradt_triangulation *t, const paradt_points *points, const char *what) {
+    paradt_fault fault;
+    paradt_status status = paradt_check(t, points, NULL, &fault);
+    if (status)
+        fail(what, fault.reason ? fault.reason : paradt_status_string(status));
+}
+
+static void expect_hash(const input *in, const paradt_options *options, uint64_t hash, const char *what) {
+    paradt_triangulation t;
+    paradt_status status = paradt_triangulate(&t, &in->points, options);
+    if (status)
+        fail(what, paradt_status_string(status));
+    if (paradt_hash(&t) != hash)
+        fail(what, "another set of cells than InCoDe's");
+    certify(&t, &in->points, what);
+    paradt_free(&t);
+}
+
+// The cells of the reversed points, each vertex under the index of the point that stands for it in the order given.
+static void expect_same_reversed(const input *in, const paradt_triangulation *t) {
+    input back = reversed(in);
+    paradt_triangulation u;
+    paradt_status status;
+    uint64_t sum = 0;
+    size_t c;
+    int i, hidden = 0;
+    back.points.data = back.x;
+    back.points.weights = in->points.weights ? back.w : NULL;
+    status = paradt_triangulate(&u, &back.points, NULL);
+    if (status)
+        fail("reversed", paradt_status_string(status));
+    for (c = 0; c < u.cell_count; c++) {
+        uint64_t vertices[MAX_DIM + 1];
+        for (i = 0; i <= u.dim; i++)
+            vertices[i] =
+                (uint64_t)t->representative[u.point_count - 1 - (size_t)u.cells[c * (size_t)(u.dim + 1) + (size_t)i]];
+        sum += paradt_hash_cell(vertices, u.dim + 1);
+    }
+    for (c = 0; c < u.point_count; c++)
+        hidden += (u.representative[c] < 0) != (t->representative[t->point_count - 1 - c] < 0);
+    if (sum != paradt_hash(t) || hidden)
+        fail("reversed", "another set of cells or hidden points");
+    certify(&u, &back.points, "reversed");
+    paradt_free(&u);
+}
+
+typedef struct blocks {
+    int held, calls, fail_at;
+} blocks;
+
+static void *failing_alloc(void *user, size_t size) {
+    blocks *b = (blocks *)user;
+    if (b->calls++ == b->fail_at)
+        return NULL;
+    b->held++;
+    return malloc(size);
+}
+
+static void failing_free(void *user, void *memory) {
+    ((blocks *)user)->held--;
+    free(memory);
+}
+
+static void expect_clean_failure(const input *in, uint64_t hash) {
+    blocks b = {0, 0, 0};
+    paradt_options options;
+    paradt_triangulation t;
+    paradt_status status;
+    memset(&options, 0, sizeof options);
+    b.fail_at = in->spoil % 32;
+    options.allocator.alloc = failing_alloc;
+    options.allocator.free = failing_free;
+    options.allocator.user = &b;
+    options.regions = in->regions;
+    status = paradt_triangulate(&t, &in->points, &options);
+    if (status != (b.calls > b.fail_at ? PARADT_ERROR_MEMORY : PARADT_OK))
+        fail("failing allocation", paradt_status_string(status));
+    if (!status && paradt_hash(&t) != hash)
+        fail("own allocator", "another set of cells");
+    paradt_free(&t);
+    if (b.held)
+        fail("failing allocation", "not all memory was given back");
+}
+
+// The array gets one wrong element; the certificate may accept it only when the cells are the same all the same.
+static void expect_no_false_certificate(const paradt_triangulation *t, const paradt_points *points, paradt_index *array,
+                                        size_t count, int spoil) {
+    size_t place;
+    paradt_index right;
+    uint64_t hash = paradt_hash(t);
+    if (!count)
+        return;
+    place = (size_t)spoil * 7 % count;
+    right = array[place];
+    array[place] = (paradt_index)(spoil % 4 == 0 ? (uint32_t)spoil * 2654435761u : (uint32_t)(spoil % 67) - 2u);
+    if (array[place] != right && paradt_check(t, points, NULL, NULL) == PARADT_OK &&
+        (array != t->cells || paradt_hash(t) != hash))
+        fail("spoiled result", "was certified");
+    array[place] = right;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    input in;
+    paradt_options options;
+    paradt_triangulation t;
+    paradt_status status;
+    uint64_t hash;
+    int method;
+    decode(&in, data, size);
+    memset(&options, 0, sizeof options);
+    options.method = PARADT_INCODE;
+    status = paradt_triangulate(&t, &in.points, &options);
+    if (in.first_bad >= 0) {
+        if (status != PARADT_ERROR_NOT_FINITE || t.error_point != (size_t)in.first_bad)
+            fail("not finite", "was not refused with its point");
+        return 0;
+    }
+    if (status)
+        fail("InCoDe", paradt_status_string(status));
+    certify(&t, &in.points, "InCoDe");
+    hash = paradt_hash(&t);
+
+    for (method = 0; method < PARADT_METHOD_COUNT; method++) {
+        options.method = (paradt_method)method;
+        options.flags = PARADT_NO_NEIGHBORS;
+        options.regions = 1;
+        expect_hash(&in, &options, hash, paradt_method_string(options.method));
+        options.flags = 0;
+        options.regions = in.regions;
+        options.partition = in.partition;
+        expect_hash(&in, &options, hash, "regions");
+    }
+    expect_same_reversed(&in, &t);
+    expect_clean_failure(&in, hash);
+    expect_no_false_certificate(&t, &in.points, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);
+    expect_no_false_certificate(&t, &in.points, t.neighbors, t.cell_count * (size_t)(t.dim + 1), in.spoil);
+    expect_no_false_certificate(&t, &in.points, t.representative, t.point_count, in.spoil);
+    paradt_free(&t);
+    return 0;
+}
+
+#ifdef PARADT_FUZZ_STANDALONE
+int main(int argc, char **argv) {
+    static uint8_t data[1 << 16];
+    int i;
+    for (i = 1; i < argc; i++) {
+        FILE *file = fopen(argv[i], "rb");
+        size_t size;
+        if (!file) {
+            perror(argv[i]);
+            return 2;
+        }
+        size = fread(data, 1, sizeof data, file);
+        fclose(file);
+        fprintf(stderr, "%s\n", argv[i]);
+        LLVMFuzzerTestOneInput(data, size);
+    }
+    return 0;
+}
+#endif

@@ -1,0 +1,7969 @@
+// paradt.h - v0.1.0 - exact Delaunay and regular triangulations in 2 to 8 dimensions - public domain or MIT-0
+//
+// DO THIS in one C or C++ file of the program, and include the header without the define in all others:
+//
+//     #define PARADT_IMPLEMENTATION
+//     #include "paradt.h"
+//
+// A whole program. It triangulates the corners of a cube and prints the cells, four point indices a line:
+//
+//     #define PARADT_IMPLEMENTATION
+//     #include "paradt.h"
+//     #include <stdio.h>
+//
+//     int main(void) {
+//         const double corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+//                                       {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+//         paradt_points points = {.data = corners, .count = 8, .dim = 3};
+//         paradt_triangulation t;
+//         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
+//             return 1;
+//         for (size_t c = 0; c < t.cell_count; c++)
+//             printf("%d %d %d %d\n", (int)t.cells[4 * c], (int)t.cells[4 * c + 1], (int)t.cells[4 * c + 2],
+//                    (int)t.cells[4 * c + 3]);
+//         paradt_free(&t);
+//         return 0;
+//     }
+//
+//     cc -o cube cube.c -lm && ./cube
+//
+// There is nothing else to build, and nothing to link but the C library (-lm where that has its mathematics apart).
+//
+// MACROS, to be defined before the header is included
+//
+//     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
+//     PARADT_STATIC          the functions are static: define it with PARADT_IMPLEMENTATION, in any number of files
+//     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program
+//     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
+//     PARADT_NO_SIMD         no second copy of the inner loops that is chosen where the processor has AVX2 and FMA
+//                            (x86, GCC or Clang); the instructions that the compiler was told of are used all the same
+//
+// WHAT IT DOES
+//
+//     - Delaunay triangulations, and with weights regular triangulations, of points in 2 to 8 dimensions
+//     - exact for all finite doubles and floats: huge, subnormal, mixed, collinear, coplanar, cospherical, repeated
+//     - one result: the same points give the same set of cells by every method, any number of regions and threads, in
+//       any order, with any compiler and its flags
+//     - cells with orientation and neighbours; for each point the one that stands for it when points coincide
+//     - divided into regions that are built alone, on threads that the program provides
+//     - a certificate: paradt_check proves a result to be the triangulation of its points, or says what is wrong
+//     - no global state, no threads of its own, no output, no exit; memory from your allocator, within your limit
+//     - C99 and C++11
+//
+// CONTENTS
+//
+//     points, options, result, methods, regions and threads, degenerate input, numbers and compiler flags, memory,
+//     errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections marked
+//     "// >>name"; the licence
+//
+//
+// POINTS
+//
+// paradt_points describes an array of yours, which is only read, and only during a call. Coordinates are doubles, or
+// floats with scalar = PARADT_F32; those of one point are adjacent, and `stride` bytes lead from a point to the next,
+// so points may be members of larger structures. No alignment is needed. A vertex of a mesh with its position in front:
+//
+//     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
+//     paradt_points points = {mesh, 1000, 3, sizeof(struct vertex), PARADT_F32, NULL};
+//
+// Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
+// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. Weights are doubles of any sign. To
+// add the same number to all of them changes nothing; all equal is Delaunay.
+//
+// Coordinates and weights must be finite. -0.0 is 0.0.
+//
+//
+// OPTIONS
+//
+// NULL, or all fields zero, is the default: the method that suits the input, one region, the calling thread, malloc.
+// Set what you need and leave the rest zero, and fields that later versions add will not surprise you:
+//
+//     paradt_options options = {0}; // in C++: = {}
+//     options.method = PARADT_DEWALL;
+//     options.memory_limit = (size_t)1 << 30;
+//
+// `progress` is called now and then with the part of the work that is done, as far as that can be foretold. It cancels
+// the work by returning nonzero: the call then ends with PARADT_ERROR_CANCELLED and gives back all memory.
+//
+//
+// RESULT
+//
+// cells[i] is dim + 1 indices into your points; neighbors[i][j] is the cell on the other side of the facet opposite the
+// vertex cells[i][j], or -1 where that facet is on the hull. As plain arrays, with k = t.dim + 1:
+//
+//     t.cells[i * k + j]        vertex j of cell i
+//     t.neighbors[i * k + j]    the cell opposite that vertex
+//     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
+//
+// Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
+// counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
+// Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
+// orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
+// set of cells; paradt_hash is equal for equal sets.
+//
+// t.stats counts what was done. Give the arrays back with paradt_free, not with free.
+//
+//
+// METHODS
+//
+//     PARADT_AUTO           the one that suits the input: now Bowyer-Watson in every case
+//     PARADT_INCODE         incremental construction: from a first cell, the neighbour across every facet without one
+//     PARADT_DEWALL         divide and conquer, merge first: the wall of cells across a plane, then each side of it
+//     PARADT_BOWYER_WATSON  insertion of one point after the other: the cells in conflict with it make room for those
+//                           between their rim and the point; a region adds points of others until its cells are right
+//
+// All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
+// in a hierarchical grid of the points, and never change a cell once it is made.
+//
+//
+// REGIONS AND THREADS
+//
+// options.regions = k divides space into k boxes. Each box is built alone and makes just the cells that it owns, those
+// whose lexicographically smallest vertex lies in it; these are put together, and neighbours are linked across the
+// seams. The cells at a seam are made by more than one region and kept by one: stats.cells_recomputed of them were made
+// in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division.
+//
+//     PARADT_BISECTION  boxes of equal numbers of points: each box is cut across the longest side of its points
+//     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
+//
+// The header starts no threads. To work on the regions at once, hand in a parallel_for: a function that runs
+// task(context, i) for all i below count, on any threads and in any order, and returns when all have ended. With
+// OpenMP:
+//
+//     void parallel_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+//         long i;
+//         (void)user;
+//         #pragma omp parallel for schedule(dynamic)
+//         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
+//     }
+//
+// examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
+// threads, at once. It is called up to three times. One region a thread is right where the points are alike everywhere;
+// a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
+//
+// Any number of calls may run at once from any threads, each with its own result; points may be shared.
+//
+//
+// DEGENERATE INPUT
+//
+// Ties. The Delaunay triangulation is the lower hull of the points lifted to the height |x|^2 - w. Where an empty
+// sphere has more points on it than a cell has vertices there are several, and one is chosen: the heights are raised by
+// infinitesimal amounts, that of a lexicographically larger point (by x, then y, ...) infinitely more than that of a
+// smaller one. Only heights move, never places: no cell is flat, and the hull is that of the points. With s the exact
+// in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
+//
+//     s > 0 (inside), or s = 0 and, going through p0..pd and q from the lexicographically largest downward:
+//         q:  no conflict
+//         pi: let o be the orientation of the cell with q in the place of pi;
+//             o > 0: conflict, o < 0: no conflict, o = 0: go on
+//
+// and the triangulation is the set of cells that no point is in conflict with. The rule knows places and weights only,
+// no index and no history, so it decides alike for everybody. Weights have no part in the order.
+// paradt_insphere_perturbed is this test. (Devillers and Teillaud's rule, in every dimension.)
+//
+// Equal points are one vertex. The smallest index stands for them; with weights that of the largest weight, and among
+// these the smallest index. stats.duplicates counts the others, `representative` names who stands for each.
+//
+// Hidden points. A weighted point may be a vertex of no cell; it and its duplicates have the representative -1.
+// stats.hidden counts places, not duplicates.
+//
+// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
+// cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
+// point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
+// of these is an error.
+//
+//
+// NUMBERS AND COMPILER FLAGS
+//
+// What decides is the sign of a determinant. A filter in floating point settles nearly all of them, with an error bound
+// that holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with
+// subnormals flushed to zero; it is not used where the input's exponents could make it overflow. What it leaves open is
+// computed in integers, on the bits of the doubles, in three stages: small integers, a fixed number of words, any
+// number of words. So -O3, -Ofast, -ffast-math, -march=native, -m32 and a changed rounding mode change the time, not
+// the cells. Floats are widened exactly.
+//
+// The coordinates of lattices have few bits: for them even ties are settled in the filter or in small integers.
+//
+//
+// MEMORY
+//
+// Everything comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Its
+// blocks must be aligned as malloc aligns them; it returns NULL when there is no more. It must be safe to call from
+// several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
+// keeps a copy of it for paradt_free.
+//
+// The result takes (2 cells (dim + 1) + points) indices; PARADT_NO_NEIGHBORS gives half of the cells' share back at the
+// end, the peak remains. memory_limit bounds the bytes that one call holds at any time, the result included; regions
+// get equal shares of what the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was
+// held at most (with regions: an upper bound, the sum of their peaks).
+//
+// The stack is used moderately: the exact predicates take up to 64 KB of it for numbers of extreme exponents. Recursion
+// is as deep as the logarithm of the number of points.
+//
+//
+// ERRORS
+//
+// Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
+//
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown value
+//     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
+//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
+//     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
+//     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
+//     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
+//
+// After an error the result is empty: all memory is given back, and there is nothing to free (paradt_free does no
+// harm). Callbacks must return: an exception or longjmp out of them leaks what the call holds.
+//
+//
+// COST
+//
+// For points that are spread without structure the work on a cell is expected not to grow with n: InCoDe and DeWall
+// look at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is
+// proportional to the number of cells, but for sorting the points. Exceptions: when all points lie exactly on one
+// sphere, every point ties with every sphere, and a search of InCoDe or DeWall looks at all of them; and coordinates
+// that are too far apart in size for floating point (see NUMBERS) are searched one by one. Insertion has neither. How
+// many cells there are depends on the points: proportional to n for most input in a fixed dimension, with a factor that
+// grows quickly with the dimension; at worst they grow like n^ceil(d/2), for which a moment curve in any dimension, or
+// two skew lines in space, are examples. The counters of paradt_stats tell what a run cost in terms that do not depend
+// on the machine:
+//
+//     distance_evaluations / cells   candidates looked at for a cell (InCoDe, DeWall; so are the next and the last)
+//     grid_cells_visited / cells     how far the searches went
+//     exact_* / insphere_calls       how much of the work was too close for floating point
+//     perturbed                      ties
+//     cells_recomputed / cells       the price of regions
+//     active_peak                    the size of the front
+//
+// paradt_check takes expected linear time. The predicates alone (paradt_orient, paradt_insphere) measure their
+// arguments anew at each call; the triangulation does that once for all points, and is faster for each of them.
+//
+//
+// LIMITS
+//
+//     dimension   2 to 8
+//     points      2^30 - 1, with PARADT_INDEX64 as many as memory holds
+//     cells       cells * (dim + 1) below 2^31 (536,870,911 tetrahedra), with PARADT_INDEX64 as many as memory holds;
+//                 in Bowyer-Watson's method the facets of the hull count as cells too
+//     changes     a triangulation is computed as a whole; points are not added to it or taken away later
+//     constraints none: no edges or facets can be demanded
+//     right shift of negative integers has to be arithmetic, doubles IEEE 754, as on all platforms met so far
+//
+//
+// THE THESIS
+//
+// InCoDe, DeWall and their parallel forms as in "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
+// its parts are:
+//
+//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__guess_simplex grows it from the nearest
+//                                        neighbour by smallest spheres (paradt__smallest_sphere), descent makes it sure
+//                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
+//                 active face list       struct paradt__active, a hash table: paradt__active_match
+//                 update of the AFL      paradt__front_add
+//                 uniform grid           paradt__grid_build: a hierarchy of boxes that adapts to the points
+//                 the loop               paradt__incode, with paradt__front_expand for each facet
+//     DeWall      dividing plane         paradt__grid_cut
+//                 simplex wall           paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
+//                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
+//                 recursion              paradt__wall_build, from paradt__dewall
+//     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
+//                 owner by ULF vertex    paradt__owns; which facets a region needs for that: paradt__needs
+//                 uniform partition      paradt__partition_box and paradt__cut_of with PARADT_UNIFORM
+//                 adaptive partition     the same with PARADT_BISECTION
+//                 joining                paradt__region_compact, paradt__regions_join
+//
+// Here every decision is exact, ties follow the perturbation, and one code serves all dimensions, with and without
+// weights. That a region reaches all the cells it owns is shown in >>incode.
+//
+//
+// CREDITS
+//
+//     P. Cignoni, C. Montani, R. Scopigno, "DeWall: a fast divide and conquer Delaunay triangulation algorithm in E^d",
+//         Computer-Aided Design 30, 1998: DeWall and InCoDe
+//     "Parallel Delaunay Triangulation in 3D and Higher Dimensions", thesis: their parallel forms, the regions
+//     O. Devillers, M. Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations", Computational
+//         Geometry 44, 2011: the perturbation
+//     A. Bowyer, "Computing Dirichlet tessellations", and D. F. Watson, "Computing the n-dimensional Delaunay
+//         tessellation with application to Voronoi polytopes", The Computer Journal 24, 1981: insertion
+//     N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on Computational Geometry, 2003: the
+//         order of insertion
+//     C. H. Hamilton, "Compact Hilbert indices", Dalhousie University, CS-2006-07: Hilbert's curve in any dimension
+//     H. Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990:
+//         why walks end
+//     R. A. Dwyer, "Higher-dimensional Voronoi diagrams in linear expected time", Discrete and Computational Geometry
+//         6, 1991: the expected number of cells
+//     M. L. Balinski, "On the graph structure of convex polyhedra in n-space", Pacific Journal of Mathematics 11, 1961:
+//         why a region reaches all its cells
+//     K. Mehlhorn, S. Naeher, T. Schilz, S. Schirra, M. Seel, R. Seidel, C. Uhrig, "Checking geometric programs or
+//         verification of geometric structures", Computational Geometry 12, 1999: the certificate
+//     O. Devillers, G. Liotta, F. P. Preparata, R. Tamassia, "Checking the convexity of polytopes and the planarity of
+//         subdivisions", Computational Geometry 11, 1998: the certificate of the hull
+//     C. A. R. Hoare, "Algorithm 65: Find", Communications of the ACM 4, 1961: sorting into the grid
+//     J. Hadamard's bound on determinants, 1893: error bounds of the filter
+//
+//
+// CHANGES
+//
+//     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
+//
+
+#ifndef PARADT_H
+#define PARADT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PARADT_DEF
+#if defined(PARADT_STATIC) && defined(__GNUC__)
+#define PARADT_DEF static __attribute__((unused)) // a file need not call all of them
+#elif defined(PARADT_STATIC)
+#define PARADT_DEF static
+#else
+#define PARADT_DEF extern
+#endif
+#endif
+
+#define PARADT_VERSION 100 // major * 10000 + minor * 100 + patch
+#define PARADT_MAX_DIM 8
+
+#ifdef PARADT_INDEX64
+typedef int64_t paradt_index; // a point or a cell; negative: none
+#else
+typedef int32_t paradt_index; // a point or a cell; negative: none
+#endif
+
+// What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
+#define PARADT_STATUS_LIST(X)                                                                                          \
+    X(PARADT_OK, "done")                                                                                               \
+    X(PARADT_ERROR_ARGUMENT, "an argument is out of its range or missing")                                             \
+    X(PARADT_ERROR_NOT_FINITE, "a coordinate or weight is NaN or infinite")                                            \
+    X(PARADT_ERROR_MEMORY, "an allocation failed or the memory limit was reached")                                     \
+    X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
+    X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
+    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")
+
+#define PARADT__ENUM_FIRST(name, text) name,
+typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
+
+// How to triangulate: name, name on the command line. The cells are the same by every method.
+#define PARADT_METHOD_LIST(X)                                                                                          \
+    X(PARADT_AUTO, "auto")                                                                                             \
+    X(PARADT_INCODE, "incode")                                                                                         \
+    X(PARADT_DEWALL, "dewall")                                                                                         \
+    X(PARADT_BOWYER_WATSON, "bowyer-watson")
+
+typedef enum paradt_method { PARADT_METHOD_LIST(PARADT__ENUM_FIRST) PARADT_METHOD_COUNT } paradt_method;
+
+// What a coordinate is: a double or a float.
+typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
+
+// How space is divided into regions: into boxes of equal numbers of points, or of equal size.
+typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
+
+// paradt_options.flags
+enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
+
+// Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
+// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called at most once by a
+// paradt_triangulate, from the thread that called that.
+typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
+
+// fraction: 0..1, of the work done; an estimate. A nonzero return cancels. With a parallel_for it is called from its
+// threads, at once, and the fractions of several regions come interleaved. user: that of the options.
+typedef int (*paradt_progress)(void *user, double fraction);
+
+// Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
+typedef struct paradt_allocator {
+    void *(*alloc)(void *user, size_t size); // NULL: malloc; bytes, never 0; aligned as malloc does, or NULL on failure
+    void (*free)(void *user, void *memory);  // NULL: free; never called with NULL
+    void *user;                              // handed to both
+} paradt_allocator;
+
+typedef struct paradt_points {
+    const void *data;      // first coordinate of the first point; may be NULL when count is 0
+    size_t count;          // number of points
+    int dim;               // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;         // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar;  // type of the coordinates; PARADT_F64
+    const double *weights; // [count] squares of lengths, any sign; NULL: Delaunay; else the regular triangulation
+} paradt_points;
+
+typedef struct paradt_options {
+    paradt_method method;             // PARADT_AUTO
+    size_t regions;                   // 0 or 1: undivided; at most as many as there are points
+    paradt_partition partition;       // PARADT_BISECTION
+    paradt_parallel_for parallel_for; // NULL: regions run one after another in the calling thread
+    paradt_progress progress;         // NULL: none
+    paradt_allocator allocator;       // zero: malloc and free
+    size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS
+    void *user;                       // handed to parallel_for and progress; NULL
+} paradt_options;
+
+// Counts are sums over all regions unless they say otherwise.
+typedef struct paradt_stats {
+    uint64_t cells;                // cells of the triangulation
+    uint64_t hull_facets;          // facets with a cell on one side only
+    uint64_t duplicates;           // points that another point stands for
+    uint64_t hidden;               // places of weighted points that are no vertex
+    uint64_t distance_evaluations; // Delaunay distances computed by InCoDe and DeWall
+    uint64_t grid_cells_visited;   // grid cells whose points were looked at
+    uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
+    uint64_t orient_calls;         // orientation predicates
+    uint64_t insphere_calls;       // in-sphere predicates
+    uint64_t exact_small;          // predicates settled in small integers
+    uint64_t exact_fixed;          // ... in integers of a fixed number of words
+    uint64_t exact_general;        // ... in integers of any length
+    uint64_t perturbed;            // in-sphere predicates settled by the perturbation
+    uint64_t regions;              // regions built
+    uint64_t cells_recomputed;     // cells that a region made and another owns: the duplication
+    uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
+    double seconds_points;         // reading, checking and merging the points; wall time, like all of these
+    double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
+    double seconds_build;          // making cells, with regions joining them too
+    double seconds_finish;         // hidden points, translating indices
+    double seconds;                // all of it
+} paradt_stats;
+
+typedef struct paradt_triangulation {
+    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points
+    size_t cell_count;            // number of cells
+    paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
+    paradt_index *neighbors;      // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL when not wanted
+    size_t point_count;           // number of points, as given
+    paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
+    paradt_stats stats;           // what was done
+    size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    paradt_allocator allocator;   // what paradt_free gives the arrays back to
+} paradt_triangulation;
+
+// What paradt_check found wrong first; all of it zero when nothing is.
+typedef struct paradt_fault {
+    const char *reason; // a sentence, of static storage; NULL: nothing is wrong
+    paradt_index cell;  // index of the cell concerned, or -1
+    paradt_index point; // index of the point concerned, or -1
+} paradt_fault;
+
+// Computes the triangulation of the points.
+//   out      is overwritten, whatever it held. After an error it is empty but for error_point, and holds no memory.
+//   points   read during the call only.
+//   options  NULL: the defaults.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED. Thread safety: any number of calls at once, with an `out`
+// each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
+                                            const paradt_options *options);
+
+// Gives the arrays back to the allocator they came from and makes the triangulation all zero. NULL and all zero are
+// fine. Thread safety: as free.
+PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
+
+// A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
+PARADT_DEF const char *paradt_status_string(paradt_status status);
+
+// The method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
+PARADT_DEF const char *paradt_method_string(paradt_method method);
+
+// Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
+// representatives, hidden points, dimension. PARADT_OK: it is. PARADT_ERROR_INVALID: it is not, and *fault says what
+// was found first.
+//   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
+//   points         those it was made of.
+//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, the rest is only checked.
+//   fault          NULL: not wanted.
+// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, by which nothing is said about the
+// triangulation. Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+// paradt_triangulate, but neither its searches nor its data structures.
+PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
+                                      const paradt_options *options, paradt_fault *fault);
+
+// A hash of the set of cells as sets of point indices: the sum of paradt_hash_cell over the cells. It does not depend
+// on the order of cells and vertices, the size of indices, nor the machine, and needs no neighbours. Without cells it
+// is 0. Thread-safe. Cost: linear time.
+PARADT_DEF uint64_t paradt_hash(const paradt_triangulation *triangulation);
+
+// The hash of one cell. vertices: [count] in any order; count: 0..PARADT_MAX_DIM + 1. For programs that hold the cells
+// in parts, or with other numbers: sums of the parts add up to the hash of the whole. Thread-safe.
+PARADT_DEF uint64_t paradt_hash_cell(const uint64_t *vertices, int count);
+
+// The predicates: exact for all finite doubles; others are undefined behaviour, and so is a dim out of
+// 2..PARADT_MAX_DIM. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. Each call costs a
+// pass over its arguments and the filter; the exact stages only when that can't decide.
+
+// The sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1: positively
+// oriented, in the plane counterclockwise; 0: flat.
+PARADT_DEF int paradt_orient(int dim, const double *const *points /* [dim + 1] */);
+
+// 1 when points[dim + 1] is inside of the sphere through the first dim + 1, which are positively oriented; 0 on it; -1
+// outside. With the first dim + 1 negatively oriented, the opposite. weights: NULL, or [dim + 2]; then inside means
+// below the hyperplane through the first dim + 1 when all are lifted to |x|^2 - weight (the power test).
+PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2] */, const double *weights);
+
+// The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
+// 1 points must be positively oriented, and none of them equal to points[dim + 1].
+PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif // PARADT_H
+
+// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each begins
+// with what it is for, what it relies on and where the idea comes from. Each uses only what stands above it.
+
+#ifdef PARADT_IMPLEMENTATION
+#ifndef PARADT__IMPLEMENTED
+#define PARADT__IMPLEMENTED
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+// Floating point rules cases out, with bounds that hold however sums of products are ordered and contracted, but a
+// difference of two coordinates must be taken before anything is added to it: (a - b) - c as a - (b + c) has an error
+// relative to a. So flags that allow that, -ffast-math among them, are turned off up to the end of the implementation.
+#if defined(__clang__)
+#pragma float_control(push)
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && !defined(__TINYC__)
+#pragma GCC push_options
+#pragma GCC optimize("no-associative-math")
+#elif defined(_MSC_VER)
+#pragma float_control(precise, on, push)
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PARADT_ASSERT
+#define PARADT_ASSERT(condition) ((void)0)
+#endif
+
+#if defined(__GNUC__)
+#define PARADT__INLINE            static inline __attribute__((always_inline))
+#define PARADT__NOINLINE          static __attribute__((noinline))
+#define PARADT__LIKELY(condition) __builtin_expect(!!(condition), 1)
+#define PARADT__PREFETCH(address) __builtin_prefetch(address)
+#elif defined(_MSC_VER)
+#define PARADT__INLINE            static __forceinline
+#define PARADT__NOINLINE          static __declspec(noinline)
+#define PARADT__LIKELY(condition) (condition)
+#define PARADT__PREFETCH(address) ((void)0)
+#else
+#define PARADT__INLINE            static inline
+#define PARADT__NOINLINE          static
+#define PARADT__LIKELY(condition) (condition)
+#define PARADT__PREFETCH(address) ((void)0)
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>memory
+//
+// Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
+// needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
+// its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release.
+
+typedef struct paradt__memory {
+    paradt_allocator allocator;
+    size_t limit; // bytes; SIZE_MAX: none
+    size_t held;
+    size_t peak;
+} paradt__memory;
+
+enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
+
+static void *paradt__default_alloc(void *user, size_t size) {
+    (void)user;
+    return malloc(size);
+}
+
+static void paradt__default_free(void *user, void *memory) {
+    (void)user;
+    free(memory);
+}
+
+static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
+    memset(memory, 0, sizeof *memory);
+    memory->limit = SIZE_MAX;
+    if (options) {
+        memory->allocator = options->allocator;
+        if (options->memory_limit) memory->limit = options->memory_limit;
+    }
+    if (!memory->allocator.alloc) memory->allocator.alloc = paradt__default_alloc;
+    if (!memory->allocator.free) memory->allocator.free = paradt__default_free;
+}
+
+// The account of one of `shares` tasks that may run at once.
+static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
+    paradt__memory memory = *parent;
+    memory.held = memory.peak = 0;
+    if (parent->limit != SIZE_MAX) memory.limit = (parent->limit - parent->held) / shares;
+    return memory;
+}
+
+// Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
+static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, size_t *sum_of_peaks) {
+    parent->held += child->held;
+    *sum_of_peaks += child->peak;
+    if (parent->held > parent->peak) parent->peak = parent->held;
+}
+
+// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same.
+static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
+    size_t bytes;
+    char *block;
+    if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
+    bytes = count * size + PARADT__BLOCK_HEADER;
+    if (bytes > memory->limit || memory->held > memory->limit - bytes) return NULL;
+    block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
+    if (!block) return NULL;
+    memcpy(block, &bytes, sizeof bytes);
+    memory->held += bytes;
+    if (memory->held > memory->peak) memory->peak = memory->held;
+    return block + PARADT__BLOCK_HEADER;
+}
+
+static void paradt__release(paradt__memory *memory, void *payload) {
+    size_t bytes;
+    char *block;
+    if (!payload) return;
+    block = (char *)payload - PARADT__BLOCK_HEADER;
+    memcpy(&bytes, block, sizeof bytes);
+    memory->held -= bytes;
+    memory->allocator.free(memory->allocator.user, block);
+}
+
+// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
+    void *larger = paradt__alloc(memory, count, size);
+    if (!larger) return 0;
+    if (used) memcpy(larger, *array, used * size);
+    paradt__release(memory, *array);
+    *array = larger;
+    return 1;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>bits
+//
+// Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
+// the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
+// shifts of negative integers are taken to be arithmetic, as all compilers have them.
+
+// The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define PARADT__UNROLL _Pragma("GCC unroll 10")
+#else
+#define PARADT__UNROLL
+#endif
+
+PARADT__INLINE uint64_t paradt__bits(double x) {
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+PARADT__INLINE double paradt__from_bits(uint64_t bits) {
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+PARADT__INLINE int paradt__is_finite(double x) {
+    return (paradt__bits(x) >> 52 & 2047) != 2047;
+}
+
+// A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
+PARADT__INLINE int64_t paradt__ordered_bits(double x) {
+    uint64_t bits = paradt__bits(x), negative = 0 - (bits >> 63);
+    return (int64_t)((bits ^ negative >> 1) - negative);
+}
+
+// 2^exponent, exponent in -1022..1023
+PARADT__INLINE double paradt__power(int exponent) {
+    return paradt__from_bits((uint64_t)(exponent + 1023) << 52);
+}
+
+PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_ctzll(x);
+#else
+    int n = 0;
+    for (; !(x & 255); x >>= 8) n += 8;
+    for (; !(x & 1); x >>= 1) n++;
+    return n;
+#endif
+}
+
+PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
+#if defined(__GNUC__) || defined(__clang__)
+    return x ? 64 - __builtin_clzll(x) : 0;
+#else
+    int n = 0;
+    for (; x > 255; x >>= 8) n += 8;
+    for (; x; x >>= 1) n++;
+    return n;
+#endif
+}
+
+// |x| = mantissa * 2^exponent, mantissa < 2^53, exponent in -1074..971
+PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
+    uint64_t bits = paradt__bits(x);
+    int biased = (int)(bits >> 52 & 2047), normal = biased != 0;
+    *exponent = biased + !normal - 1075;
+    return (bits & 0xfffffffffffffu) | (uint64_t)normal << 52;
+}
+
+// x * 2^exponent. *exact is cleared when bits are lost (they are cut off) or it overflows (to the largest double).
+static double paradt__scale(double x, int exponent, int *exact) {
+    int e, drop;
+    uint64_t sign = paradt__bits(x) & (uint64_t)1 << 63, mantissa = paradt__split(x, &e);
+    if (!mantissa) return x;
+    int normalize = 53 - paradt__bit_length(mantissa);
+    mantissa <<= normalize;
+    // by more than 4200 all of it is gone either way
+    e += (exponent < -4200 ? -4200 : exponent > 4200 ? 4200 : exponent) - normalize;
+    if (e > 971) {
+        *exact = 0;
+        return paradt__from_bits(sign | 0x7fefffffffffffffu);
+    }
+    if (e >= -1074) return paradt__from_bits(sign | (uint64_t)(e + 1075) << 52 | (mantissa & 0xfffffffffffffu));
+    drop = -1074 - e < 53 ? -1074 - e : 53; // a subnormal result
+    if (mantissa & (((uint64_t)1 << drop) - 1)) *exact = 0;
+    return paradt__from_bits(sign | mantissa >> drop);
+}
+
+// Wide integers are the widest that the compiler computes with. Longer ones are rows of digits in base 2^PARADT__RADIX,
+// least significant first, balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1) (the last may be larger where stated). So
+// there is no carry and no sign to care for while products are summed in wide integers, digit by digit; the sign of a
+// number is that of its highest digit other than 0; and the difference of two doubles has few nonzero digits, however
+// far apart their exponents are.
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 paradt__wide;
+typedef int64_t paradt__digit;
+#define PARADT__WIDE_BITS 127 // without the sign
+#define PARADT__RADIX     60
+#else
+typedef int64_t paradt__wide;
+typedef int32_t paradt__digit;
+#define PARADT__WIDE_BITS 63
+#define PARADT__RADIX     28
+#endif
+
+// So many products of two balanced digits fit into a wide integer, and a carry besides: 508.
+#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
+
+// Digits of a number below 2^bits in size, the last one balanced too
+PARADT__INLINE int paradt__digit_count(int bits) {
+    return bits / PARADT__RADIX + 1;
+}
+
+// x = digit + 2^PARADT__RADIX * carry, the digit balanced
+PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
+    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
+    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
+}
+
+PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
+    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
+}
+
+// digits[count] = the number whose digits are summed up in sum; the last digit takes all that remains.
+PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    PARADT__UNROLL
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+// Balances sum[count] in place.
+PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
+    for (int i = 0; i + 1 < count; i++) {
+        sum[i + 1] += paradt__carry(sum[i]);
+        sum[i] = paradt__low_digit(sum[i]);
+    }
+}
+
+// The sign of a number
+PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
+    while (count > 1 && !digits[count - 1]) count--;
+    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
+}
+
+// sum[] += sign * a[an] * b[bn]. Every element of sum grows by at most min(an, bn) products of digits.
+PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                         const paradt__digit *b, int bn) {
+    PARADT__UNROLL
+    for (int i = 0; i < an; i++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (bn <= 6 || x) // long differences have few digits other than 0
+            PARADT__UNROLL
+        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
+    }
+}
+
+// sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
+PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
+    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
+    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
+        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
+        *sum++ += sign < 0 ? -part : part;
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>predicates
+//
+// Signs of determinants of doubles, exact for all finite ones. Doors: paradt__space_begin, _add, _end, paradt__orient,
+// paradt__insphere, paradt__conflict, paradt__compare.
+//
+// The determinants are those of the differences to one of the points: of k columns for the orientation, and for the
+// in-sphere test of one more, the lift |x - base|^2 - (w - w_base), which differs from |x|^2 - w by a linear function
+// of x only, so that the determinant is the same. Stages, each giving up only when it can not be sure:
+//   filter   in doubles, with a bound on its error for whatever order, contraction and rounding the compiler and the
+//            FPU choose. A determinant is a multiple of its quantum, the product of its columns' units: when the
+//            quantum exceeds value and error together, it is 0. So lattices hardly ever leave the filter.
+//   small    in wide integers (128 bits, or 64 where there are none), by minors
+//   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
+//   general  any exponents, any dimension: as many digits as it takes.
+// No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
+// more than 1100 apart, in 6D 180, in 8D 60; the others take 9 KB.
+
+#define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
+
+typedef struct paradt__counters {
+    uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
+} paradt__counters;
+
+// The exponents found in some doubles. All of them 0: unit > top.
+typedef struct paradt__range {
+    int unit;   // every one is a multiple of 2^unit
+    int bottom; // every one that is not 0 is at least 2^bottom in size
+    int top;    // every one is less than 2^top in size
+} paradt__range;
+
+// A filter's error for determinants of one kind
+typedef struct paradt__bounds {
+    double factor;  // error by rounding: this times the product of the columns' largest entries
+    double certain; // an error bound for all points of the set
+    double quantum; // every determinant is a multiple of more than this
+} paradt__bounds;
+
+// What the predicates know about a set of points: all that they are asked about must have been measured. One per
+// thread, for they count into it. Once measured, dim and ambient may be lowered and the axes of the points be permuted.
+typedef struct paradt__space {
+    int dim;      // k: the first k coordinates of a point orient
+    int ambient;  // d >= k: all d coordinates enter the lift |x|^2 (points in a k-flat that is a graph over those k)
+    int weighted; // 1: a point's weight follows its d coordinates, and is taken from its lift
+    int filtered; // 1: every coordinate is 0 or 2^-120..2^120 in size, every weight 0 or 2^-240..2^240
+    int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
+    paradt__range coordinates;
+    paradt__range weights;
+    int64_t low[PARADT_MAX_DIM];                 // ordered bits of the smallest and
+    int64_t high[PARADT_MAX_DIM];                // ... largest coordinate of each axis, as measured
+    double per_unit;                             // 2^-unit where it makes integers below 2^59 of all coordinates; 0
+    double tiny;                                 // no filter's error by underflow exceeds it
+    paradt__bounds orient[PARADT_MAX_DIM + 1];   // of orientations in k dimensions
+    paradt__bounds insphere[PARADT_MAX_DIM + 1]; // of in-sphere tests in k dimensions
+    double orient_certain;                       // the largest of orient's, k = 1..d, for estimates of others
+    double orient_quantum;                       // the smallest of orient's
+    paradt__counters counters;
+} paradt__space;
+
+#define PARADT__UNDECIDED 2
+
+// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+static const paradt__range paradt__no_range = {4000, 4000, -4000};
+
+// ceil(log2(n!))
+static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+
+PARADT__INLINE int paradt__max(int a, int b) {
+    return a > b ? a : b;
+}
+PARADT__INLINE int paradt__min(int a, int b) {
+    return a < b ? a : b;
+}
+
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+PARADT__INLINE double paradt__abs(double x) {
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_fabs(x);
+#else
+    return x < 0 ? -x : x;
+#endif
+}
+
+// The largest size among count values
+PARADT__INLINE double paradt__largest(const double *x, int count) {
+    double m = paradt__abs(x[0]);
+    for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
+    return m;
+}
+
+PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
+    int e;
+    uint64_t mantissa = paradt__split(x, &e);
+    if (!mantissa) return;
+    int top = e + paradt__bit_length(mantissa);
+    range->unit = paradt__min(range->unit, e + paradt__trailing_zeros(mantissa));
+    range->bottom = paradt__min(range->bottom, top - 1);
+    range->top = paradt__max(range->top, top);
+}
+
+// Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
+static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
+    memset(s, 0, sizeof *s);
+    s->dim = dim;
+    s->ambient = ambient;
+    s->weighted = weighted;
+    s->coordinates = s->weights = paradt__no_range;
+    for (int j = 0; j < ambient; j++) {
+        s->low[j] = INT64_MAX;
+        s->high[j] = INT64_MIN;
+    }
+}
+
+static void paradt__space_add(paradt__space *s, const double *p) {
+    for (int j = 0; j < s->ambient; j++) {
+        int64_t x = paradt__ordered_bits(p[j]);
+        paradt__measure(&s->coordinates, p[j]);
+        if (x < s->low[j]) s->low[j] = x;
+        if (x > s->high[j]) s->high[j] = x;
+    }
+    if (s->weighted) paradt__measure(&s->weights, p[s->ambient]);
+}
+
+// The inverse of paradt__ordered_bits
+PARADT__INLINE double paradt__from_ordered_bits(int64_t x) {
+    return paradt__from_bits(x < 0 ? (0 - (uint64_t)x) | (uint64_t)1 << 63 : (uint64_t)x);
+}
+
+// A bit less than 2^exponent, for comparisons with rounded values; 0 when it is too small to be told apart
+static double paradt__quantum(int exponent) {
+    return exponent < -900 ? 0 : paradt__power(paradt__min(exponent, 1000)) * (1 - 8 * PARADT__ROUNDOFF);
+}
+
+// The filters' error by rounding, to be multiplied with P, the product of the largest sizes m_j in the n columns. Let u
+// be the roundoff.
+//
+// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials (an entry of the lift counts as one value). A computed
+// monomial has gone through at most c roundings, whichever way sums are ordered and products contracted: one a product,
+// and for a sum one less than the number of its terms.
+//   k = 2  2 differences, 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, product and
+//          d + 1 <= 9 additions, and 3 for the last product and sum: 19
+//   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
+// so the error is at most c u n! P to first order. Twice that is taken, for the higher orders, for m_j being computed
+// values and for the roundings of the bound itself.
+//
+// Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
+// 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
+// an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most 2^(n-1) u m_j, and so do, three
+// times, the multipliers: the computed pivots are exactly those of a matrix with entries perturbed by at most e m_j,
+// e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound its determinant differs by at most n e h P to first order,
+// h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
+static double paradt__rounding(int k, int n) {
+    static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
+    static const double hadamard[PARADT__MAX_ROWS + 1] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
+    return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
+}
+
+// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
+// and hosts have done so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
+// of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
+// n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
+// column without a pivot above 1e-300 makes the determinant less than 2^36 1e-300 Q: all below 2^-959 Q. No value
+// exceeds 2^36 Q, so that nothing overflows while 2^36 Q < 2^1023.
+static void paradt__space_end(paradt__space *s) {
+    const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
+    const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
+    const int lift_unit = s->weighted ? paradt__min(2 * unit, s->weights.unit) : 2 * unit;
+    double extents[PARADT_MAX_DIM], product = 1, lift = 0;
+    const int precise = paradt__precise();
+    s->filtered = precise && s->coordinates.top <= 120 && s->coordinates.bottom >= -120 && s->weights.top <= 240 &&
+                  s->weights.bottom >= -240;
+    s->bounded = precise && growth <= 940;
+    s->tiny = s->bounded ? paradt__power(growth - 950) : 0;
+    // such products and conversions are exact in any rounding mode, and there is nothing to flush to zero
+    s->per_unit = 0;
+    if (precise && unit >= -900 && unit < s->coordinates.top && s->coordinates.top <= paradt__min(unit + 59, 900))
+        s->per_unit = paradt__power(-unit);
+    if (!s->bounded) return;
+    for (int j = 0; j < d; j++) { // extents in descending order: the product of the first k is that of any k at most
+        double extent = 0;
+        int i = j;
+        if (s->low[j] < s->high[j])
+            extent = paradt__from_ordered_bits(s->high[j]) - paradt__from_ordered_bits(s->low[j]);
+        for (; i > 0 && extents[i - 1] < extent; i--) extents[i] = extents[i - 1];
+        extents[i] = extent;
+        lift += extent * extent;
+    }
+    if (s->weighted && s->weights.top > -1000) lift += 2 * paradt__power(s->weights.top);
+    s->orient_certain = 0;
+    s->orient_quantum = paradt__quantum(1000);
+    for (int k = 1; k <= d; k++) {
+        paradt__bounds *orient = &s->orient[k], *insphere = &s->insphere[k];
+        product *= extents[k - 1];
+        orient->factor = paradt__rounding(k, k);
+        orient->certain = orient->factor * product + s->tiny;
+        orient->quantum = paradt__quantum(k * unit);
+        insphere->factor = paradt__rounding(k, k + 1);
+        insphere->certain = insphere->factor * product * lift + s->tiny;
+        insphere->quantum = paradt__quantum(k * unit + lift_unit);
+        s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
+        s->orient_quantum = -paradt__larger(-s->orient_quantum, -orient->quantum);
+    }
+}
+
+// -1, 0, 1: the lexicographic order by the first dim coordinates
+PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
+    for (int j = 0; j < s->dim; j++) {
+        int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
+        if (x != y) return x < y ? -1 : 1;
+    }
+    return 0;
+}
+
+// The filters' last step. largest: the product of the columns' largest entries
+PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
+    double error = b->factor * largest + s->tiny;
+    if (value > error) return 1;
+    if (value < -error) return -1;
+    if (paradt__abs(value) + error >= b->quantum) return PARADT__UNDECIDED;
+    s->counters.exact_small++;
+    return 0;
+}
+
+PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const *p) {
+    const double *o = p[0], *a = p[1], *b = p[2];
+    double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
+    double det = ax * by - bx * ay;
+    if (paradt__abs(det) > s->orient[2].certain) return det > 0 ? 1 : -1;
+    double x = paradt__larger(paradt__abs(ax), paradt__abs(bx)), y = paradt__larger(paradt__abs(ay), paradt__abs(by));
+    return paradt__decide(s, det, x * y, &s->orient[2]);
+}
+
+PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const *p) {
+    const double *o = p[0], *a = p[1], *b = p[2], *c = p[3];
+    double x[3] = {a[0] - o[0], b[0] - o[0], c[0] - o[0]};
+    double y[3] = {a[1] - o[1], b[1] - o[1], c[1] - o[1]};
+    double z[3] = {a[2] - o[2], b[2] - o[2], c[2] - o[2]};
+    double det =
+        (x[0] * y[1] - x[1] * y[0]) * z[2] + (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1];
+    if (paradt__abs(det) > s->orient[3].certain) return det > 0 ? 1 : -1;
+    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
+}
+
+// The rest of a lift whose first k squares are summed already: further coordinates and weights. *size bounds all of it.
+PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d, int weighted, const double *a,
+                                        const double *o) {
+    for (int j = k; j < d; j++) lift += (a[j] - o[j]) * (a[j] - o[j]);
+    *size = weighted ? lift + (paradt__abs(a[d]) + paradt__abs(o[d])) : lift;
+    return weighted ? lift - (a[d] - o[d]) : lift;
+}
+
+PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *const *p, int d, int weighted) {
+    const double *o = p[3];
+    double x[3], y[3], lift[3], size[3], det;
+    for (int i = 0; i < 3; i++) {
+        x[i] = p[i][0] - o[0];
+        y[i] = p[i][1] - o[1];
+        lift[i] = paradt__lift_rest(x[i] * x[i] + y[i] * y[i], &size[i], 2, d, weighted, p[i], o);
+    }
+    det = (x[0] * y[1] - x[1] * y[0]) * lift[2] + (x[1] * y[2] - x[2] * y[1]) * lift[0] +
+          (x[2] * y[0] - x[0] * y[2]) * lift[1];
+    if (paradt__abs(det) > s->insphere[2].certain) return det > 0 ? 1 : -1;
+    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3),
+                          &s->insphere[2]);
+}
+
+PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
+    const double *o = p[4];
+    double x[4], y[4], z[4], lift[4], size[4], det;
+    for (int i = 0; i < 4; i++) {
+        x[i] = p[i][0] - o[0];
+        y[i] = p[i][1] - o[1];
+        z[i] = p[i][2] - o[2];
+        lift[i] = paradt__lift_rest(x[i] * x[i] + y[i] * y[i] + z[i] * z[i], &size[i], 3, d, weighted, p[i], o);
+    }
+    double xy01 = x[0] * y[1] - x[1] * y[0], xy12 = x[1] * y[2] - x[2] * y[1], xy23 = x[2] * y[3] - x[3] * y[2];
+    double xy30 = x[3] * y[0] - x[0] * y[3], xy02 = x[0] * y[2] - x[2] * y[0], xy13 = x[1] * y[3] - x[3] * y[1];
+    double xyz012 = xy01 * z[2] + xy12 * z[0] - xy02 * z[1], xyz123 = xy12 * z[3] + xy23 * z[1] - xy13 * z[2];
+    double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
+    // minus the determinant of the rows (x, y, z, lift), as it takes in odd dimensions
+    det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
+    if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
+    double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
+    return paradt__decide(s, det, largest, &s->insphere[3]);
+}
+
+// Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
+// out, by the pairs of the first two columns and those of the next two.
+PARADT__INLINE double paradt__without(double (*xy)[5], double (*zw)[5], int out) {
+    const int a = out == 0, b = 1 + (out <= 1), c = 2 + (out <= 2), d = 3 + (out <= 3);
+    return (xy[a][b] * zw[c][d] - xy[a][c] * zw[b][d]) + (xy[a][d] * zw[b][c] + xy[b][c] * zw[a][d]) +
+           (xy[c][d] * zw[a][b] - xy[b][d] * zw[a][c]);
+}
+
+// Four dimensions: n = 4 for the orientation (base p[0]), 5 for the in-sphere test (base p[5])
+PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, const double *base, int n, int d) {
+    double x[4][5], xy[5][5], zw[5][5], lift[5], size[5], det, largest = 1;
+    const paradt__bounds *b = n == 4 ? &s->orient[4] : &s->insphere[4];
+    PARADT__UNROLL
+    for (int i = 0; i < n; i++) {
+        PARADT__UNROLL
+        for (int j = 0; j < 4; j++) x[j][i] = p[i][j] - base[j];
+        if (n == 5)
+            lift[i] = paradt__lift_rest(x[0][i] * x[0][i] + x[1][i] * x[1][i] + x[2][i] * x[2][i] + x[3][i] * x[3][i],
+                                        &size[i], 4, d, s->weighted, p[i], base);
+    }
+    PARADT__UNROLL
+    for (int i = 0; i < n; i++) {
+        PARADT__UNROLL
+        for (int j = i + 1; j < n; j++) {
+            xy[i][j] = x[0][i] * x[1][j] - x[0][j] * x[1][i];
+            zw[i][j] = x[2][i] * x[3][j] - x[2][j] * x[3][i];
+        }
+    }
+    det = paradt__without(xy, zw, 4);
+    if (n == 5)
+        det = (det * lift[4] - paradt__without(xy, zw, 3) * lift[3]) +
+              (paradt__without(xy, zw, 2) * lift[2] - paradt__without(xy, zw, 1) * lift[1]) +
+              paradt__without(xy, zw, 0) * lift[0];
+    if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
+    for (int j = 0; j < 4; j++) largest *= paradt__largest(x[j], n);
+    return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
+}
+
+// Determinant of n rows by elimination with pivots; 0 also when there is no pivot
+PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
+    double det = 1;
+    for (int t = 0; t < n; t++) {
+        int pivot = t;
+        for (int i = t + 1; i < n; i++)
+            if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
+        // a pivot this small is noise of underflow; its reciprocal would overflow
+        if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
+        if (pivot != t) {
+            det = -det;
+            for (int j = t; j < n; j++) {
+                double swap = a[t][j];
+                a[t][j] = a[pivot][j];
+                a[pivot][j] = swap;
+            }
+        }
+        det *= a[t][t];
+        for (int i = t + 1; i < n; i++) {
+            double m = a[i][t] / a[t][t];
+            for (int j = t + 1; j < n; j++) a[i][j] -= m * a[t][j];
+        }
+    }
+    return det;
+}
+
+// Rows p[0..n-1] - base: k coordinates and, when n > k, the lift
+PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
+                                      int d) {
+    double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    for (int i = 0; i < n; i++) {
+        double lift = 0, size;
+        for (int j = 0; j < k; j++) {
+            a[i][j] = p[i][j] - base[j];
+            largest[j] = paradt__larger(largest[j], paradt__abs(a[i][j]));
+            lift += a[i][j] * a[i][j];
+        }
+        if (n == k) continue;
+        a[i][k] = paradt__lift_rest(lift, &size, k, d, s->weighted, p[i], base);
+        largest[k] = paradt__larger(largest[k], size);
+    }
+    det = paradt__eliminate(a, n);
+    for (int j = 0; j < n; j++) product *= largest[j];
+    if (n > k && k & 1) det = -det;
+    return paradt__decide(s, det, product, n == k ? &s->orient[k] : &s->insphere[k]);
+}
+
+// What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
+// n > k, the lift over d coordinates.
+typedef struct paradt__task {
+    int n, k, d, weighted;
+    const double *const *row;
+    const double *base;
+} paradt__task;
+
+static paradt__range paradt__measure_columns(const paradt__task *q, int first, int end) {
+    paradt__range range = paradt__no_range;
+    for (int j = first; j < end; j++) {
+        for (int i = 0; i < q->n; i++) paradt__measure(&range, q->row[i][j]);
+        paradt__measure(&range, q->base[j]);
+    }
+    return range;
+}
+
+// |x| / 2^unit = mantissa * 2^*shift for a multiple of 2^unit
+PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
+    int e;
+    uint64_t mantissa = paradt__split(x, &e);
+    *shift = mantissa ? paradt__max(e - unit, 0) : 0;
+    return mantissa ? mantissa >> paradt__max(unit - e, 0) : 0;
+}
+
+// The numbers of a task as integers: differences of at most 60 bits and a sign
+typedef struct paradt__fixed {
+    int unit;      // of the coordinates; 2 * unit is the lifts'
+    int bits;      // differences are below 2^bits
+    int lift_bits; // lifts are below 2^lift_bits
+    int64_t x[PARADT__MAX_ROWS][PARADT_MAX_DIM];
+    paradt__wide lift[PARADT__MAX_ROWS];
+} paradt__fixed;
+
+// x / 2^unit for |x| < 2^(unit + 59); *lost collects the bits below the unit
+PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
+    int e, drop;
+    uint64_t mantissa = paradt__split(x, &e) << 10;
+    drop = paradt__min(unit + 10 - e, 63);
+    *lost |= mantissa & (((uint64_t)1 << drop) - 1);
+    return paradt__bits(x) >> 63 ? -(int64_t)(mantissa >> drop) : (int64_t)(mantissa >> drop);
+}
+
+// Fills f->x in the unit of the set.
+PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__task *q, int columns) {
+    f->unit = s->coordinates.unit;
+    f->bits = s->coordinates.top + 1 - f->unit;
+    PARADT__UNROLL
+    for (int j = 0; j < columns; j++) {
+        int64_t base = (int64_t)(q->base[j] * s->per_unit);
+        PARADT__UNROLL
+        for (int i = 0; i < q->n; i++) f->x[i][j] = (int64_t)(q->row[i][j] * s->per_unit) - base;
+    }
+}
+
+// Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
+PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, int columns,
+                                       const paradt__range *weights) {
+    uint64_t top = 0, lost = 0, any = 0, size = 0;
+    int spare;
+    PARADT__UNROLL
+    for (int i = 0; i <= q->n; i++) {
+        const double *x = i < q->n ? q->row[i] : q->base;
+        PARADT__UNROLL
+        for (int j = 0; j < columns; j++) {
+            uint64_t doubled = paradt__bits(x[j]) << 1; // without the sign
+            top = doubled > top ? doubled : top;
+        }
+    }
+    f->unit = paradt__max((int)(top >> 53), 1) - 1022 - 59; // coordinates are below 2^(biased exponent - 1022)
+    PARADT__UNROLL
+    for (int j = 0; j < columns; j++) {
+        int64_t base = paradt__fix(q->base[j], f->unit, &lost);
+        PARADT__UNROLL
+        for (int i = 0; i < q->n; i++) {
+            int64_t x = f->x[i][j] = paradt__fix(q->row[i][j], f->unit, &lost) - base;
+            any |= (uint64_t)x;
+            size |= (uint64_t)(x < 0 ? -x : x);
+        }
+    }
+    if (lost) return 0;
+    spare = any ? paradt__trailing_zeros(any) : 0;
+    spare = paradt__min(spare, (weights->unit - (weights->unit & 1)) / 2 - f->unit);
+    if (spare < 0) return 0;
+    PARADT__UNROLL
+    for (int i = 0; i < q->n; i++) {
+        PARADT__UNROLL
+        for (int j = 0; j < columns; j++) f->x[i][j] >>= spare;
+    }
+    f->unit += spare;
+    f->bits = paradt__bit_length(size) - spare;
+    return 1;
+}
+
+// Fills f but for the lifts. 0: differences or weights do not fit.
+PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__task *q) {
+    int columns = q->n > q->k ? q->d : q->k;
+    paradt__range weights = paradt__no_range;
+    if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
+    if (s->per_unit > 0 && 2 * s->coordinates.unit <= weights.unit) paradt__fix_by_set(f, s, q, columns);
+    else if (!paradt__fix_by_bits(f, q, columns, &weights)) return 0;
+    // the sum of up to 8 squares, and a difference of weights
+    f->lift_bits = paradt__max(2 * f->bits + 3, weights.top + 1 - 2 * f->unit) + (weights.top > weights.bottom);
+    return 1;
+}
+
+// Fills f->lift, which must fit in wide integers.
+PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
+    PARADT__UNROLL
+    for (int i = 0; i < q->n; i++) {
+        paradt__wide lift = 0;
+        PARADT__UNROLL
+        for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
+        for (int side = 0; side < 2 && q->weighted; side++) {
+            double w = side ? q->base[q->d] : q->row[i][q->d];
+            int shift;
+            paradt__wide m = (paradt__wide)paradt__mantissa(w, 2 * f->unit, &shift);
+            m *= (paradt__wide)1 << shift;
+            lift += (paradt__bits(w) >> 63) == (uint64_t)side ? -m : m;
+        }
+        f->lift[i] = lift;
+    }
+}
+
+// Determinants of the rows in wide integers. pair(i, j): of their first two columns
+PARADT__INLINE paradt__wide paradt__wide_pair(const paradt__fixed *f, int i, int j) {
+    return (paradt__wide)f->x[i][0] * f->x[j][1] - (paradt__wide)f->x[j][0] * f->x[i][1];
+}
+
+PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, int k) {
+    paradt__wide p01 = paradt__wide_pair(f, 0, 1), p02, p12, p03, p13, p23, z0, z1, z2, z3;
+    if (n == 2) return p01;
+    p02 = paradt__wide_pair(f, 0, 2), p12 = paradt__wide_pair(f, 1, 2);
+    z0 = k > 2 ? f->x[0][2] : f->lift[0], z1 = k > 2 ? f->x[1][2] : f->lift[1], z2 = k > 2 ? f->x[2][2] : f->lift[2];
+    if (n == 3) return z0 * p12 - z1 * p02 + z2 * p01;
+    p03 = paradt__wide_pair(f, 0, 3), p13 = paradt__wide_pair(f, 1, 3), p23 = paradt__wide_pair(f, 2, 3);
+    z3 = f->x[3][2];
+    return f->lift[3] * (z0 * p12 - z1 * p02 + z2 * p01) - f->lift[2] * (z0 * p13 - z1 * p03 + z3 * p01) +
+           f->lift[1] * (z0 * p23 - z2 * p03 + z3 * p02) - f->lift[0] * (z1 * p23 - z2 * p13 + z3 * p12);
+}
+
+// The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
+static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
+    paradt__wide minor[1 << PARADT__MAX_ROWS];
+    minor[0] = 1;
+    for (unsigned mask = 1; mask < 1u << n; mask++) {
+        paradt__wide sum = 0;
+        int column = 0;
+        for (unsigned rest = mask & (mask - 1); rest; rest &= rest - 1) column++;
+        for (unsigned rest = mask; rest; rest &= rest - 1) {
+            int i = paradt__trailing_zeros(rest);
+            paradt__wide x = column < k ? f->x[i][column] : f->lift[i];
+            sum = x * minor[mask ^ 1u << i] - sum; // along the last column, whose last row counts positive
+        }
+        minor[mask] = sum;
+    }
+    return minor[(1 << n) - 1];
+}
+
+PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k) {
+    paradt__wide det = k == 2 || k == 3 ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
+    return (det > 0) - (det < 0);
+}
+
+// --- general
+
+// The lengths of a task's numbers
+typedef struct paradt__layout {
+    int unit, bits, digits;                // of the coordinates' differences
+    int lift_unit, lift_bits, lift_digits; // of the lifts; 2 unit - lift_unit is a multiple of PARADT__RADIX
+} paradt__layout;
+
+// Places on the stack for all numbers of a task, and for sums. The largest task, 8 columns of differences of 2099 bits,
+// takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
+#define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
+#define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
+#define PARADT__SMALL_DIGITS (10240 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_SUM    (6144 / PARADT__RADIX)
+
+static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task *q) {
+    paradt__layout y;
+    int lifted = q->n > q->k;
+    paradt__range x = s->coordinates, w = paradt__no_range;
+    if (x.top + 1 - x.unit > 117) x = paradt__measure_columns(q, 0, lifted ? q->d : q->k);
+    if (lifted && q->weighted) w = paradt__measure_columns(q, q->d, q->d + 1);
+    if (x.unit > x.top) x.unit = x.top = 0;
+    y.unit = x.unit;
+    y.bits = x.top + 1 - x.unit;
+    y.digits = paradt__digit_count(y.bits);
+    y.lift_unit = 2 * y.unit;
+    if (w.unit < y.lift_unit) y.lift_unit -= (y.lift_unit - w.unit + PARADT__RADIX - 1) / PARADT__RADIX * PARADT__RADIX;
+    y.lift_bits = paradt__max(2 * x.top + 5, w.top + 1) + 1 - y.lift_unit;
+    y.lift_digits = paradt__digit_count(y.lift_bits);
+    return y;
+}
+
+// Room for more products in the sums of count elements: *used of PARADT__SUMMANDS are taken
+PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
+    *used += products;
+    if (*used <= PARADT__SUMMANDS) return;
+    paradt__balance(sum, count);
+    *used = products;
+}
+
+PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
+    PARADT__UNROLL
+    for (int i = 0; i < count; i++) sum[i] = 0;
+}
+
+// sum += sign * (a - b) / 2^unit
+PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a, double b, int unit) {
+    int shift;
+    uint64_t mantissa = paradt__mantissa(a, unit, &shift);
+    paradt__add_shifted(sum, paradt__bits(a) >> 63 ? -sign : sign, mantissa, shift);
+    mantissa = paradt__mantissa(b, unit, &shift);
+    paradt__add_shifted(sum, paradt__bits(b) >> 63 ? sign : -sign, mantissa, shift);
+}
+
+// digits = a - b; a wide integer holds it
+PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, double a, double b, int unit) {
+    int shift;
+    paradt__wide x, y;
+    x = (paradt__wide)paradt__mantissa(a, unit, &shift);
+    x = paradt__bits(a) >> 63 ? -(x << shift) : x << shift;
+    y = (paradt__wide)paradt__mantissa(b, unit, &shift);
+    y <<= shift;
+    x += paradt__bits(b) >> 63 ? y : -y;
+    for (int i = 0; i + 1 < count; i++, x = paradt__carry(x)) digits[i] = paradt__low_digit(x);
+    digits[count - 1] = (paradt__digit)x;
+}
+
+// Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
+// it uses as much as y->digits; sum has place for all of a lift and y->digits more.
+PARADT__INLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
+                                      const paradt__layout *y) {
+    int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
+    paradt__wide *lift = sum + y->digits;
+    paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
+    for (int i = 0; i < q->n; i++) {
+        int used = 8; // weights add less than so many products
+        if (lifted) paradt__clear(lift, y->lift_digits);
+        for (int j = 0; j < (lifted ? q->d : q->k); j++) {
+            paradt__digit *x = j < q->k ? out : further;
+            if (y->bits < PARADT__WIDE_BITS - 1) {
+                paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
+            } else {
+                paradt__clear(sum, y->digits);
+                paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
+                paradt__store(x, sum, y->digits);
+            }
+            if (j < q->k) out += y->digits;
+            if (!lifted) continue;
+            paradt__make_room(lift, y->lift_digits, &used, y->digits);
+            paradt__multiply_add(lift + offset, 1, x, y->digits, x, y->digits);
+        }
+        if (!lifted) continue;
+        if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
+        paradt__store(out, lift, y->lift_digits);
+        out += y->lift_digits;
+    }
+}
+
+// Where the minors of the columns first, first + 1, ... of a task are made
+typedef struct paradt__minors {
+    const paradt__task *task;
+    const paradt__layout *layout;
+    const paradt__digit *rows;
+    int first;
+} paradt__minors;
+
+// Digits of a minor of so many columns
+PARADT__INLINE int paradt__minor_digits(const paradt__minors *m, int columns) {
+    int lifted = m->first + columns > m->task->k;
+    return paradt__digit_count((columns - lifted) * m->layout->bits + lifted * m->layout->lift_bits +
+                               paradt__log_factorial[columns]);
+}
+
+// Digits that the minors of so many rows need at most, of an odd (parity 1) or even number of columns
+static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
+    int most = 0;
+    for (int columns = 1, binomial = rows; columns <= rows; columns++) {
+        if ((columns & 1) == parity) most = paradt__max(most, binomial * paradt__minor_digits(m, columns));
+        binomial = binomial * (rows - columns) / (columns + 1);
+    }
+    return most;
+}
+
+// The next larger number with as many bits set (Gosper's hack)
+PARADT__INLINE unsigned paradt__next_subset(unsigned set) {
+    unsigned low = set & (0 - set), ripple = set + low;
+    return ripple | ((set ^ ripple) >> 2) / low;
+}
+
+// The determinant of the rows in the set, as many columns from m->first on: its digits, in work, and their number. Of
+// every size all minors are made from those one column smaller, in two places that take turns.
+static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set, paradt__digit *work, paradt__wide *sum,
+                                          int *digits) {
+    const paradt__layout *y = m->layout;
+    int k = m->task->k, row_digits = k * y->digits + (m->task->n > k ? y->lift_digits : 0);
+    int row[PARADT__MAX_ROWS], rows = 0, previous = 0;
+    uint16_t place[1 << PARADT__MAX_ROWS];
+    paradt__digit *places[2], *from = NULL;
+    for (unsigned rest = set; rest; rest &= rest - 1) row[rows++] = paradt__trailing_zeros(rest);
+    places[1] = work;
+    places[0] = work + paradt__minors_space(m, rows, 1);
+    for (int columns = 1; columns <= rows; columns++) {
+        paradt__digit *to = places[columns & 1];
+        int column = m->first + columns - 1, length = paradt__minor_digits(m, columns), count = 0;
+        int entry_digits = column < k ? y->digits : y->lift_digits;
+        for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
+            int sign = 1, used = 0;
+            paradt__clear(sum, length);
+            for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
+                int i = paradt__trailing_zeros(rest);
+                const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
+                if (columns == 1) {
+                    for (int j = 0; j < length && j < entry_digits; j++) sum[j] = x[j];
+                    continue;
+                }
+                const paradt__digit *minor = from + place[mask ^ 1u << i] * previous;
+                paradt__make_room(sum, length, &used, paradt__min(entry_digits, previous));
+                paradt__multiply_add(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
+            }
+            paradt__store(to + count * length, sum, length);
+            place[mask] = (uint16_t)count++;
+        }
+        previous = length;
+        from = to;
+    }
+    *digits = previous;
+    return from;
+}
+
+// The determinant of all rows is the sum over sets of half the rows: minors of the first columns in these times minors
+// of the other columns in the others (Laplace). For 9 rows that takes six times as long and a sixth of the
+// space.
+static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
+    int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
+    paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
+    paradt__wide *minor_sum = sum + digits;
+    paradt__clear(sum, digits);
+    for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
+        int sign = half * (half - 1) / 2 & 1;
+        for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
+        m->first = 0;
+        const paradt__digit *a = paradt__minor(m, mask, work, minor_sum, &a_digits);
+        m->first = half;
+        const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
+        paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
+        paradt__multiply_add(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+    }
+    paradt__store(work, sum, digits);
+    return paradt__sign(work, digits);
+}
+
+// 1: so many digits, and sums of so many, are room for all minors at once
+static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, int digits, int sums) {
+    paradt__minors m = {q, y, NULL, 0};
+    int rows = q->n * (q->k * y->digits + y->lift_digits);
+    int minors = paradt__minors_space(&m, q->n, 0) + paradt__minors_space(&m, q->n, 1);
+    minors = paradt__max(minors, y->digits); // one more number while the rows are made
+    return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
+}
+
+PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
+                                   paradt__wide *sum, int whole) {
+    paradt__minors m = {q, y, work, 0};
+    paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
+    const paradt__digit *determinant;
+    int digits = paradt__minor_digits(&m, q->n);
+    paradt__load_rows(work, sum, q, y);
+    if (!whole) return paradt__general_halves(&m, free_work, sum, digits);
+    determinant = paradt__minor(&m, (1u << q->n) - 1, free_work, sum, &digits);
+    return paradt__sign(determinant, digits);
+}
+
+PARADT__NOINLINE int paradt__general_small(const paradt__task *q, const paradt__layout *y) {
+    paradt__digit work[PARADT__SMALL_DIGITS];
+    paradt__wide sum[PARADT__SMALL_SUM];
+    return paradt__general(q, y, work, sum, 1);
+}
+
+PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__layout *y) {
+    paradt__digit work[PARADT__LARGE_DIGITS];
+    paradt__wide sum[PARADT__LARGE_SUM];
+    int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
+    return paradt__general(q, y, work, sum, whole);
+}
+
+// --- fixed
+
+#ifdef __SIZEOF_INT128__
+// Rows as paradt__load_rows makes them, w digits a coordinate and 2 w a lift: every product of numbers has just as many
+// digits as they have together, for
+//   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
+//          (below 2^122) 2^62, sums of four products of them below 2^126.7
+//   w = 2  numbers of 117 bits, all digits balanced
+PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
+    const int stride = k * w + (n > k ? 2 * w : 0), third = k > 2 ? w : 2 * w;
+    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = n > 2 ? x1 + stride : x0, *x3 = n > 3 ? x2 + stride : x0;
+    paradt__digit p01[4], p02[4], p12[4], p03[4], p13[4], p23[4], t012[8], t013[8], t023[8], t123[8], det[10];
+    paradt__wide sum[10];
+// p = the determinant of the first two columns of two rows; t = of three rows, by those of two
+#define PARADT__PAIR(p, a, b)                                                                                          \
+    do {                                                                                                               \
+        paradt__clear(sum, 2 * w);                                                                                     \
+        paradt__multiply_add(sum, 1, a, w, b + w, w);                                                                  \
+        paradt__multiply_add(sum, -1, b, w, a + w, w);                                                                 \
+        paradt__store(p, sum, 2 * w);                                                                                  \
+    } while (0)
+#define PARADT__TRIPLE(t, a, pbc, b, pac, c, pab)                                                                      \
+    do {                                                                                                               \
+        paradt__clear(sum, 2 * w + third);                                                                             \
+        paradt__multiply_add(sum, 1, a + 2 * w, third, pbc, 2 * w);                                                    \
+        paradt__multiply_add(sum, -1, b + 2 * w, third, pac, 2 * w);                                                   \
+        paradt__multiply_add(sum, 1, c + 2 * w, third, pab, 2 * w);                                                    \
+        paradt__store(t, sum, 2 * w + third);                                                                          \
+    } while (0)
+    PARADT__PAIR(p01, x0, x1);
+    if (n == 2) return paradt__sign(p01, 2 * w);
+    PARADT__PAIR(p02, x0, x2);
+    PARADT__PAIR(p12, x1, x2);
+    if (n == 3) {
+        PARADT__TRIPLE(det, x0, p12, x1, p02, x2, p01);
+        return paradt__sign(det, 2 * w + third);
+    }
+    PARADT__PAIR(p03, x0, x3);
+    PARADT__PAIR(p13, x1, x3);
+    PARADT__PAIR(p23, x2, x3);
+    PARADT__TRIPLE(t123, x1, p23, x2, p13, x3, p12);
+    PARADT__TRIPLE(t023, x0, p23, x2, p03, x3, p02);
+    PARADT__TRIPLE(t013, x0, p13, x1, p03, x3, p01);
+    PARADT__TRIPLE(t012, x0, p12, x1, p02, x2, p01);
+#undef PARADT__PAIR
+#undef PARADT__TRIPLE
+    paradt__clear(sum, 5 * w);
+    paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
+    paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
+    paradt__multiply_add(sum, -1, x2 + 3 * w, 2 * w, t013, 3 * w);
+    paradt__multiply_add(sum, 1, x3 + 3 * w, 2 * w, t012, 3 * w);
+    paradt__store(det, sum, 5 * w);
+    return paradt__sign(det, 5 * w);
+}
+
+PARADT__INLINE int paradt__fixed_one(const paradt__fixed *f, int n, int k) {
+    paradt__digit rows[4 * 5], *out = rows;
+    PARADT__UNROLL
+    for (int i = 0; i < n; i++) {
+        PARADT__UNROLL
+        for (int j = 0; j < k; j++) *out++ = f->x[i][j];
+        if (n == k) continue;
+        *out++ = paradt__low_digit(f->lift[i]);
+        *out++ = (paradt__digit)paradt__carry(f->lift[i]);
+    }
+    return paradt__fixed_sign(rows, n, k, 1);
+}
+
+// 1: two digits do for the coordinates, four for the lifts
+PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
+    if ((k != 2 && k != 3) || y->bits > 117) return 0;
+    return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
+}
+
+PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, int n, int k) {
+    paradt__digit rows[4 * 10 + 2];
+    paradt__wide sum[6];
+    y->digits = 2;
+    y->lift_digits = 4;
+    paradt__load_rows(rows, sum, q, y);
+    return paradt__fixed_sign(rows, n, k, 2);
+}
+#endif
+
+// The sign of the task's determinant. Inlined for constant n, k, d.
+PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
+                                        int d) {
+    const paradt__task q = {n, k, d, s->weighted, row, base};
+    int lifted = n > k;
+    paradt__layout y;
+    paradt__fixed f;
+    if (paradt__fix_rows(&f, s, &q)) {
+        int small = k * f.bits + (lifted ? f.lift_bits : 0) + paradt__log_factorial[n] <= PARADT__WIDE_BITS;
+        int lift_fits = !lifted || f.lift_bits <= PARADT__WIDE_BITS - 5;
+        if (lifted && lift_fits) paradt__fix_lifts(&f, &q);
+        if (small && lift_fits) {
+            s->counters.exact_small++;
+            return paradt__small_sign(&f, n, k);
+        }
+#ifdef __SIZEOF_INT128__
+        if ((k == 2 || k == 3) && lift_fits) {
+            s->counters.exact_fixed++;
+            return paradt__fixed_one(&f, n, k);
+        }
+#endif
+    }
+    y = paradt__lay_out(s, &q);
+#ifdef __SIZEOF_INT128__
+    if (paradt__two_fit(&y, n, k)) {
+        s->counters.exact_fixed++;
+        return paradt__fixed_two(&q, &y, n, k);
+    }
+#endif
+    s->counters.exact_general++;
+    if (paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) return paradt__general_small(&q, &y);
+    return paradt__general_large(&q, &y);
+}
+
+PARADT__NOINLINE int paradt__exact_orient2(paradt__space *s, const double *const *p) {
+    return paradt__exact_inline(s, p + 1, p[0], 2, 2, 2);
+}
+
+PARADT__NOINLINE int paradt__exact_orient3(paradt__space *s, const double *const *p) {
+    return paradt__exact_inline(s, p + 1, p[0], 3, 3, 3);
+}
+
+PARADT__NOINLINE int paradt__exact_insphere2(paradt__space *s, const double *const *p) {
+    return paradt__exact_inline(s, p, p[3], 3, 2, 2);
+}
+
+PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *const *p) {
+    return -paradt__exact_inline(s, p, p[4], 4, 3, 3);
+}
+
+PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *row, const double *base, int n) {
+    return paradt__exact_inline(s, row, base, n, s->dim, s->ambient);
+}
+
+static int paradt__exact_orient(paradt__space *s, const double *const *p) {
+    if (s->dim == 3) return paradt__exact_orient3(s, p);
+    if (s->dim == 2) return paradt__exact_orient2(s, p);
+    return paradt__exact_any(s, p + 1, p[0], s->dim);
+}
+
+static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
+    int k = s->dim, sign;
+    if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
+    if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
+    sign = paradt__exact_any(s, p, p[k + 1], k + 1);
+    return k & 1 ? -sign : sign;
+}
+
+// --- the predicates
+
+PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
+    int sign = PARADT__UNDECIDED;
+    s->counters.orient_calls++;
+    if (k == 1) return paradt__compare(s, p[1], p[0]);
+    if (s->bounded)
+        sign = k == 2   ? paradt__filter_orient2(s, p)
+               : k == 3 ? paradt__filter_orient3(s, p)
+               : k == 4 ? paradt__filter4(s, p + 1, p[0], 4, 4)
+                        : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
+    return sign == PARADT__UNDECIDED ? paradt__exact_orient(s, p) : sign;
+}
+
+// The sign of det[p[1] - p[0]; ...; p[k] - p[0]], k = s->dim
+static int paradt__orient(paradt__space *s, const double *const *p) {
+    if (s->dim == 3) return paradt__orient_any(s, p, 3);
+    if (s->dim == 2) return paradt__orient_any(s, p, 2);
+    return paradt__orient_any(s, p, s->dim);
+}
+
+PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p, int k, int d) {
+    int sign = PARADT__UNDECIDED;
+    s->counters.insphere_calls++;
+    if (s->bounded)
+        sign = k == 2   ? paradt__filter_insphere2(s, p, d, s->weighted)
+               : k == 3 ? paradt__filter_insphere3(s, p, d, s->weighted)
+               : k == 4 ? paradt__filter4(s, p, p[5], 5, d)
+                        : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
+    return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
+}
+
+// Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
+static int paradt__insphere(paradt__space *s, const double *const *p) {
+    if (s->dim == 3 && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
+    if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
+    return paradt__insphere_any(s, p, s->dim, s->ambient);
+}
+
+// What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
+// going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
+// raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
+// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, CGTA 44, 2011).
+PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p) {
+    const int query = s->dim + 1;
+    const double *other[PARADT__MAX_ROWS];
+    unsigned done = 0;
+    s->counters.perturbed++;
+    for (;;) {
+        int largest = query, sign;
+        for (int i = 0; i < query; i++)
+            if (!(done >> i & 1) && paradt__compare(s, p[i], p[largest]) > 0) largest = i;
+        if (largest == query) return 0;
+        for (int i = 0; i < query; i++) other[i] = p[i == largest ? query : i];
+        sign = paradt__orient(s, other);
+        if (sign) return sign > 0;
+        done |= 1u << largest;
+    }
+}
+
+// Of k + 2 points: 1 when p[k + 1] is in conflict with the cell of the positively oriented p[0..k], else 0
+static int paradt__conflict(paradt__space *s, const double *const *p) {
+    int sign = paradt__insphere(s, p);
+    return sign ? sign > 0 : paradt__perturbed(s, p);
+}
+
+PARADT_DEF int paradt_orient(int dim, const double *const *points) {
+    paradt__space s;
+    paradt__space_begin(&s, dim, dim, 0);
+    for (int i = 0; i <= dim; i++) paradt__space_add(&s, points[i]);
+    paradt__space_end(&s);
+    return paradt__orient(&s, points);
+}
+
+// Copies of the points with their weights behind them
+typedef struct paradt__joined {
+    double memory[PARADT_MAX_DIM + 2][PARADT_MAX_DIM + 1];
+    const double *points[PARADT_MAX_DIM + 2];
+} paradt__joined;
+
+static void paradt__join(paradt__joined *joined, paradt__space *s, int dim, const double *const *points,
+                         const double *weights) {
+    paradt__space_begin(s, dim, dim, weights != NULL);
+    for (int i = 0; i < dim + 2; i++) {
+        memcpy(joined->memory[i], points[i], (size_t)dim * sizeof(double));
+        joined->memory[i][dim] = weights ? weights[i] : 0;
+        joined->points[i] = joined->memory[i];
+        paradt__space_add(s, joined->points[i]);
+    }
+    paradt__space_end(s);
+}
+
+PARADT_DEF int paradt_insphere(int dim, const double *const *points, const double *weights) {
+    paradt__space s;
+    paradt__joined joined;
+    paradt__join(&joined, &s, dim, points, weights);
+    return paradt__insphere(&s, joined.points);
+}
+
+PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, const double *weights) {
+    paradt__space s;
+    paradt__joined joined;
+    paradt__join(&joined, &s, dim, points, weights);
+    return paradt__conflict(&s, joined.points) ? 1 : -1;
+}
+// ---------------------------------------------------------------------------------------------------------------------
+// >>points
+//
+// The caller's points become a set of records: finite, distinct, -0.0 made 0.0, scaled by a power of two where that
+// loses no bit, and with the coordinates permuted so that the first `dim` of them orient (dim: the affine dimension).
+// The axes are taken greedily from the first to the last, so the lexicographic order over them equals that over all
+// coordinates: a coordinate passed over is an affine function of those taken before it.
+// Doors: paradt__set_load, paradt__set_free, paradt__record.
+
+enum {
+    PARADT__UNGRADED,
+    PARADT__WEIGHT,
+    PARADT__SAGITTA // weight and lift in one: r^2 - |x - o|^2 for the reference sphere of the set
+};
+
+typedef struct paradt__set {
+    paradt__space space;
+    size_t count;       // distinct points
+    int grade;          // what follows a record's coordinates: nothing, its weight, or its sagitta (see below)
+    double grade_error; // sagittas: bound on the error of each
+    double grade_limit; // ... and on their size
+    double centre[PARADT_MAX_DIM]; // ... and the reference sphere's centre
+    size_t width;                  // doubles a record
+    double *records;               // [count][width]
+    paradt_index *origin;          // [count] the caller's index of the point
+    int axes[PARADT_MAX_DIM];      // the caller's coordinate that stands at each place
+} paradt__set;
+
+PARADT__INLINE const double *paradt__record(const paradt__set *set, paradt_index point) {
+    return set->records + (size_t)point * set->width;
+}
+
+static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
+    paradt__release(memory, set->records);
+    paradt__release(memory, set->origin);
+    set->records = NULL;
+    set->origin = NULL;
+}
+
+// A float as a double, through the bits: a processor told to treat subnormal floats as zero would lose them.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
+}
+
+// One coordinate, -0.0 as 0.0.
+static double paradt__coordinate(const paradt_points *points, size_t point, int axis) {
+    size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    size_t stride = points->stride ? points->stride : size * (size_t)points->dim;
+    const char *address = (const char *)points->data + point * stride + (size_t)axis * size;
+    uint64_t bits;
+    double x;
+    if (points->scalar == PARADT_F32) {
+        uint32_t narrow;
+        memcpy(&narrow, address, sizeof narrow);
+        x = paradt__widen(narrow);
+    } else {
+        memcpy(&x, address, sizeof x);
+    }
+    memcpy(&bits, &x, sizeof bits);
+    if (bits << 1 == 0) bits = 0;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
+    uint64_t h = 0, bits;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) {
+        memcpy(&bits, record + axis, sizeof bits);
+        h = paradt__mix(h + bits) + UINT64_C(0x9e3779b97f4a7c15);
+    }
+    return h;
+}
+
+// Copies the records. *bad is the first point with a coordinate or weight that is no number.
+static paradt_status paradt__set_read(paradt__set *set, const paradt_points *points, size_t *bad) {
+    size_t i;
+    int axis, ambient = points->dim;
+    for (i = 0; i < points->count; i++) {
+        double *record = set->records + i * set->width;
+        int finite = 1;
+        for (axis = 0; axis < ambient; axis++) {
+            record[axis] = paradt__coordinate(points, i, axis);
+            finite &= paradt__is_finite(record[axis]);
+        }
+        if (points->weights) {
+            uint64_t bits;
+            memcpy(&bits, points->weights + i, sizeof bits);
+            if (bits << 1 == 0) bits = 0;
+            memcpy(record + ambient, &bits, sizeof bits);
+            finite &= paradt__is_finite(record[ambient]);
+        }
+        if (!finite) {
+            *bad = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        set->origin[i] = (paradt_index)i;
+    }
+    set->count = points->count;
+    return PARADT_OK;
+}
+
+// Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
+// smallest index, with weights the largest weight first. The slots are fetched a batch ahead of their use.
+static paradt_status paradt__set_merge(paradt__set *set, paradt__memory *memory, paradt_index *representative) {
+    enum { BATCH = 32 };
+    size_t slots = 16, i, kept = 0, ahead[BATCH];
+    size_t coordinates = (size_t)set->space.ambient * sizeof(double);
+    paradt_index *table;
+    while (slots < set->count * 2) slots *= 2;
+    table = (paradt_index *)paradt__alloc(memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    memset(table, 0xff, slots * sizeof *table);
+    for (i = 0; i < set->count; i++) {
+        const double *record = set->records + i * set->width;
+        size_t slot, next;
+        double *twin = NULL;
+        for (next = i; i % BATCH == 0 && next < i + BATCH && next < set->count; next++) {
+            slot = (size_t)paradt__hash_coordinates(set->records + next * set->width, set->space.ambient) & (slots - 1);
+            PARADT__PREFETCH(table + slot);
+            ahead[next % BATCH] = slot;
+        }
+        slot = ahead[i % BATCH];
+        while (table[slot] >= 0) {
+            twin = set->records + (size_t)table[slot] * set->width;
+            if (!memcmp(twin, record, coordinates)) break;
+            slot = (slot + 1) & (slots - 1);
+            twin = NULL;
+        }
+        if (!twin) {
+            memmove(set->records + kept * set->width, record, set->width * sizeof(double));
+            set->origin[kept] = (paradt_index)i;
+            table[slot] = (paradt_index)kept++;
+        } else if (set->space.weighted &&
+                   paradt__ordered_bits(record[set->space.ambient]) > paradt__ordered_bits(twin[set->space.ambient])) {
+            twin[set->space.ambient] = record[set->space.ambient];
+            set->origin[table[slot]] = (paradt_index)i;
+        }
+        representative[i] = table[slot];
+    }
+    for (i = 0; i < set->count; i++) representative[i] = set->origin[representative[i]];
+    set->count = kept;
+    paradt__release(memory, table);
+    return PARADT_OK;
+}
+
+// Brings the largest coordinate near 1, if no bit of any coordinate or weight is lost by that: T(P) does not change,
+// and sets far from 1 get the floating-point filter. Weights are squares of lengths.
+static void paradt__set_scale(paradt__set *set) {
+    size_t i, pass;
+    int axis, ambient = set->space.ambient, largest = 0, shift, exact = 1;
+    for (i = 0; i < set->count; i++) {
+        for (axis = 0; axis < ambient; axis++) {
+            uint64_t bits;
+            int exponent;
+            memcpy(&bits, set->records + i * set->width + axis, sizeof bits);
+            exponent = (int)(bits >> 52 & 2047);
+            if (exponent > largest) largest = exponent;
+        }
+    }
+    shift = 1023 - largest;
+    if (shift >= -32 && shift <= 32) return;
+    for (pass = 0; pass < 2 && exact; pass++) {
+        for (i = 0; i < set->count && exact; i++) {
+            double *record = set->records + i * set->width;
+            for (axis = 0; axis < (int)set->width; axis++) {
+                double scaled = paradt__scale(record[axis], axis < ambient ? shift : 2 * shift, &exact);
+                if (pass) record[axis] = scaled;
+            }
+        }
+    }
+}
+
+// Is x outside the affine hull of the basis, seen in the axes taken and one more?
+static int paradt__extends(paradt__space *space, int taken, const double *const *basis, const int *axes,
+                           const double *x) {
+    double copies[PARADT_MAX_DIM + 1][PARADT_MAX_DIM + 1];
+    const double *pointers[PARADT_MAX_DIM + 1];
+    paradt__space view; // bounds hold for one dimension, and for coordinates at their places
+    int i, j, independent;
+    memset(copies, 0, sizeof copies);
+    paradt__space_begin(&view, taken + 1, taken + 1, 0);
+    for (i = 0; i <= taken + 1; i++) {
+        const double *from = i <= taken ? basis[i] : x;
+        for (j = 0; j <= taken; j++) copies[i][j] = from[axes[j]];
+        pointers[i] = copies[i];
+        paradt__space_add(&view, copies[i]);
+    }
+    paradt__space_end(&view);
+    view.counters = space->counters;
+    independent = paradt__orient(&view, pointers) != 0;
+    space->counters = view.counters;
+    return independent;
+}
+
+// Adds points to the basis and axes to the axes until they span the set: the simplex stays independent in just the axes
+// taken. `from` is where the search for points begins. Returns the number of axes taken.
+static int paradt__span(paradt__set *set, const double **basis, int *axes, int taken, size_t from) {
+    int candidate, i, ambient = set->space.ambient;
+    for (candidate = 0; candidate < ambient; candidate++) {
+        size_t step;
+        int known = 0;
+        for (i = 0; i < taken; i++) known |= axes[i] == candidate;
+        if (known) continue;
+        axes[taken] = candidate;
+        for (step = 0; step < set->count; step++) {
+            const double *x = set->records + (from + step) % set->count * set->width;
+            if (paradt__extends(&set->space, taken, basis, axes, x)) {
+                basis[++taken] = x;
+                break;
+            }
+        }
+    }
+    return taken;
+}
+
+static void paradt__set_permute(paradt__set *set) {
+    size_t i;
+    int axis, ambient = set->space.ambient, identity = 1;
+    for (axis = 0; axis < ambient; axis++) identity &= set->axes[axis] == axis;
+    if (identity) return;
+    for (i = 0; i < set->count; i++) {
+        double *record = set->records + i * set->width, copy[PARADT_MAX_DIM];
+        for (axis = 0; axis < ambient; axis++) copy[axis] = record[set->axes[axis]];
+        memcpy(record, copy, (size_t)ambient * sizeof(double));
+    }
+}
+
+// Tells the predicates what they may rely on.
+static void paradt__set_measure(paradt__set *set, int dim) {
+    size_t i;
+    paradt__space_begin(&set->space, dim, set->space.ambient, set->space.weighted);
+    for (i = 0; i < set->count; i++) paradt__space_add(&set->space, set->records + i * set->width);
+    if (dim > 0) paradt__space_end(&set->space);
+}
+
+// Finds the affine dimension and puts the axes that orient first.
+static void paradt__set_orient(paradt__set *set) {
+    const double *basis[PARADT_MAX_DIM + 1];
+    int axis, i, dim, taken = 0, ambient = set->space.ambient;
+    if (set->count) {
+        basis[0] = set->records;
+        taken = paradt__span(set, basis, set->axes, 0, 0);
+    }
+    dim = set->count ? taken : -1;
+    for (axis = 0; axis < ambient; axis++) {
+        int known = 0;
+        for (i = 0; i < taken; i++) known |= set->axes[i] == axis;
+        if (!known) set->axes[taken++] = axis;
+    }
+    paradt__set_permute(set);
+    paradt__set_measure(set, dim);
+}
+
+// Makes the set of the caller's points. representative: [points->count].
+static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, paradt__memory *memory,
+                                      paradt_index *representative, size_t *bad) {
+    paradt_status status;
+    memset(set, 0, sizeof *set);
+    set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    set->records = (double *)paradt__alloc(memory, points->count, set->width * sizeof(double));
+    set->origin = (paradt_index *)paradt__alloc(memory, points->count, sizeof(paradt_index));
+    if (!set->records || !set->origin) return PARADT_ERROR_MEMORY;
+    status = paradt__set_read(set, points, bad);
+    if (!status) status = paradt__set_merge(set, memory, representative);
+    if (status) return status;
+    paradt__set_scale(set);
+    paradt__set_orient(set);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>reference sphere
+//
+// Points on one sphere, up to rounding or noise, are the worst case of a search: every sphere through four of them is
+// that sphere almost, all points are almost on it, and no box can be ruled out by its distance. T(P) does not change
+// when an affine function is added to the lift, so for such a set the lift is measured from a sphere that the points
+// are near to: instead of |x|^2 each record carries its sagitta r^2 - |x - o|^2, computed once in integers, with an
+// error far below the noise that decides. Lifts then are as small as the noise, so are the spheres' coefficients, and a
+// box is known by its largest sagitta. Only the floating-point search uses it; the predicates go on working with the
+// coordinates. Doors: paradt__set_grade, paradt__centre_shift.
+
+// How far the centre of the smallest sphere through o and `count` - 1 more points, whose span the rows are an
+// orthonormal basis of, moves to include x too; along *row, the unit vector across the span towards x, at height
+// *height.
+static double paradt__centre_shift(const double *o, const double *x, double rows[][PARADT_MAX_DIM], int count,
+                                   int ambient, const double *centre, double *row, double *height) {
+    double lift = 0.0, length = 0.0;
+    int i, j;
+    for (j = 0; j < ambient; j++) {
+        row[j] = x[j] - o[j];
+        lift += row[j] * (row[j] - 2.0 * centre[j]);
+    }
+    for (i = 0; i + 1 < count; i++) {
+        double dot = 0.0;
+        for (j = 0; j < ambient; j++) dot += rows[i][j] * row[j];
+        for (j = 0; j < ambient; j++) row[j] -= dot * rows[i][j];
+    }
+    for (j = 0; j < ambient; j++) length += row[j] * row[j];
+    *height = length = sqrt(length);
+    if (!(length > 0.0)) return 0.0;
+    for (j = 0; j < ambient; j++) row[j] /= length;
+    return lift / (2.0 * length);
+}
+
+// The sphere through dim + 1 points far from each other, of a sample. 0: not found, or the sample is not near it.
+static int paradt__fit_sphere(const paradt__set *set, double *centre, double *radius2) {
+    double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], row[PARADT_MAX_DIM], shift[PARADT_MAX_DIM] = {0.0}, height;
+    size_t step = set->count / 64, i;
+    const double *o = set->records;
+    int ambient = set->space.ambient, count, j;
+    for (count = 1; count <= ambient; count++) {
+        double highest = 0.0, best = 0.0;
+        for (i = 0; i < 64; i++) {
+            double t = paradt__centre_shift(o, o + i * step * set->width, rows, count, ambient, shift, row, &height);
+            if (height <= highest) continue;
+            highest = height;
+            best = t;
+            memcpy(rows[count - 1], row, sizeof row);
+        }
+        if (!(highest > 0.0)) return 0;
+        for (j = 0; j < ambient; j++) shift[j] += best * rows[count - 1][j];
+    }
+    *radius2 = 0.0;
+    for (j = 0; j < ambient; j++) {
+        centre[j] = o[j] + shift[j];
+        *radius2 += shift[j] * shift[j];
+    }
+    for (i = 0; i < 64; i++) {
+        double excess = -*radius2;
+        for (j = 0; j < ambient; j++) {
+            double u = o[i * step * set->width + (size_t)j] - centre[j];
+            excess += u * u;
+        }
+        if (!(paradt__abs(excess) < *radius2 * 0.0009765625)) return 0;
+    }
+    return 1;
+}
+
+// x / 2^(top - 81), cut off to an integer, in three digits of 27 bits, the first one the highest; |x| < 2^top.
+static void paradt__digits_of(double x, int top, int64_t *digits) {
+    int exponent, shift, i;
+    uint64_t mantissa = paradt__split(x, &exponent);
+    shift = exponent - (top - 81);
+    if (shift < 0) {
+        mantissa = shift > -64 ? mantissa >> -shift : 0;
+        shift = 0;
+    }
+    digits[2] = shift < 27 ? (int64_t)(mantissa << shift & 0x7ffffff) : 0;
+    digits[1] = (int64_t)((shift < 27 ? mantissa >> (27 - shift) : mantissa << (shift - 27)) & 0x7ffffff);
+    digits[0] = (int64_t)(mantissa >> (54 - shift));
+    for (i = 0; i < 3 && x < 0.0; i++) digits[i] = -digits[i];
+}
+
+// r^2 - |x - o|^2, r^2 = squared * 2^(2 top - 54); o in digits. Every coordinate is cut off below 2^(top - 81), an
+// error of at most d 2^(2 top - 77); the sum is exact up to its last rounding to a double, of at most 2^-48 of itself.
+static double paradt__sagitta(const double *x, const int64_t (*o)[3], int64_t squared, int top, int ambient) {
+    int64_t level[5] = {0, 0, 0, 0, 0}, d[3], carry;
+    double sum = 0.0;
+    int i, j;
+    for (j = 0; j < ambient; j++) {
+        paradt__digits_of(x[j], top, d);
+        for (i = 0; i < 3; i++) d[i] -= o[j][i];
+        level[0] += d[0] * d[0];
+        level[1] += 2 * d[0] * d[1];
+        level[2] += 2 * d[0] * d[2] + d[1] * d[1];
+        level[3] += 2 * d[1] * d[2];
+        level[4] += d[2] * d[2];
+    }
+    level[0] -= squared;
+    for (i = 4; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
+        carry = (level[i] + (1 << 26)) / (1 << 27) - (level[i] + (1 << 26) < 0);
+        level[i] -= carry * (1 << 27);
+        level[i - 1] += carry;
+    }
+    for (i = 4; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
+    return -sum;
+}
+
+// Gives the records their sagittas, if the set is near to a sphere.
+static paradt_status paradt__set_grade(paradt__set *set, paradt__memory *memory) {
+    double *centre = set->centre, radius2, largest = 0.0, *records;
+    int64_t o[PARADT_MAX_DIM][3], squared;
+    int ambient = set->space.ambient, top = 0, j;
+    size_t i;
+    if (set->count < 64 || set->grade || set->space.dim < ambient || !set->space.filtered) return PARADT_OK;
+    if (!paradt__fit_sphere(set, centre, &radius2)) return PARADT_OK;
+    while (top < 100 && paradt__power(2 * top) < 4.0 * radius2) top++;
+    while (top > -100 && paradt__power(2 * top - 2) > 4.0 * radius2) top--;
+    for (j = 0; j < ambient; j++) {
+        if (!(paradt__abs(centre[j]) < 0.25 * paradt__power(top))) return PARADT_OK;
+        paradt__digits_of(centre[j], top, o[j]);
+    }
+    squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
+    records = (double *)paradt__alloc(memory, set->count, (set->width + 1) * sizeof(double));
+    if (!records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < set->count; i++) {
+        double *to = records + i * (set->width + 1), size = 0.0;
+        memcpy(to, set->records + i * set->width, set->width * sizeof(double));
+        for (j = 0; j < ambient; j++) size = paradt__larger(size, paradt__abs(to[j]));
+        if (!(size < paradt__power(top))) break;
+        to[ambient] = paradt__sagitta(to, (const int64_t(*)[3])o, squared, top, ambient);
+        largest = paradt__larger(largest, paradt__abs(to[ambient]));
+        if (!(largest < radius2 * 0.0009765625)) break;
+    }
+    if (i < set->count) {
+        paradt__release(memory, records);
+        return PARADT_OK;
+    }
+    paradt__release(memory, set->records);
+    set->records = records;
+    set->width++;
+    set->grade = PARADT__SAGITTA;
+    set->grade_limit = largest * 1.0000001;
+    set->grade_error = ambient * paradt__power(2 * top - 77) + largest * paradt__power(-48);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>grid
+//
+// The thesis speeds InCoDe up by a uniform grid. This one adapts: the set is halved again and again across the longest
+// side of its bounding box, down to grid cells of eight points, which stand side by side in memory. Eight grid cells
+// make a group, eight groups one of the next level, and so on: cell i of a level covers the points from 8^(level+1) i.
+// On uniform points that is a uniform grid; in clusters it is as fine as they are, and in any dimension it has n/8
+// cells. The halves are cut at multiples of 8, so positions need no pointers: the left half of a range is the smallest
+// 8 * 2^j points that are at least half of it. Ties on the cut are broken by the other axes (a symbolically tilted
+// plane), so a cut separates the vertices on its two sides in the sense DeWall needs.
+// Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
+// over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
+// Doors: paradt__grid_build, paradt__grid_free, paradt__grid_cut, paradt__grid_axis, paradt__before; the lanes.
+
+enum {
+    PARADT__LANES = 8,      // points a grid cell, grid cells a group
+    PARADT__MAX_LEVELS = 21 // 8^21 > 2^62
+};
+
+#define PARADT__FAR 1e300 // farther than any point of a set that the floating-point filter is used on
+
+typedef struct paradt__grid {
+    int levels;
+    size_t cell_count;  // grid cells at level 0
+    size_t group_width; // doubles a group of boxes: low and high of each axis, the largest grade, in lanes
+    double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate
+    double *boxes[PARADT__MAX_LEVELS];    // [level] groups of eight bounding boxes
+    size_t box_count[PARADT__MAX_LEVELS]; // [level] boxes
+    double *rooms[PARADT__MAX_LEVELS];    // [level][group] low and high of each axis: the points inside are the group's
+    double heaviest;                      // largest weight, or 0
+} paradt__grid;
+
+// Is a before b along the axis? A total order on distinct points.
+PARADT__INLINE int paradt__before(const paradt__space *space, const double *a, const double *b, int axis) {
+    int i, dim = space->dim;
+    for (i = 0; i < dim; i++) {
+        if (space->filtered) {
+            if (a[axis] != b[axis]) return a[axis] < b[axis];
+        } else {
+            int64_t left = paradt__ordered_bits(a[axis]), right = paradt__ordered_bits(b[axis]);
+            if (left != right) return left < right;
+        }
+        if (++axis == dim) axis = 0;
+    }
+    return 0;
+}
+
+PARADT__INLINE void paradt__exchange(paradt__set *set, size_t width, size_t a, size_t b) {
+    double *x = set->records + a * width, *y = set->records + b * width;
+    paradt_index origin = set->origin[a];
+    size_t i;
+    for (i = 0; i < width; i++) {
+        double t = x[i];
+        x[i] = y[i];
+        y[i] = t;
+    }
+    set->origin[a] = set->origin[b];
+    set->origin[b] = origin;
+}
+
+// A place in [begin, end) whose point is likely to come a little after the nth one along the axis, or a little before
+// it: whichever leaves the smaller part to go on with. It is found in a sample of `size` points, which are brought to
+// the front of the range.
+PARADT__INLINE size_t paradt__pivot_place(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth,
+                                          int axis, size_t size) {
+    size_t i, j, count = end - begin, beyond = size / 16, target = (nth - begin) * size / count;
+    uint64_t state = count;
+#define PARADT__AT(place) (set->records + (place)*width)
+    for (i = 0; i < size; i++) {
+        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        paradt__exchange(set, width, begin + i, begin + i + (size_t)((state >> 32) % (count - i)));
+        for (j = begin + i; j > begin && paradt__before(&set->space, PARADT__AT(j), PARADT__AT(j - 1), axis); j--) {
+            paradt__exchange(set, width, j, j - 1);
+        }
+    }
+#undef PARADT__AT
+    if (target < size / 2) target += beyond;
+    else target -= beyond < target ? beyond : target;
+    return begin + target;
+}
+
+// Quickselect (Hoare; the pivot by a sample, after Floyd and Rivest, CACM 18, 1975): afterwards the points of
+// [begin, nth) are before those of [nth, end) along the axis. Returns a coordinate that separates the two sides weakly.
+PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth, int axis) {
+    const paradt__space *space = &set->space;
+    while (end - begin > 1) {
+        double pivot[PARADT_MAX_DIM + 1];
+        size_t i = begin, j = end - 1, count = end - begin,
+               size = count > 4096  ? 48
+                      : count > 256 ? 15
+                      : count > 8   ? 3
+                                    : 1;
+        size_t place = paradt__pivot_place(set, width, begin, end, nth, axis, size);
+        memcpy(pivot, set->records + place * width, width * sizeof(double));
+#define PARADT__AT(place) (set->records + (place)*width)
+        for (;;) {
+            while (paradt__before(space, PARADT__AT(i), pivot, axis)) i++;
+            while (paradt__before(space, pivot, PARADT__AT(j), axis)) j--;
+            if (i >= j) break;
+            paradt__exchange(set, width, i++, j--);
+        }
+#undef PARADT__AT
+        // Points before i are not after the pivot, points after j not before it; i == j + 1, or i == j at the pivot.
+        if (nth == i || (i == j && nth == i + 1)) return pivot[axis];
+        if (nth < i) end = i;
+        else begin = i == j ? i + 1 : i;
+    }
+    return set->records[nth * width + (size_t)axis];
+}
+
+// The first point of the right half of a range of more than eight points.
+static size_t paradt__grid_cut(size_t begin, size_t end) {
+    size_t left = PARADT__LANES;
+    while (left * 2 < end - begin) left *= 2;
+    return begin + left;
+}
+
+// The axis across which a range is cut: the longest side of its bounding box. Where differences of coordinates may
+// overflow, lengths are counted in representable numbers.
+PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length = -1.0;
+    const double *x = set->records + begin * width, *last = set->records + end * width;
+    int axis, longest = 0;
+    for (axis = 0; axis < dim; axis++) low[axis] = high[axis] = x[axis];
+    for (; x < last; x += width) {
+        for (axis = 0; axis < dim; axis++) {
+            low[axis] = x[axis] < low[axis] ? x[axis] : low[axis];
+            high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
+        }
+    }
+    for (axis = 0; axis < dim; axis++) {
+        double side = set->space.filtered ? high[axis] - low[axis]
+                                          : (double)paradt__ordered_bits(high[axis]) * 0.5 -
+                                                (double)paradt__ordered_bits(low[axis]) * 0.5;
+        if (side > length) length = side, longest = axis;
+    }
+    return longest;
+}
+
+static int paradt__grid_axis(const paradt__set *set, size_t begin, size_t end) {
+    if (set->width == 3 && set->space.dim == 3) return paradt__longest_side(set, begin, end, 3, 3);
+    return paradt__longest_side(set, begin, end, set->width, set->space.dim);
+}
+
+// Keeps the room of a range that is a whole group, on every level where it is one.
+static void paradt__grid_keep_room(paradt__grid *grid, const paradt__set *set, size_t begin, size_t end,
+                                   const double *room) {
+    int level;
+    size_t span = PARADT__LANES * PARADT__LANES, width = 2 * (size_t)set->space.dim;
+    for (level = 0; level < grid->levels; level++, span *= PARADT__LANES) {
+        if (begin % span == 0 && (end - begin == span || (end == set->count && end - begin < span))) {
+            memcpy(grid->rooms[level] + begin / span * width, room, width * sizeof(double));
+        }
+    }
+}
+
+// Halves the range down to grid cells. room: low and high of each axis between the cuts around the range.
+static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+    double room[2 * PARADT_MAX_DIM];
+    memcpy(room, around, sizeof room);
+    for (;;) {
+        size_t cut;
+        double at, high;
+        int axis;
+        if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
+            paradt__grid_keep_room(grid, set, begin, end, room);
+        if (end - begin <= PARADT__LANES) return;
+        cut = paradt__grid_cut(begin, end);
+        axis = paradt__grid_axis(set, begin, end);
+        switch (set->width) { // the same code with the width known
+        case 2: at = paradt__select(set, 2, begin, end, cut, axis); break;
+        case 3: at = paradt__select(set, 3, begin, end, cut, axis); break;
+        default: at = paradt__select(set, set->width, begin, end, cut, axis);
+        }
+        high = room[2 * axis + 1];
+        room[2 * axis + 1] = at;
+        paradt__grid_sort(grid, set, begin, cut, room);
+        room[2 * axis + 1] = high;
+        room[2 * axis] = at;
+        begin = cut;
+    }
+}
+
+static void paradt__grid_fill_lanes(paradt__grid *grid, const paradt__set *set) {
+    size_t place, j;
+    for (place = 0; place < grid->cell_count * PARADT__LANES; place++) {
+        const double *record = set->records + (place < set->count ? place : set->count - 1) * set->width;
+        double *lanes = grid->lanes + place / PARADT__LANES * set->width * PARADT__LANES + place % PARADT__LANES;
+        for (j = 0; j < set->width; j++) lanes[j * PARADT__LANES] = record[j];
+    }
+}
+
+// One box of a level from the lanes of `count` boxes or points below it. Points have one row an axis, boxes two.
+static void paradt__grid_fill_box(double *box, const double *below, int count, int ambient, int graded, int rows) {
+    int axis, lane;
+    for (axis = 0; axis < ambient; axis++) {
+        const double *low = below + axis * rows * PARADT__LANES, *high = low + (rows - 1) * PARADT__LANES;
+        double *to = box + axis * 2 * PARADT__LANES;
+        to[0] = low[0];
+        to[PARADT__LANES] = high[0];
+        for (lane = 1; lane < count; lane++) {
+            to[0] = low[lane] < to[0] ? low[lane] : to[0];
+            to[PARADT__LANES] = high[lane] > to[PARADT__LANES] ? high[lane] : to[PARADT__LANES];
+        }
+    }
+    if (graded) {
+        const double *weight = below + ambient * rows * PARADT__LANES;
+        double *to = box + ambient * 2 * PARADT__LANES;
+        to[0] = weight[0];
+        for (lane = 1; lane < count; lane++) to[0] = weight[lane] > to[0] ? weight[lane] : to[0];
+    }
+}
+
+static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
+    size_t below_count = level ? grid->box_count[level - 1] : set->count;
+    size_t below_width = level ? grid->group_width : set->width * PARADT__LANES, i;
+    for (i = 0; i < grid->box_count[level]; i++) {
+        const double *below = (level ? grid->boxes[level - 1] : grid->lanes) + i * below_width;
+        double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
+        size_t count = below_count - i * PARADT__LANES;
+        paradt__grid_fill_box(box, below, count < PARADT__LANES ? (int)count : PARADT__LANES, set->space.ambient,
+                              set->grade != PARADT__UNGRADED, level ? 2 : 1);
+    }
+}
+
+// Fills the grid cells and boxes of a set in its present order.
+static void paradt__grid_fill(paradt__grid *grid, const paradt__set *set) {
+    int level;
+    size_t i;
+    paradt__grid_fill_lanes(grid, set);
+    for (level = 0; level < grid->levels; level++) paradt__grid_fill_level(grid, set, level);
+    for (i = 0; set->space.weighted && i < set->count; i++) {
+        double weight = set->records[i * set->width + (size_t)set->space.ambient];
+        if (i == 0 || weight > grid->heaviest) grid->heaviest = weight;
+    }
+}
+
+static void paradt__grid_free(paradt__grid *grid, paradt__memory *memory) {
+    int level;
+    paradt__release(memory, grid->lanes);
+    for (level = 0; level < grid->levels; level++) {
+        paradt__release(memory, grid->boxes[level]);
+        paradt__release(memory, grid->rooms[level]);
+    }
+    memset(grid, 0, sizeof *grid);
+}
+
+static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int rooms,
+                                           paradt__memory *memory) {
+    size_t count;
+    memset(grid, 0, sizeof *grid);
+    count = grid->cell_count = (set->count + PARADT__LANES - 1) / PARADT__LANES;
+    grid->group_width = (size_t)(2 * set->space.ambient + (set->grade != PARADT__UNGRADED)) * PARADT__LANES;
+    grid->lanes = (double *)paradt__alloc(memory, count * PARADT__LANES, set->width * sizeof(double));
+    if (!grid->lanes) return PARADT_ERROR_MEMORY;
+    do {
+        int level = grid->levels++;
+        size_t groups = (count + PARADT__LANES - 1) / PARADT__LANES;
+        grid->box_count[level] = count;
+        grid->boxes[level] = (double *)paradt__alloc(memory, groups * grid->group_width, sizeof(double));
+        if (rooms)
+            grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
+        if (!grid->boxes[level] || (rooms && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
+        memset(grid->boxes[level] + (groups - 1) * grid->group_width, 0, grid->group_width * sizeof(double));
+        count = groups;
+    } while (count > 1);
+    return PARADT_OK;
+}
+
+// Sorts the set and lays the grid over it. The set has at least one point.
+static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+    double room[2 * PARADT_MAX_DIM];
+    paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
+    size_t i;
+    if (status) return status;
+    for (i = 0; i < 2 * PARADT_MAX_DIM; i++) room[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
+    paradt__grid_sort(grid, set, 0, set->count, room);
+    paradt__grid_fill(grid, set);
+    return PARADT_OK;
+}
+
+// Lays a grid over the set in the order that it has, for searches from the top. It has no rooms.
+static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
+    paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
+    if (!status) paradt__grid_fill(grid, set);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>cells and the active face list
+//
+// Cells are stored as they are made. A facet is named by its handle: (dim + 1) * cell + i is the facet of `cell`
+// opposite its vertex i. A facet is active while the cell on its other side is not known. The active face list (AFL) is
+// a hash table with chains, keyed by the facet's vertices. The chain is chosen by the smallest vertex, so that facets
+// close to each other in grid order are close in memory too: the front moves over the table as it moves over the
+// points. The rest of the key, a sum over the vertices that does not depend on their order, spreads the facets of one
+// vertex where there are many (in high dimension), and tells facets in a chain apart. Work lists are linked lists of
+// handles; a facet that was matched meanwhile stays in its work list and is passed over when it comes up. Doors:
+// paradt__cells_*, paradt__active_*, paradt__list_*.
+
+typedef struct paradt__cells {
+    int corners;             // dim + 1
+    size_t count, capacity;  // cells
+    paradt_index *vertices;  // [capacity][corners]
+    paradt_index *neighbors; // [capacity][corners]
+} paradt__cells;
+
+enum {
+    PARADT__HULL = -1, // no cell on the other side
+    PARADT__OPEN = -2  // the cell on the other side is not known
+};
+
+typedef struct paradt__slot { // of an open-addressed table of facets
+    uint32_t key;
+    paradt_index handle; // PARADT__OPEN: free
+} paradt__slot;
+
+typedef struct paradt__link {
+    paradt_index handle, next;
+    paradt_index smallest; // vertex of the facet
+    uint32_t key;
+} paradt__link;
+
+typedef struct paradt__active {
+    paradt_index *heads; // [mask + 1] first link of each chain, or PARADT__OPEN
+    paradt__link *links;
+    size_t mask, capacity;
+    paradt_index fresh, spare; // first link never used, first one given back
+    int spread;                // a vertex has 2^spread chains
+    size_t count, peak;        // active facets
+} paradt__active;
+
+typedef struct paradt__node {
+    paradt_index handle, next;
+} paradt__node;
+
+typedef struct paradt__lists {
+    paradt__node *nodes;
+    size_t capacity;
+    paradt_index fresh, spare; // first node never used, first node given back
+} paradt__lists;
+
+static void paradt__cells_free(paradt__cells *cells, paradt__memory *memory) {
+    paradt__release(memory, cells->vertices);
+    paradt__release(memory, cells->neighbors);
+    memset(cells, 0, sizeof *cells);
+}
+
+static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
+    size_t corners = (size_t)cells->corners, used = cells->count * corners;
+    size_t most = (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / corners;
+    void *array = cells->vertices;
+    if (capacity > most) capacity = most;
+    if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
+    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+    cells->vertices = (paradt_index *)array;
+    array = cells->neighbors;
+    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+    cells->neighbors = (paradt_index *)array;
+    cells->capacity = capacity;
+    return PARADT_OK;
+}
+
+// Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
+PARADT__INLINE paradt_status paradt__cells_room(paradt__cells *cells, paradt__memory *memory) {
+    if (PARADT__LIKELY(cells->count < cells->capacity)) return PARADT_OK;
+    return paradt__cells_reserve(cells, cells->capacity + cells->capacity / 4 + 64, memory);
+}
+
+PARADT__INLINE uint64_t paradt__vertex_key(paradt_index vertex) {
+    return ((uint64_t)vertex + 1) * UINT64_C(0x9e3779b97f4a7c15);
+}
+
+// The sum of products alone would be linear in the vertices; a square mixes it.
+PARADT__INLINE uint32_t paradt__facet_key(uint64_t sum) {
+    return (uint32_t)(((sum ^ sum >> 29) * UINT64_C(0xbf58476d1ce4e5b9)) >> 32);
+}
+
+PARADT__INLINE uint64_t paradt__cell_sum(const paradt_index *vertices, int corners) {
+    uint64_t sum = 0;
+    int i;
+    for (i = 0; i < corners; i++) sum += paradt__vertex_key(vertices[i]);
+    return sum;
+}
+
+// Do the two handles name the same set of vertices?
+PARADT__INLINE int paradt__same_facet(const paradt__cells *cells, paradt_index a, paradt_index b, int corners) {
+    int skip_a = (int)(a % corners), skip_b = (int)(b % corners), i, j, missing = 0;
+    const paradt_index *x = cells->vertices + (a - skip_a), *y = cells->vertices + (b - skip_b);
+    for (i = 0; i < corners; i++) {
+        int met = i == skip_a;
+        for (j = 0; j < corners; j++) met |= (y[j] == x[i]) & (j != skip_b);
+        missing |= !met;
+    }
+    return !missing;
+}
+
+static void paradt__active_free(paradt__active *active, paradt__memory *memory) {
+    paradt__release(memory, active->heads);
+    paradt__release(memory, active->links);
+    active->heads = NULL;
+    active->links = NULL;
+}
+
+PARADT__INLINE paradt_index *paradt__active_chain(const paradt__active *active, paradt_index smallest, uint32_t key) {
+    size_t place = (size_t)smallest << active->spread | (key & (((size_t)1 << active->spread) - 1));
+    return active->heads + (place & active->mask);
+}
+
+// Makes the table anew, with `chains` of them.
+static paradt_status paradt__active_rehash(paradt__active *active, size_t chains, paradt__memory *memory) {
+    paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = active->heads;
+    size_t count = old ? active->mask + 1 : 0, i;
+    if (!heads) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
+    active->heads = heads;
+    active->mask = chains - 1;
+    for (i = 0; i < count; i++) {
+        paradt_index at = old[i];
+        while (at >= 0) {
+            paradt__link *link = active->links + at;
+            paradt_index next = link->next, *head = paradt__active_chain(active, link->smallest, link->key);
+            link->next = *head;
+            *head = at;
+            at = next;
+        }
+    }
+    paradt__release(memory, old);
+    return PARADT_OK;
+}
+
+enum { PARADT__ACTIVE_SPREAD = 3 }; // to begin with: short chains matter more than a small table
+
+// vertices: how many there may be active facets at.
+static paradt_status paradt__active_begin(paradt__active *active, size_t vertices, paradt__memory *memory) {
+    size_t chains = 64;
+    memset(active, 0, sizeof *active);
+    active->spare = PARADT__OPEN;
+    active->spread = PARADT__ACTIVE_SPREAD;
+    while (chains < vertices) chains *= 2;
+    return paradt__active_rehash(active, chains, memory);
+}
+
+// Room for the facets of one more cell. There are at least as many chains as facets.
+PARADT__INLINE paradt_status paradt__active_room(paradt__active *active, paradt__memory *memory) {
+    void *links = active->links;
+    size_t capacity = active->capacity ? active->capacity * 2 : 256;
+    paradt_status status = PARADT_OK;
+    if (!PARADT__LIKELY(active->count + PARADT_MAX_DIM + 1 <= active->mask)) {
+        active->spread++;
+        status = paradt__active_rehash(active, (active->mask + 1) * 2, memory);
+    }
+    if (PARADT__LIKELY((size_t)active->fresh + PARADT_MAX_DIM + 1 <= active->capacity) || status) return status;
+    if (!paradt__grow(memory, &links, (size_t)active->fresh, capacity, sizeof *active->links))
+        return PARADT_ERROR_MEMORY;
+    active->links = (paradt__link *)links;
+    active->capacity = capacity;
+    return PARADT_OK;
+}
+
+// Takes a link out of its chain.
+PARADT__INLINE paradt_index paradt__active_unlink(paradt__active *active, paradt_index *from) {
+    paradt_index at = *from, handle = active->links[at].handle;
+    *from = active->links[at].next;
+    active->links[at].next = active->spare;
+    active->spare = at;
+    active->count--;
+    return handle;
+}
+
+// The active facet with the same vertices as `handle`, which is active no more, or PARADT__OPEN: then `handle` is
+// active from now on.
+PARADT__INLINE paradt_index paradt__active_match(paradt__active *active, const paradt__cells *cells,
+                                                 paradt_index smallest, uint32_t key, paradt_index handle,
+                                                 int corners) {
+    paradt_index *head = paradt__active_chain(active, smallest, key), *from = head, at;
+    paradt__link *link;
+    while ((at = *from) >= 0) {
+        link = active->links + at;
+        if (link->key == key && link->smallest == smallest &&
+            paradt__same_facet(cells, link->handle, handle, corners)) {
+            return paradt__active_unlink(active, from);
+        }
+        from = &link->next;
+    }
+    at = active->spare;
+    if (at >= 0) active->spare = active->links[at].next;
+    else at = active->fresh++;
+    link = active->links + at;
+    link->handle = handle;
+    link->smallest = smallest;
+    link->key = key;
+    link->next = *head;
+    *head = at;
+    if (++active->count > active->peak) active->peak = active->count;
+    return PARADT__OPEN;
+}
+
+// Takes out a facet that is active.
+PARADT__INLINE void paradt__active_remove(paradt__active *active, paradt_index smallest, uint32_t key,
+                                          paradt_index handle) {
+    paradt_index *from = paradt__active_chain(active, smallest, key);
+    while (active->links[*from].handle != handle) from = &active->links[*from].next;
+    paradt__active_unlink(active, from);
+}
+
+// Smallest vertex of a cell, but for the one at `without`.
+PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int corners, int without) {
+    paradt_index smallest = cell[without == 0];
+    int i;
+    for (i = 1; i < corners; i++) smallest = i != without && cell[i] < smallest ? cell[i] : smallest;
+    return smallest;
+}
+
+static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->nodes);
+    memset(lists, 0, sizeof *lists);
+}
+
+static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
+                                       paradt__memory *memory) {
+    paradt_index node = lists->spare;
+    if (node >= 0 && lists->capacity) {
+        lists->spare = lists->nodes[node].next;
+    } else {
+        if ((size_t)lists->fresh == lists->capacity) {
+            void *nodes = lists->nodes;
+            size_t capacity = lists->capacity ? lists->capacity * 2 : 256;
+            if (!paradt__grow(memory, &nodes, lists->capacity, capacity, sizeof(paradt__node)))
+                return PARADT_ERROR_MEMORY;
+            if (!lists->capacity) lists->spare = PARADT__OPEN;
+            lists->nodes = (paradt__node *)nodes;
+            lists->capacity = capacity;
+        }
+        node = lists->fresh++;
+    }
+    lists->nodes[node].handle = handle;
+    lists->nodes[node].next = *head;
+    *head = node;
+    return PARADT_OK;
+}
+
+// The list must not be empty.
+static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
+    paradt_index node = *head, handle = lists->nodes[node].handle;
+    *head = lists->nodes[node].next;
+    lists->nodes[node].next = lists->spare;
+    lists->spare = node;
+    return handle;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>search
+//
+// MakeSimplex of the thesis: given a facet, the point on its outer side with the smallest signed Delaunay distance dd,
+// and, by the same means, a point in conflict with a given cell.
+//
+// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
+// through f are a pencil: F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
+// A(u) = lift(u) - base . u vanishes on f. x is inside the sphere t where F_t < 0. Outside of f, x lies on the sphere
+// t(x) = A(x) / N(x); the smallest t is the smallest dd, since the centre moves outward along the normal with t.
+//
+// Floating point only ever rules points out. Let K be a bound on the relative rounding of the sums below
+// (PARADT__ROUND). Computed `base` and `normal` miss f by the residuals r_i = lift(e_i) - base . e_i and s_i = normal .
+// e_i on the edges e_i = p_i - o. Let e*_i be the dual basis of the edges in their span. Then the true A and N differ
+// from the computed by at most sum_i |r_i| |e*_i . u| <= (sum_i |r_i| |e*_i|_max) |u|_1 = base_slack |u|_1, likewise
+// normal_slack, to which comes K sum_j |normal_j u_j| and so on for rounding, and for sagittas f_floor for their own
+// error. The dual basis is itself computed; while |e_i|_1 |e*_i|_max, the inverse sine of the facet's angles, stays
+// below 2^36, its relative error is below 2^-10 and a factor of 2 covers it. A facet more needle-like than that gets
+// slacks so large that nothing is ruled out and all is decided exactly. A point whose F is certainly positive for the
+// current sphere can't be the apex and is passed over; one whose F is certainly negative replaces the apex; all others
+// are settled by the exact perturbed predicate, which is a total order on the pencil. The same bounds, taken over a
+// box, rule out boxes: those on the inner side, and those outside the sphere. The order in which points are seen only
+// matters for speed. Doors: paradt__search_begin, paradt__search_apex, paradt__search_conflict.
+
+// u = 2^-52 holds in every rounding mode. A term of a sum passes a difference (u), at most 2 products (2u), at most d +
+// 2 additions in any order, and once more as much where the same quantity is computed for a box and for a point in it.
+#define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
+#define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than any quantity of a filtered set, its squares finite
+#define PARADT__NEEDLE     68719476736.0          // 2^36
+#define PARADT__STEEP      2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+
+typedef struct paradt__lane_query {
+    double origin[PARADT_MAX_DIM];
+    double normal[PARADT_MAX_DIM];
+    double centre[PARADT_MAX_DIM];     // F(u) = sum_j u_j (u_j - centre_j): twice the centre of the current sphere
+    double slack[PARADT_MAX_DIM];      // |error of F| <= sum_j |u_j| (K |u_j| + slack_j)
+    double reach[PARADT_MAX_DIM];      // |error of N| <= sum_j |u_j| reach_j
+    double weight;                     // of the origin
+    double clear;                      // N of a point that is a good candidate is more than this
+    double f_floor;                    // error that F has everywhere
+    double n_floor;                    // N of a point outside is at least this
+    double disc[PARADT_MAX_DIM];       // with sagittas: a point outside has sum_j u_j (u_j - disc_j) of at most
+    double disc_slack[PARADT_MAX_DIM]; // disc_floor + sum_j |u_j| (K |u_j| + disc_slack_j)
+    double disc_floor;
+    double extent[PARADT_MAX_DIM]; // with sagittas: the length of the set along each axis
+    double weight_slack;           // ... and the error of a difference of two
+    double round;                  // K
+} paradt__lane_query;
+
+typedef struct paradt__lane_bounds {
+    double f[PARADT__LANES]; // a box: bounds on the errors of F and N in it
+    double n[PARADT__LANES];
+    double promise[PARADT__LANES]; // how far below zero F may be
+} paradt__lane_bounds;
+
+typedef unsigned (*paradt__group_kernel)(const paradt__lane_query *q, const double *group, paradt__lane_bounds *bounds);
+typedef unsigned (*paradt__cell_kernel)(const paradt__lane_query *q, const double *cell, double f_bound,
+                                        double n_bound);
+typedef double (*paradt__best_kernel)(const paradt__lane_query *q, const double *cell);
+
+typedef struct paradt__kernels {
+    paradt__group_kernel group;
+    paradt__cell_kernel cell;
+    paradt__best_kernel best;
+} paradt__kernels;
+
+// The lanes whose value is not negative.
+PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
+#if defined(__SSE2__)
+    unsigned mask = (unsigned)_mm_movemask_pd(_mm_loadu_pd(value));
+    mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 2)) << 2;
+    mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 4)) << 4;
+    mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 6)) << 6;
+    return ~mask & 255;
+#else
+    unsigned mask = 0;
+    int lane;
+    for (lane = 0; lane < PARADT__LANES; lane++) mask |= (unsigned)(value[lane] >= 0.0) << lane;
+    return mask;
+#endif
+}
+
+// Which of eight boxes may hold a point outside the facet and inside the sphere?
+PARADT__INLINE unsigned paradt__test_group(const paradt__lane_query *q, const double *group,
+                                           paradt__lane_bounds *bounds, int ambient, int grade) {
+    double margin[PARADT__LANES];
+    int lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double f = 0.0, n = 0.0, f_bound = q->f_floor, n_bound = -q->n_floor;
+        for (j = 0; j < ambient; j++) {
+            double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
+            double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
+            double x = q->centre[j] * 0.5, reach = -low > high ? -low : high;
+            double a = q->normal[j] * low, b = q->normal[j] * high;
+            x = x > low ? x : low;
+            x = x < high ? x : high;
+            f += x * (x - q->centre[j]);
+            f_bound += reach * (q->round * reach + q->slack[j]);
+            n += a > b ? a : b;
+            n_bound += reach * q->reach[j];
+        }
+        if (grade) {
+            double gain = group[ambient * 2 * PARADT__LANES + lane] - q->weight;
+            f -= gain;
+            f_bound += q->round * (gain > 0.0 ? gain : 0.0);
+        }
+        bounds->f[lane] = f_bound;
+        bounds->n[lane] = n_bound;
+        f = f_bound - f;
+        n = n + n_bound;
+        bounds->promise[lane] = f;
+        margin[lane] = f < n ? f : n;
+    }
+    return paradt__lane_mask(margin);
+}
+
+// The same with sagittas. F and N are both affine, so one corner of a box decides; the lifts are of one size in all of
+// the set, so one bound on the errors does: that at the distance of its whole extent.
+PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
+                                                  paradt__lane_bounds *bounds, int ambient) {
+    const double *grades = group + ambient * 2 * PARADT__LANES, *f_rows[PARADT_MAX_DIM], *n_rows[PARADT_MAX_DIM];
+    double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
+    int lane, j;
+    for (j = 0; j < ambient; j++) {
+        const double *low = group + j * 2 * PARADT__LANES, *high = low + PARADT__LANES;
+        f_rows[j] = q->centre[j] < 0.0 ? low : high;
+        n_rows[j] = q->normal[j] < 0.0 ? low : high;
+        f_bound += q->extent[j] * q->slack[j];
+        n_bound += q->extent[j] * q->reach[j];
+    }
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double f = q->weight - grades[lane], n = n_bound;
+        for (j = 0; j < ambient; j++) {
+            f -= q->centre[j] * (f_rows[j][lane] - q->origin[j]);
+            n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+        }
+        f = f_bound - f;
+        bounds->f[lane] = f_bound;
+        bounds->n[lane] = n_bound;
+        bounds->promise[lane] = f;
+        margin[lane] = f < n ? f : n;
+    }
+    if (q->disc_floor < PARADT__NO_BOUND) {
+        for (lane = 0; lane < PARADT__LANES; lane++) {
+            double g = -q->disc_floor;
+            for (j = 0; j < ambient; j++) {
+                double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
+                double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
+                double x = q->disc[j] * 0.5, reach = -low > high ? -low : high;
+                x = x > low ? x : low;
+                x = x < high ? x : high;
+                g += x * (x - q->disc[j]) - reach * (q->round * reach + q->disc_slack[j]);
+            }
+            margin[lane] = -g < margin[lane] ? -g : margin[lane];
+        }
+    }
+    return paradt__lane_mask(margin);
+}
+
+// The same for the eight points of a grid cell, with the bounds that hold in its box.
+PARADT__INLINE unsigned paradt__test_cell(const paradt__lane_query *q, const double *cell, double f_bound,
+                                          double n_bound, int ambient, int grade) {
+    double margin[PARADT__LANES];
+    int lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double f = 0.0, n = 0.0;
+        for (j = 0; j < ambient; j++) {
+            double u = cell[j * PARADT__LANES + lane] - q->origin[j];
+            f += grade == PARADT__SAGITTA ? -u * q->centre[j] : u * (u - q->centre[j]);
+            n += q->normal[j] * u;
+        }
+        if (grade) f -= cell[ambient * PARADT__LANES + lane] - q->weight;
+        f = f_bound - f;
+        n = n + n_bound;
+        margin[lane] = f < n ? f : n;
+    }
+    return paradt__lane_mask(margin);
+}
+
+// The smallest parameter t of the eight points of a grid cell, less that of the current sphere (that of the base, while
+// there is no apex), among those that are clearly outside; its last three bits are the lane. PARADT__FAR or so: none.
+PARADT__INLINE double paradt__best_of_cell(const paradt__lane_query *q, const double *cell, int ambient, int grade) {
+    double ratio[PARADT__LANES], heights[PARADT__LANES];
+    uint64_t bits[PARADT__LANES];
+    int lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double lift = 0.0, height = 0.0;
+        for (j = 0; j < ambient; j++) {
+            double u = cell[j * PARADT__LANES + lane] - q->origin[j];
+            lift += grade == PARADT__SAGITTA ? -u * q->centre[j] : u * (u - q->centre[j]);
+            height += q->normal[j] * u;
+        }
+        if (grade) lift -= cell[ambient * PARADT__LANES + lane] - q->weight;
+        ratio[lane] = lift / height;
+        heights[lane] = height;
+    }
+    for (lane = 0; lane < PARADT__LANES; lane++) ratio[lane] = heights[lane] > q->clear ? ratio[lane] : PARADT__FAR;
+    memcpy(bits, ratio, sizeof bits);
+    for (lane = 0; lane < PARADT__LANES; lane++) bits[lane] = (bits[lane] & ~(uint64_t)7) | (uint64_t)lane;
+    memcpy(ratio, bits, sizeof bits);
+    for (lane = 0; lane < 4; lane++) ratio[lane] = ratio[lane] < ratio[lane + 4] ? ratio[lane] : ratio[lane + 4];
+    for (lane = 0; lane < 2; lane++) ratio[lane] = ratio[lane] < ratio[lane + 2] ? ratio[lane] : ratio[lane + 2];
+    return ratio[0] < ratio[1] ? ratio[0] : ratio[1];
+}
+
+// One set of kernels for each dimension, with and without weights, and each instruction set that can be chosen at run
+// time. All of them rule out by the same bounds, so all lead to the same cells.
+#define PARADT__KERNEL_SET(isa, attribute, d, w)                                                                       \
+    attribute static unsigned paradt__group_##isa##d##w(const paradt__lane_query *q, const double *group,              \
+                                                        paradt__lane_bounds *bounds) {                                 \
+        if (w == PARADT__SAGITTA) return paradt__test_graded_group(q, group, bounds, d);                               \
+        return paradt__test_group(q, group, bounds, d, w);                                                             \
+    }                                                                                                                  \
+    attribute static unsigned paradt__cell_##isa##d##w(const paradt__lane_query *q, const double *cell,                \
+                                                       double f_bound, double n_bound) {                               \
+        return paradt__test_cell(q, cell, f_bound, n_bound, d, w);                                                     \
+    }                                                                                                                  \
+    attribute static double paradt__best_##isa##d##w(const paradt__lane_query *q, const double *cell) {                \
+        return paradt__best_of_cell(q, cell, d, w);                                                                    \
+    }
+#define PARADT__KERNEL_PAIR(isa, attribute, d)                                                                         \
+    PARADT__KERNEL_SET(isa, attribute, d, 0)                                                                           \
+    PARADT__KERNEL_SET(isa, attribute, d, 1) PARADT__KERNEL_SET(isa, attribute, d, 2)
+#define PARADT__KERNELS(isa, attribute)                                                                                \
+    PARADT__KERNEL_PAIR(isa, attribute, 2)                                                                             \
+    PARADT__KERNEL_PAIR(isa, attribute, 3)                                                                             \
+    PARADT__KERNEL_PAIR(isa, attribute, 4)                                                                             \
+    PARADT__KERNEL_PAIR(isa, attribute, 5)                                                                             \
+    PARADT__KERNEL_PAIR(isa, attribute, 6) PARADT__KERNEL_PAIR(isa, attribute, 7) PARADT__KERNEL_PAIR(isa, attribute, 8)
+#define PARADT__KERNEL_NAMES(isa, d, w)                                                                                \
+    { paradt__group_##isa##d##w, paradt__cell_##isa##d##w, paradt__best_##isa##d##w }
+#define PARADT__KERNEL_ROW(isa, d)                                                                                     \
+    { PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2) }
+#define PARADT__KERNEL_TABLE(isa)                                                                                      \
+    {                                                                                                                  \
+        PARADT__KERNEL_ROW(isa, 2), PARADT__KERNEL_ROW(isa, 3), PARADT__KERNEL_ROW(isa, 4),                            \
+            PARADT__KERNEL_ROW(isa, 5), PARADT__KERNEL_ROW(isa, 6), PARADT__KERNEL_ROW(isa, 7),                        \
+            PARADT__KERNEL_ROW(isa, 8)                                                                                 \
+    }
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__)) && !defined(__AVX2__) && !defined(PARADT_NO_SIMD)
+#define PARADT__RUNTIME_AVX2 1
+PARADT__KERNELS(avx2_, __attribute__((target("avx2,fma"))))
+#else
+#define PARADT__RUNTIME_AVX2 0
+#endif
+PARADT__KERNELS(plain_, )
+
+static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
+    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(plain_);
+#if PARADT__RUNTIME_AVX2
+    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(avx2_);
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2[ambient - 2][grade];
+#endif
+    return plain[ambient - 2][grade];
+}
+
+// A position that no point of a set has
+#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
+
+typedef struct paradt__search {
+    const paradt__set *set;
+    const paradt__grid *grid;
+    paradt__space space; // this search's own, for its counters
+    int plain3;          // three coordinates and no weights: the shape that has its own copies of the inner functions
+    paradt__kernels test;
+    size_t begin, end;     // positions that matter: the whole set, or the part that a DeWall works on
+    uint8_t *const *alive; // [level][group] which of its boxes have points that may be an apex; NULL: all
+    uint64_t distance_evaluations, grid_cells_visited;
+
+    // the facet and its pencil
+    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices; room for an apex and one more
+    paradt_index facet[PARADT_MAX_DIM];
+    int outside;  // sign of the orientation (facet, x) for x outside
+    int conflict; // both sides count, and the first point found in conflict with the sphere is the answer
+    int found;    // there is one
+    double base[PARADT_MAX_DIM];
+    double base_slack, normal_slack;
+
+    paradt_index apex; // best so far, or PARADT__OPEN
+    unsigned changes;  // times the sphere changed
+    unsigned growths;  // times a bound on the errors became larger by that
+    paradt__lane_query q;
+} paradt__search;
+
+static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+    int j;
+    memset(s, 0, sizeof *s);
+    s->set = set;
+    s->grid = grid;
+    s->space = set->space;
+    memset(&s->space.counters, 0, sizeof s->space.counters);
+    s->test = paradt__choose_kernels(set->space.ambient, set->grade);
+    s->end = set->count;
+    s->plain3 = set->space.dim == 3 && set->space.ambient == 3 && !set->grade;
+    s->q.round = PARADT__ROUND(set->space.ambient);
+    s->q.f_floor = 4.0 * set->grade_error;
+    s->q.weight_slack = 2.0 * s->q.round * set->grade_limit;
+    for (j = 0; j < set->space.ambient; j++) {
+        if (set->space.low[j] > set->space.high[j]) continue;
+        s->q.extent[j] =
+            1.0000001 * (paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]));
+    }
+}
+
+// One edge's share of the slacks; 0 when the facet is a needle. lift_size: the sum of the sizes of the lift's terms.
+PARADT__INLINE int paradt__add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
+                                        const double *dual, int dim) {
+    double r = lift, r_size = lift_size, n = 0.0, n_size = 0.0, length = 0.0, dual_size = 0.0;
+    int j;
+    for (j = 0; j < dim; j++) {
+        double d = paradt__abs(dual[j]);
+        r -= s->base[j] * edge[j];
+        r_size += paradt__abs(s->base[j] * edge[j]);
+        n += s->q.normal[j] * edge[j];
+        n_size += paradt__abs(s->q.normal[j] * edge[j]);
+        length += paradt__abs(edge[j]);
+        dual_size = d > dual_size ? d : dual_size;
+    }
+    s->base_slack += 2.0 * dual_size * (paradt__abs(r) + s->q.round * r_size + s->q.f_floor);
+    s->normal_slack += 2.0 * dual_size * (paradt__abs(n) + s->q.round * n_size);
+    return length * dual_size < PARADT__NEEDLE;
+}
+
+// A triangle in 3D: normal = e1 x e2, and the dual basis from cross products with it. 0: it is flat.
+PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
+    const double *e = edges[0], *f = edges[1];
+    double *n = s->q.normal, size, inverse;
+    int j;
+    n[0] = e[1] * f[2] - e[2] * f[1];
+    n[1] = e[2] * f[0] - e[0] * f[2];
+    n[2] = e[0] * f[1] - e[1] * f[0];
+    size = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (!(size > 0.0)) return 0;
+    inverse = 1.0 / size;
+    d[0][0] = (f[1] * n[2] - f[2] * n[1]) * inverse;
+    d[0][1] = (f[2] * n[0] - f[0] * n[2]) * inverse;
+    d[0][2] = (f[0] * n[1] - f[1] * n[0]) * inverse;
+    d[1][0] = (n[1] * e[2] - n[2] * e[1]) * inverse;
+    d[1][1] = (n[2] * e[0] - n[0] * e[2]) * inverse;
+    d[1][2] = (n[0] * e[1] - n[1] * e[0]) * inverse;
+    for (j = 0; j < 3 && s->outside < 0; j++) n[j] = -n[j];
+    return 1;
+}
+
+static double paradt__longest(const double *vector, int dim) {
+    double longest = 0.0;
+    int j;
+    for (j = 0; j < dim; j++) {
+        double length = paradt__abs(vector[j]);
+        longest = length > longest ? length : longest;
+    }
+    return longest;
+}
+
+// A unit vector across the span of the orthonormal rows: the axis farthest from the span, less its part in it, twice.
+static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
+    int axis, best = 0, i, j, pass;
+    double least = 2.0, length = 0.0;
+    for (axis = 0; axis < dim; axis++) {
+        double inside = 0.0;
+        for (i = 0; i < count; i++) inside += rows[i][axis] * rows[i][axis];
+        if (inside < least) least = inside, best = axis;
+    }
+    for (j = 0; j < dim; j++) normal[j] = j == best ? 1.0 : 0.0;
+    for (pass = 0; pass < 2; pass++) {
+        for (i = 0; i < count; i++) {
+            double dot = 0.0;
+            for (j = 0; j < dim; j++) dot += rows[i][j] * normal[j];
+            for (j = 0; j < dim; j++) normal[j] -= dot * rows[i][j];
+        }
+    }
+    for (j = 0; j < dim; j++) length += normal[j] * normal[j];
+    length = 1.0 / sqrt(length);
+    for (j = 0; j < dim; j++) normal[j] *= length;
+}
+
+// Any dimension: edges = L Q by modified Gram-Schmidt; the dual basis is the columns of Q^T L^-1. The ratios of the
+// edges to the diagonal of L are bounded first, so that nothing overflows on the way to finding a needle.
+static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
+    double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    int i, j, k;
+    for (i = 0; i < dim - 1; i++) {
+        double length = 0.0;
+        memcpy(q[i], edges[i], sizeof q[i]);
+        for (k = 0; k < i; k++) {
+            double dot = 0.0;
+            for (j = 0; j < dim; j++) dot += q[k][j] * q[i][j];
+            for (j = 0; j < dim; j++) q[i][j] -= dot * q[k][j];
+            l[i][k] = dot;
+        }
+        for (j = 0; j < dim; j++) length += q[i][j] * q[i][j];
+        l[i][i] = sqrt(length);
+        if (!(l[i][i] * PARADT__NEEDLE > paradt__longest(edges[i], dim))) return 0;
+        for (j = 0; j < dim; j++) q[i][j] /= l[i][i];
+    }
+    // Dual vector i is y Q with L y = unit i.
+    for (i = 0; i < dim - 1; i++) {
+        double y[PARADT_MAX_DIM];
+        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        for (k = i; k < dim - 1; k++) {
+            double rest = k == i ? 1.0 : 0.0;
+            for (j = i; j < k; j++) rest -= l[k][j] * y[j];
+            y[k] = rest / l[k][k];
+            for (j = 0; j < dim; j++) dual[i][j] += y[k] * q[k][j];
+        }
+    }
+    paradt__normal_to((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
+    return 1;
+}
+
+// Turns the normal away from `inner`; where the side of that is in doubt, N rules out nothing.
+static void paradt__turn_normal(paradt__search *s, const double *inner, int dim) {
+    double side = 0.0, size = 0.0;
+    int j;
+    for (j = 0; j < dim; j++) {
+        double u = inner[j] - s->q.origin[j];
+        side += s->q.normal[j] * u;
+        size += paradt__abs(u) * (s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack);
+    }
+    for (j = 0; j < dim && side > size; j++) s->q.normal[j] = -s->q.normal[j];
+    if (side >= -size && side <= size) s->normal_slack = PARADT__NO_BOUND;
+}
+
+// Nothing is known about the pencil in floating point: all is left to the predicates.
+static void paradt__pencil_unknown(paradt__search *s) {
+    memset(s->q.normal, 0, sizeof s->q.normal);
+    memset(s->base, 0, sizeof s->base);
+    s->base_slack = s->normal_slack = PARADT__NO_BOUND;
+}
+
+// Where N is a determinant of the coordinates (`determinant`) and these are multiples of one power of two, as in
+// lattices, N is too; if its error is less than half of the smallest one that is not 0, its sign is known everywhere.
+PARADT__INLINE void paradt__set_floors(paradt__search *s, int determinant) {
+    const paradt__space *space = &s->space;
+    s->q.n_floor =
+        determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
+}
+
+// Near a sphere with centre c, the part outside of a facet that faces away from c is a cap, which lies in the smallest
+// sphere through the facet: for G(u) = |u|^2 - disc . u with that sphere's disc = twice its centre, and all u on the
+// sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c and sagittas s, so that G(u) = -(2 w + disc) . u + s0 - s(u). 2 w
+// + disc is mu times the normal up to a rest. If mu > 0, N(u) > 0 has G(u) <= |rest| |u| + s0 - s(u). This rules out
+// boxes that the facet's plane cuts far from the facet, as it cuts boxes of every size near the hull.
+static void paradt__set_disc(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                             int dim) {
+    double mu = 0.0, size = 0.0, two_w[PARADT_MAX_DIM];
+    int i, j;
+    for (j = 0; j < dim; j++) s->q.disc[j] = 0.0;
+    for (i = 0; i < dim - 1; i++) {
+        double lift = 0.0;
+        for (j = 0; j < dim; j++) lift += edges[i][j] * edges[i][j];
+        for (j = 0; j < dim; j++) s->q.disc[j] += lift * dual[i][j];
+    }
+    for (j = 0; j < dim; j++) {
+        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
+        mu += (two_w[j] + s->q.disc[j]) * s->q.normal[j];
+        size += s->q.normal[j] * s->q.normal[j];
+    }
+    if (!(mu > 0.0)) return;
+    mu /= size;
+    for (j = 0; j < dim; j++) {
+        double rest = two_w[j] + s->q.disc[j] - mu * s->q.normal[j];
+        s->q.disc_slack[j] =
+            paradt__abs(rest) + mu * s->q.reach[j] +
+            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.disc[j]) + paradt__abs(mu * s->q.normal[j]));
+    }
+    s->q.disc_floor = 2.0 * s->set->grade_limit + mu * s->q.n_floor;
+}
+
+// Sets the pencil of the facet s->corners. inner: a point off the facet, on the inner side if there are sides.
+PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
+    double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], dual[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    double lifts[PARADT_MAX_DIM], lift_sizes[PARADT_MAX_DIM];
+    int i, j, sound;
+    const double *o = s->corners[0];
+    for (j = 0; j < ambient; j++) s->q.origin[j] = o[j];
+    s->q.weight = grade ? o[ambient] : 0.0;
+    for (i = 0; i < dim - 1; i++) {
+        const double *p = s->corners[i + 1];
+        double loss = grade ? s->q.weight - p[ambient] : 0.0, square = 0.0;
+        for (j = 0; j < ambient; j++) {
+            double e = p[j] - o[j];
+            edges[i][j] = e;
+            if (grade != PARADT__SAGITTA) square += e * e;
+        }
+        lifts[i] = square + loss;
+        lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
+    }
+    s->base_slack = s->normal_slack = 0.0;
+    sound = dim == 3 ? paradt__pencil3(s, edges, dual) : paradt__pencil(s, edges, dual, dim);
+    for (j = 0; j < dim && sound; j++) {
+        s->base[j] = 0.0;
+        for (i = 0; i < dim - 1; i++) s->base[j] += lifts[i] * dual[i][j];
+    }
+    for (i = 0; i < dim - 1 && sound; i++) {
+        sound = paradt__add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
+    }
+    if (sound && dim != 3) paradt__turn_normal(s, inner, dim);
+    if (!sound) paradt__pencil_unknown(s);
+    paradt__set_floors(s, sound && dim == 3);
+    s->q.clear = 0.0;
+    for (j = 0; j < dim; j++) s->q.clear = paradt__larger(s->q.clear, paradt__abs(s->q.normal[j]));
+    if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
+    for (j = 0; j < ambient; j++) {
+        if (j >= dim) s->q.normal[j] = s->base[j] = 0.0;
+        s->q.centre[j] = s->base[j];
+        s->q.slack[j] = PARADT__NO_BOUND;
+        s->q.reach[j] =
+            j < dim && s->q.n_floor == 0.0 ? s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack : 0.0;
+    }
+    s->q.disc_floor = PARADT__NO_BOUND;
+    if (grade == PARADT__SAGITTA && sound && !s->conflict) paradt__set_disc(s, edges, dual, dim);
+    s->apex = PARADT__OPEN;
+}
+
+static void paradt__search_facet(paradt__search *s, const double *inner) {
+    if (s->plain3) paradt__facet_of_shape(s, inner, 3, 3, 0);
+    else paradt__facet_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
+}
+
+// Makes x the apex: the sphere through the facet and it. n: N(x), n_bound: its error. The slacks are taken twice as
+// large as needed and then kept as long as they do, so that bounds computed for one sphere mostly hold for the next.
+PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
+                                            double n_bound, int dim, int ambient, int grade) {
+    int j, grown = s->apex < 0;
+    double a = 0.0, a_bound = s->q.f_floor, t, t_bound, size;
+    if (s->q.n_floor > 0.0) n_bound = s->space.orient_certain;
+    size = paradt__abs(n) - n_bound;
+    s->apex = point;
+    s->corners[dim] = x;
+    s->changes++;
+    for (j = 0; j < ambient; j++) {
+        double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
+        a += grade == PARADT__SAGITTA ? -u * s->base[j] : u * (u - s->base[j]);
+        a_bound += reach * (s->q.round * paradt__abs(s->base[j]) + s->base_slack);
+        if (grade != PARADT__SAGITTA) a_bound += s->q.round * reach * reach;
+    }
+    if (grade) {
+        double gain = x[ambient] - s->q.weight;
+        a -= gain;
+        a_bound += s->q.round * paradt__abs(gain);
+    }
+    t = size > 0.0 ? a / n : PARADT__STEEP;
+    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + s->q.round * paradt__abs(t) : PARADT__STEEP;
+    if (!(paradt__abs(t) < PARADT__STEEP && t_bound < PARADT__STEEP)) {
+        for (j = 0; j < ambient; j++) s->q.slack[j] = PARADT__NO_BOUND;
+        s->growths++;
+        return;
+    }
+    for (j = 0; j < ambient; j++) {
+        double normal = s->q.normal[j], slack;
+        s->q.centre[j] = s->base[j] + t * normal;
+        slack = s->q.round * (paradt__abs(s->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
+        if (j < dim) slack += s->base_slack + (paradt__abs(t) + t_bound) * s->normal_slack;
+        if (grown || slack > s->q.slack[j]) {
+            s->q.slack[j] = 2.0 * slack;
+            grown = 1;
+        }
+    }
+    s->growths += (unsigned)grown;
+}
+
+static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
+    if (s->plain3) paradt__accept_of_shape(s, point, x, n, n_bound, 3, 3, 0);
+    else paradt__accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
+}
+
+// Is x in conflict with the cell of the facet and the apex? Exactly, with the perturbation.
+static int paradt__search_settle(paradt__search *s, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int dim = s->space.dim, i;
+    for (i = 0; i <= dim; i++) p[i] = s->corners[i];
+    if (s->outside < 0) {
+        p[dim - 1] = s->corners[dim];
+        p[dim] = s->corners[dim - 1];
+    }
+    p[dim + 1] = x;
+    return paradt__conflict(&s->space, p);
+}
+
+static int paradt__search_is_outside(paradt__search *s, const double *x) {
+    const double *p[PARADT_MAX_DIM + 1];
+    int dim = s->space.dim, i;
+    for (i = 0; i < dim; i++) p[i] = s->corners[i];
+    p[dim] = x;
+    return paradt__orient(&s->space, p) * s->outside > 0;
+}
+
+// Looks at one point that could not be ruled out with its neighbours.
+PARADT__INLINE void paradt__point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
+    paradt_index point = (paradt_index)position;
+    const double *x;
+    double f = 0.0, f_bound = s->q.f_floor, n = 0.0, n_bound = -s->q.n_floor;
+    int i, j;
+    if (position >= s->set->count || point == s->apex) return;
+    for (i = 0; i < dim; i++) {
+        if (point == s->facet[i]) return;
+    }
+    x = paradt__record(s->set, point);
+    if (s->space.filtered) {
+        for (j = 0; j < ambient; j++) {
+            double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
+            f += grade == PARADT__SAGITTA ? -u * s->q.centre[j] : u * (u - s->q.centre[j]);
+            f_bound += reach * s->q.slack[j];
+            if (grade != PARADT__SAGITTA) f_bound += reach * s->q.round * reach;
+            n += s->q.normal[j] * u;
+            n_bound += reach * s->q.reach[j];
+        }
+        if (grade) {
+            double gain = x[ambient] - s->q.weight;
+            f -= gain;
+            f_bound += s->q.round * paradt__abs(gain);
+        }
+    } else {
+        f_bound = n_bound = PARADT__NO_BOUND;
+    }
+    if (!s->conflict) {
+        if (n < -n_bound || (n <= n_bound && !paradt__search_is_outside(s, x))) return;
+    }
+    if (s->apex >= 0) {
+        if (f > f_bound || (f >= -f_bound && !paradt__search_settle(s, x))) return;
+    }
+    if (s->conflict) {
+        s->apex = point;
+        s->found = 1;
+    } else {
+        paradt__search_accept(s, point, x, n, n_bound);
+    }
+}
+
+static void paradt__search_point(paradt__search *s, size_t position) {
+    if (s->plain3) paradt__point_of_shape(s, position, 3, 3, 0);
+    else paradt__point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
+}
+
+// Clears the bit of a point, if it is in the grid cell.
+PARADT__INLINE unsigned paradt__mask_without(unsigned mask, size_t cell, paradt_index point) {
+    size_t lane = (size_t)point - cell * PARADT__LANES;
+    return mask & ~((unsigned)(lane < PARADT__LANES) << (lane & (PARADT__LANES - 1)));
+}
+
+PARADT__INLINE int paradt__lane_of(double packed) {
+    return (int)(paradt__bits(packed) & 7);
+}
+
+// The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
+static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
+    const double *lanes = s->grid->lanes + cell * s->set->width * PARADT__LANES;
+    unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
+    int i;
+    s->distance_evaluations += PARADT__LANES;
+    s->grid_cells_visited++;
+    for (i = 0; i < s->space.dim; i++) mask = paradt__mask_without(mask, cell, s->facet[i]); // they are on every sphere
+    mask = paradt__mask_without(mask, cell, s->apex);
+    while (mask && !s->found) {
+        int lane = paradt__trailing_zeros(mask);
+        unsigned changes = s->changes, growths = s->growths;
+        if (mask & (mask - 1)) {
+            int best = paradt__lane_of(s->test.best(&s->q, lanes));
+            lane = mask >> best & 1 ? best : lane;
+        }
+        paradt__search_point(s, cell * PARADT__LANES + (size_t)lane);
+        mask &= ~(1u << lane);
+        if (mask && s->changes != changes && s->growths == growths)
+            mask &= s->test.cell(&s->q, lanes, f_bound, n_bound);
+    }
+}
+
+PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
+    int best = paradt__trailing_zeros(mask), lane;
+    for (mask &= mask - 1; mask; mask &= mask - 1) {
+        lane = paradt__trailing_zeros(mask);
+        best = bounds->promise[lane] > bounds->promise[best] ? lane : best;
+    }
+    return best;
+}
+
+// The boxes of a group at `level`, but for one that was looked at before (skip: its number, or any other).
+static void paradt__search_group(paradt__search *s, int level, size_t group, size_t skip) {
+    const double *boxes = s->grid->boxes[level] + group * s->grid->group_width;
+    size_t span = (size_t)PARADT__LANES << (3 * level); // points a box
+    size_t first = group * PARADT__LANES, lane;
+    unsigned remaining = 255, mask, changes = s->changes, growths = s->growths;
+    paradt__lane_bounds bounds;
+    if (first * span < s->begin) remaining &= 255u << (s->begin / span - first);
+    if ((first + PARADT__LANES) * span > s->end) remaining &= 255u >> (first + PARADT__LANES - 1 - (s->end - 1) / span);
+    if (s->alive && !s->conflict) remaining &= s->alive[level][group];
+    if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
+    mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+    while (mask && !s->found) {
+        lane = level ? (size_t)paradt__most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
+        mask &= ~(1u << lane);
+        remaining &= ~(1u << lane);
+        if (level) {
+            paradt__search_group(s, level - 1, first + lane, SIZE_MAX);
+        } else {
+            paradt__search_cell(s, first + lane, bounds.f[lane], bounds.n[lane]);
+        }
+        // A smaller sphere rules out more boxes: worth another test where boxes are groups. Larger bounds need one.
+        if (s->growths != growths || (level && mask && s->changes != changes)) {
+            changes = s->changes;
+            growths = s->growths;
+            mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+        }
+    }
+}
+
+// A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
+static void paradt__search_near(paradt__search *s) {
+    size_t cells[3], best = SIZE_MAX;
+    double least = 0.5 * PARADT__FAR;
+    int i, count = 0;
+    for (i = 0; i < s->space.dim && i < 3; i++) {
+        cells[count] = (size_t)s->facet[i] / PARADT__LANES;
+        count += count == 0 || cells[count] != cells[count - 1];
+    }
+    for (i = 0; i < count; i++) {
+        double t = s->test.best(&s->q, s->grid->lanes + cells[i] * s->set->width * PARADT__LANES);
+        if (t < least) {
+            least = t;
+            best = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
+        }
+    }
+    s->distance_evaluations += (uint64_t)count * PARADT__LANES;
+    s->grid_cells_visited += (uint64_t)count;
+    if (best != SIZE_MAX) paradt__search_point(s, best);
+}
+
+// Is no point outside of the group's room of use any more? The sphere's centre is m = centre / 2, its radius |m|, or
+// for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u - m| is at least the
+// distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <= sqrt(d) (D + r),
+// if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With sagittas the disc of a
+// facet that faces away from the reference sphere's centre takes the place of the sphere, even while there is no apex.
+static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
+    int capped = s->q.disc_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
+    const double *room = s->grid->rooms[level] + group * 2 * (size_t)dim;
+    const double *whole = capped ? s->q.disc : s->q.centre, *slacks = capped ? s->q.disc_slack : s->q.slack;
+    double nearest = PARADT__FAR, radius = capped ? s->q.disc_floor : 0.0, slack = 0.0;
+    if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
+    for (j = 0; j < dim; j++) {
+        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
+        double low = (s->q.origin[j] - room[2 * j]) + m, high = (room[2 * j + 1] - s->q.origin[j]) - m;
+        nearest = low < nearest ? low : nearest;
+        nearest = high < nearest ? high : nearest;
+        radius += m * m;
+        slack = slacks[j] > slack ? slacks[j] : slack;
+    }
+    if (s->space.weighted && s->grid->heaviest > s->q.weight) radius += s->grid->heaviest - s->q.weight;
+    radius = sqrt(radius);
+    return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
+}
+
+// All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
+// level.
+static void paradt__search_all(paradt__search *s, size_t position) {
+    size_t box = position / PARADT__LANES, skip = SIZE_MAX;
+    int level;
+    if (!s->space.filtered) {
+        for (box = s->begin; box < s->end && !s->found; box++) paradt__search_point(s, box);
+        return;
+    }
+    for (level = 0; level < s->grid->levels && !s->found; level++) {
+        size_t span = (size_t)PARADT__LANES << (3 * level);
+        if (level && skip * span <= s->begin && (skip + 1) * span >= s->end) break;
+        paradt__search_group(s, level, box / PARADT__LANES, skip);
+        skip = box / PARADT__LANES;
+        if (paradt__search_inside(s, level, skip)) break;
+        box = skip;
+    }
+}
+
+// The apex of the cell outside the facet opposite vertex `opposite` of the positively oriented cell, or PARADT__HULL.
+// `made` gets the new cell's vertices, positively oriented, the apex at the place that is returned through *place.
+static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
+                                        int *place) {
+    int dim = s->space.dim, i, count = 0;
+    for (i = 0; i <= dim; i++) {
+        if (i == opposite) continue;
+        s->facet[count] = cell[i];
+        s->corners[count++] = paradt__record(s->set, cell[i]);
+    }
+    // The apex in the place of `opposite` turns the orientation; dim - opposite exchanges move it to the end.
+    s->outside = (dim - opposite) % 2 ? 1 : -1;
+    s->conflict = s->found = 0;
+    if (s->space.filtered) {
+        paradt__search_facet(s, paradt__record(s->set, cell[opposite]));
+        paradt__search_near(s);
+    } else {
+        s->apex = PARADT__OPEN;
+    }
+    paradt__search_all(s, (size_t)s->facet[0]);
+    if (s->apex < 0) return PARADT__HULL;
+    for (i = 0; i < dim; i++) made[i] = s->facet[i];
+    made[dim] = s->apex;
+    *place = dim;
+    if (s->outside < 0) {
+        made[dim] = made[dim - 1];
+        made[dim - 1] = s->apex;
+        *place = dim - 1;
+    }
+    return s->apex;
+}
+
+// From the top: all points that may matter, when the facet is not one of the set's own.
+static void paradt__search_down(paradt__search *s) {
+    size_t at;
+    if (s->space.filtered) {
+        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
+    } else {
+        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
+    }
+}
+
+// The sphere of a positively oriented cell, for a search of points in conflict with it. corners: its vertices, of which
+// those that are in the set have the positions vertices[], the others positions that are none.
+static void paradt__search_sphere(paradt__search *s, const double *const *corners, const paradt_index *vertices) {
+    int dim = s->space.dim, i, j;
+    const double *apex = corners[dim];
+    double n = 0.0, n_bound = 0.0;
+    for (i = 0; i < dim; i++) {
+        s->facet[i] = vertices[i];
+        s->corners[i] = corners[i];
+    }
+    s->outside = 1;
+    s->conflict = 1;
+    s->found = 0;
+    if (s->space.filtered) {
+        paradt__search_facet(s, apex);
+        for (j = 0; j < dim; j++) {
+            double u = apex[j] - s->q.origin[j];
+            n += s->q.normal[j] * u;
+            n_bound += paradt__abs(u) * s->q.reach[j];
+        }
+    }
+    paradt__search_accept(s, vertices[dim], apex, n, n_bound);
+    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
+    s->q.n_floor = 0.0;
+}
+
+// A point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
+static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
+    const double *corners[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i <= s->space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
+    paradt__search_sphere(s, corners, cell);
+    paradt__search_all(s, (size_t)cell[0]);
+    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
+}
+
+// The same for a cell of other points.
+static paradt_index paradt__search_foreign_conflict(paradt__search *s, const double *const *corners,
+                                                    const paradt_index *vertices) {
+    paradt__search_sphere(s, corners, vertices);
+    paradt__search_down(s);
+    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
+}
+
+// The apex that the set has for a facet of other points, or PARADT__HULL: none is strictly outside. outside: the sign
+// of the orientation (facet, x) for x outside; inner: a point on the other side.
+static paradt_index paradt__search_foreign_apex(paradt__search *s, const double *const *facet,
+                                                const paradt_index *vertices, int outside, const double *inner) {
+    int i;
+    for (i = 0; i < s->space.dim; i++) {
+        s->facet[i] = vertices[i];
+        s->corners[i] = facet[i];
+    }
+    s->outside = outside;
+    s->conflict = s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->space.filtered) paradt__search_facet(s, inner);
+    paradt__search_down(s);
+    return s->apex < 0 ? (paradt_index)PARADT__HULL : s->apex;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>first simplex
+//
+// A cell of T(P) to begin with. MakeFirstSimplex of the thesis takes a point, its nearest neighbour, then again and
+// again the point that gives the smallest circumscribing sphere. In floating point, among the points around the first,
+// that is a good guess and no more. It is made certain by descent on the lifted points, as the simplex method does it:
+// let z be a location in the guess; while a point q conflicts with the simplex, q replaces the one vertex that keeps z
+// inside, and the lifted simplex above z gets lower. There is no cycling, for the perturbed heights are in general
+// position, and the end is the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the
+// second, far less towards the third, and so on: so the cell contains the first vertex (if that is not hidden) and
+// begins the way from it to the second. Doors: paradt__cell_towards, paradt__walk.
+
+// Orders the simplex so that it is positively oriented.
+static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
+    const double *p[PARADT_MAX_DIM + 1];
+    int dim = s->space.dim, i;
+    for (i = 0; i <= dim; i++) p[i] = paradt__record(s->set, simplex[i]);
+    if (paradt__orient(&s->space, p) < 0) {
+        paradt_index last = simplex[dim];
+        simplex[dim] = simplex[dim - 1];
+        simplex[dim - 1] = last;
+    }
+}
+
+// Sign of the orientation of the simplex with vertex `place` replaced by x.
+static int paradt__orient_with(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
+    const double *p[PARADT_MAX_DIM + 1];
+    int dim = s->space.dim, i;
+    for (i = 0; i <= dim; i++) p[i] = i == place ? x : paradt__record(s->set, simplex[i]);
+    return paradt__orient(&s->space, p);
+}
+
+// Does the simplex contain z (see the section's head), given through `goal`, the vertices of the first guess?
+static int paradt__contains_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
+    int dim = s->space.dim, place, i;
+    for (place = 0; place <= dim; place++) {
+        int side = 0;
+        for (i = 0; i <= dim && !side; i++) {
+            side = paradt__orient_with(s, simplex, place, paradt__record(s->set, goal[i]));
+        }
+        if (side < 0) return 0;
+    }
+    return 1;
+}
+
+// Replaces the vertex of the positively oriented simplex that lets it keep z.
+static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
+    int dim = s->space.dim, place;
+    const double *x = paradt__record(s->set, q);
+    for (place = 0; place <= dim; place++) {
+        paradt_index trial[PARADT_MAX_DIM + 1];
+        if (paradt__orient_with(s, simplex, place, x) == 0) continue;
+        memcpy(trial, simplex, sizeof trial);
+        trial[place] = q;
+        paradt__turn_positive(s, trial);
+        if (paradt__contains_goal(s, trial, goal)) {
+            memcpy(simplex, trial, sizeof trial);
+            return;
+        }
+    }
+    PARADT_ASSERT(0);
+}
+
+// Of the points [begin, end) the one that gives the smallest circumscribing sphere with the `count` points of the
+// simplex; they span the orthonormal rows, and centre is that of their own. With one point: its nearest neighbour. -1:
+// none.
+static paradt_index paradt__smallest_sphere(const paradt__search *s, const paradt_index *simplex, int count,
+                                            size_t begin, size_t end, double rows[][PARADT_MAX_DIM], double *centre) {
+    int ambient = s->space.ambient, i, j;
+    const double *o = paradt__record(s->set, simplex[0]);
+    paradt_index best = -1;
+    double least = 0.0, best_t = 0.0, best_row[PARADT_MAX_DIM];
+    size_t at;
+    for (at = begin; at < end; at++) {
+        double row[PARADT_MAX_DIM], height, t;
+        int known = 0;
+        for (i = 0; i < count; i++) known |= simplex[i] == (paradt_index)at;
+        if (known) continue;
+        t = paradt__centre_shift(o, s->set->records + at * s->set->width, rows, count, ambient, centre, row, &height);
+        if (height > 0.0 && (best < 0 || paradt__abs(t) < least)) {
+            best = (paradt_index)at;
+            least = paradt__abs(t);
+            best_t = t;
+            memcpy(best_row, row, sizeof row);
+        }
+    }
+    for (j = 0; best >= 0 && j < ambient; j++) {
+        rows[count - 1][j] = best_row[j];
+        centre[j] += best_t * best_row[j];
+    }
+    return best;
+}
+
+// The thesis' first simplex from the points near simplex[0]; a second point may be given too. 0: the guess failed.
+static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int given) {
+    double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], centre[PARADT_MAX_DIM] = {0.0};
+    size_t span = PARADT__LANES * PARADT__LANES, begin = (size_t)simplex[0] / span * span, end = begin + span;
+    int dim = s->space.dim, count;
+    if (!s->space.filtered) return 0;
+    if (end > s->set->count) end = s->set->count;
+    for (count = 1; count <= dim; count++) {
+        size_t from = count < given ? (size_t)simplex[count] : begin, to = count < given ? from + 1 : end;
+        simplex[count] = paradt__smallest_sphere(s, simplex, count, from, to, rows, centre);
+        if (simplex[count] < 0) return 0;
+    }
+    return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
+}
+
+// Any simplex with the first `given` (1 or 2) vertices; those exist, as the set spans its dimension.
+static void paradt__any_simplex(paradt__search *s, paradt_index *simplex, int given) {
+    paradt__set *set = (paradt__set *)(uintptr_t)s->set;
+    const double *basis[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], i, taken = 0;
+    paradt__set view = *set;
+    view.space = s->space;
+    view.space.ambient = s->space.dim; // only the axes that orient
+    for (i = 0; i < given; i++) basis[i] = paradt__record(s->set, simplex[i]);
+    if (given == 2) {
+        while (paradt__bits(basis[0][taken]) == paradt__bits(basis[1][taken])) taken++;
+        axes[0] = taken;
+        taken = 1;
+    }
+    paradt__span(&view, basis, axes, taken, (size_t)simplex[0]);
+    for (i = 0; i <= s->space.dim; i++) simplex[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
+    s->space.counters = view.space.counters;
+}
+
+// The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
+// positively oriented. It does not contain simplex[0] just when that is hidden.
+static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
+    paradt_index goal[PARADT_MAX_DIM + 1], q;
+    if (!paradt__guess_simplex(s, simplex, given)) paradt__any_simplex(s, simplex, given);
+    memcpy(goal, simplex, sizeof goal);
+    paradt__turn_positive(s, simplex);
+    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
+}
+
+// One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
+// is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
+static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) {
+    int dim = s->space.dim, place, unused;
+    for (place = 0; place <= dim; place++) {
+        if (paradt__orient_with(s, cell, place, x) < 0) {
+            paradt_index made[PARADT_MAX_DIM + 1];
+            if (paradt__search_apex(s, cell, place, made, &unused) < 0) return 0;
+            memcpy(cell, made, sizeof made);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>incode
+//
+// Incremental construction: from a first cell, a cell on each active facet, until there is none. What is common to all
+// methods that make cells facet by facet is here: the store of the cells, the active face list, and the region for
+// which the cells are made. A region needs the cells whose lexicographically smallest vertex it holds. They are reached
+// through facets that have a vertex in the region which is not their largest: the larger neighbours of a vertex v are
+// connected by edges among themselves (the vertices of the vertex figure of the lifted hull at v on one side of a
+// plane: Balinski's argument), so from one edge (v, w), w > v, all such edges are reached around their ends, and with
+// them all cells that v is the smallest vertex of. Facets without such a vertex end in the seam: they are stored, so
+// that two cells that both were made get linked, but never worked on. A vertex of the region that no edge to a larger
+// one has reached gets a cell of its own to start from. A vertex that no active facet is left at has all its cells, and
+// can't be an apex any more. InCoDe counts the active facets at each vertex and takes grid cells and groups without
+// other points out of the search: it need not look behind the front. Doors: paradt__front_begin, paradt__front_end,
+// paradt__front_seed, paradt__front_build, paradt__incode.
+
+typedef struct paradt__region_view {
+    const uint32_t *owner; // [set.count] region of each point; NULL: undivided
+    uint32_t region;
+} paradt__region_view;
+
+// Progress and cancellation, asked for now and then.
+typedef struct paradt__progress {
+    paradt_progress call; // NULL: none
+    void *user;
+    double begin, length; // the part of the work that this task is
+} paradt__progress;
+
+typedef struct paradt__finished {
+    uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
+    uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
+    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] bits of the boxes with unfinished points
+} paradt__finished;
+
+typedef struct paradt__front {
+    const paradt__set *set;
+    const paradt__grid *grid;
+    paradt__memory *memory;
+    paradt__search search;
+    paradt__cells cells;
+    paradt__active active;
+    paradt__lists lists;
+    paradt__region_view view;
+    paradt__progress progress;
+    double expected; // cells, for the progress
+    uint64_t hull_facets;
+    paradt__finished finished;
+    uint64_t *touched; // with regions: a bit for each vertex that an edge to a larger one has reached
+    size_t next_seed;  // positions before it need no seed
+} paradt__front;
+
+static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
+    if (!progress->call) return 0;
+    if (fraction > 1.0) fraction = 1.0;
+    return progress->call(progress->user, progress->begin + fraction * progress->length) != 0;
+}
+
+// Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
+// the Poisson-Delaunay mosaic); near the hull there are fewer.
+static double paradt__cells_a_point(int dim) {
+    static const double mean[PARADT_MAX_DIM + 1] = {1.0, 1.0, 2.0, 6.7677, 31.78, 186.1, 1297.0, 10470.0, 96000.0};
+    return mean[dim];
+}
+
+static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
+    int level;
+    paradt__release(memory, finished->incident);
+    paradt__release(memory, finished->unfinished);
+    for (level = 0; level < PARADT__MAX_LEVELS; level++) paradt__release(memory, finished->alive[level]);
+    memset(finished, 0, sizeof *finished);
+}
+
+static paradt_status paradt__finished_begin(paradt__finished *finished, const paradt__set *set,
+                                            const paradt__grid *grid, paradt__memory *memory) {
+    size_t i;
+    int level;
+    finished->incident = (uint32_t *)paradt__alloc(memory, set->count, sizeof(uint32_t));
+    finished->unfinished = (uint8_t *)paradt__alloc(memory, grid->cell_count, 1);
+    if (!finished->incident || !finished->unfinished) return PARADT_ERROR_MEMORY;
+    memset(finished->incident, 0, set->count * sizeof(uint32_t));
+    memset(finished->unfinished, PARADT__LANES, grid->cell_count);
+    finished->unfinished[grid->cell_count - 1] = (uint8_t)(set->count - (grid->cell_count - 1) * PARADT__LANES);
+    for (level = 0; level < grid->levels; level++) {
+        size_t boxes = grid->box_count[level], groups = (boxes + PARADT__LANES - 1) / PARADT__LANES;
+        finished->alive[level] = (uint8_t *)paradt__alloc(memory, groups, 1);
+        if (!finished->alive[level]) return PARADT_ERROR_MEMORY;
+        for (i = 0; i < groups; i++) {
+            size_t count = boxes - i * PARADT__LANES;
+            finished->alive[level][i] = (uint8_t)(count < PARADT__LANES ? (1u << count) - 1 : 255u);
+        }
+    }
+    return PARADT_OK;
+}
+
+// Adds to the count of active facets at a vertex; at 0 it is finished.
+PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const paradt__grid *grid, paradt_index vertex,
+                                           int change) {
+    size_t box = (size_t)vertex / PARADT__LANES;
+    int level;
+    finished->incident[vertex] += (uint32_t)change;
+    if (PARADT__LIKELY(finished->incident[vertex]) || --finished->unfinished[box]) return;
+    for (level = 0; level < grid->levels; level++, box /= PARADT__LANES) {
+        uint8_t *alive = finished->alive[level] + box / PARADT__LANES;
+        *alive = (uint8_t)(*alive & ~(1u << box % PARADT__LANES));
+        if (*alive) return;
+    }
+}
+
+static void paradt__front_end(paradt__front *front) {
+    paradt__active_free(&front->active, front->memory);
+    paradt__lists_free(&front->lists, front->memory);
+    paradt__finished_free(&front->finished, front->memory);
+    paradt__release(front->memory, front->touched);
+    front->touched = NULL;
+}
+
+// share: the part of the points that the front is for.
+static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
+                                         paradt__memory *memory, paradt__region_view view, double share) {
+    double points = (double)set->count * share, hull = pow(points + 1.0, -1.0 / set->space.dim);
+    memset(front, 0, sizeof *front);
+    front->set = set;
+    front->grid = grid;
+    front->memory = memory;
+    front->view = view;
+    front->cells.corners = set->space.dim + 1;
+    front->expected = points * paradt__cells_a_point(set->space.dim) * (1.0 - hull * 0.5) + 16.0;
+    paradt__search_begin(&front->search, set, grid);
+    if (view.owner) {
+        size_t words = set->count / 64 + 1;
+        front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
+        if (!front->touched) return PARADT_ERROR_MEMORY;
+        memset(front->touched, 0, words * sizeof(uint64_t));
+    }
+    if (paradt__active_begin(&front->active, (size_t)(points * 0.5), memory)) return PARADT_ERROR_MEMORY;
+    return paradt__cells_reserve(&front->cells, (size_t)(front->expected * 1.01) + 64, memory);
+}
+
+// Position of the lexicographically smallest (sign = -1) or largest (1) of the vertices.
+static int paradt__extreme(const paradt__set *set, const paradt_index *vertices, int count, int sign) {
+    int best = 0, i;
+    for (i = 1; i < count; i++) {
+        if (paradt__compare(&set->space, paradt__record(set, vertices[i]), paradt__record(set, vertices[best])) == sign)
+            best = i;
+    }
+    return best;
+}
+
+// Does the region own the cell?
+static int paradt__owns(const paradt__region_view *view, const paradt__set *set, const paradt_index *cell,
+                        int corners) {
+    int i, inside = 0;
+    if (!view->owner) return 1;
+    for (i = 0; i < corners; i++) inside += view->owner[cell[i]] == view->region;
+    if (inside == 0 || inside == corners) return inside != 0;
+    return view->owner[cell[paradt__extreme(set, cell, corners, -1)]] == view->region;
+}
+
+// Has the facet a vertex in the region other than its largest?
+static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
+                         int count) {
+    int i, inside = 0, only = 0;
+    if (!view->owner) return 1;
+    for (i = 0; i < count; i++) {
+        if (view->owner[facet[i]] == view->region) inside++, only = i;
+    }
+    if (inside != 1) return inside != 0;
+    return paradt__extreme(set, facet, count, 1) != only;
+}
+
+static void paradt__touch(paradt__front *front, const paradt_index *cell) {
+    int corners = front->cells.corners, i, largest = -1;
+    for (i = 0; i < corners; i++) {
+        if (front->view.owner[cell[i]] != front->view.region) continue;
+        if (largest < 0) largest = paradt__extreme(front->set, cell, corners, 1);
+        if (i != largest) front->touched[cell[i] / 64] |= (uint64_t)1 << cell[i] % 64;
+    }
+}
+
+// The vertices of the facet opposite `opposite`, in the cell's order.
+PARADT__INLINE void paradt__facet_of(const paradt_index *cell, int corners, int opposite, paradt_index *facet) {
+    int i, count = 0;
+    for (i = 0; i < corners; i++) {
+        if (i != opposite) facet[count++] = cell[i];
+    }
+}
+
+// Called for a facet that has become active: puts it into a work list.
+typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle,
+                                          const paradt_index *facet);
+
+// Stores a cell and updates the AFL with its facets: a facet that was active is linked and leaves, the others enter.
+// across: the place of the apex, whose facet is the one that the cell was made on, and that facet's handle; or -1.
+PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt_index *cell, int across,
+                                              paradt_index from, paradt__activate activate, void *method, int corners) {
+    paradt__cells *cells = &front->cells;
+    paradt_index number = (paradt_index)cells->count, base = number * corners;
+    uint64_t sum = paradt__cell_sum(cell, corners);
+    paradt_status status = PARADT_OK;
+    int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
+    for (i = 0; i < corners; i++) cells->vertices[base + i] = cell[i];
+    for (i = 0; i < corners && !status; i++) {
+        uint32_t key = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
+        paradt_index twin = from;
+        if (i != across) {
+            paradt_index smallest = paradt__smallest_but(cell, corners, i);
+            twin = paradt__active_match(&front->active, cells, smallest, key, base + i, corners);
+        }
+        cells->neighbors[base + i] = twin < 0 ? (paradt_index)PARADT__OPEN : twin / corners;
+        change[i] = twin < 0 ? 1 : -1;
+        sum_of_changes += change[i];
+        if (twin < 0) {
+            paradt_index facet[PARADT_MAX_DIM];
+            paradt__facet_of(cell, corners, i, facet);
+            if (paradt__needs(&front->view, front->set, facet, corners - 1)) {
+                status = activate(front, method, base + i, facet);
+            }
+        } else {
+            cells->neighbors[twin] = number;
+        }
+    }
+    for (i = 0; i < corners && front->finished.incident && !status; i++) {
+        paradt__finished_count(&front->finished, front->grid, cell[i], sum_of_changes - change[i]);
+    }
+    cells->count++;
+    return status;
+}
+
+static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
+                                       paradt__activate activate, void *method) {
+    paradt_status status = paradt__cells_room(&front->cells, front->memory);
+    if (!status) status = paradt__active_room(&front->active, front->memory);
+    if (status) return status;
+    if (front->touched) paradt__touch(front, cell);
+    if (front->cells.corners == 4) status = paradt__add_cell(front, cell, across, from, activate, method, 4);
+    else status = paradt__add_cell(front, cell, across, from, activate, method, front->cells.corners);
+    if (!status && front->cells.count % 1024 == 0) {
+        double done = (double)front->cells.count / front->expected;
+        if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
+    }
+    return status;
+}
+
+// MakeSimplex on a facet from a work list, if it is still active: the cell outside of it, or a facet of the hull.
+static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
+                                          void *method) {
+    int corners = front->cells.corners, opposite = (int)(handle % corners), place;
+    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    paradt_index made[PARADT_MAX_DIM + 1];
+    uint32_t key;
+    if (front->cells.neighbors[handle] != PARADT__OPEN) return PARADT_OK;
+    key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
+    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
+    if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
+        return paradt__front_add(front, made, place, handle, activate, method);
+    }
+    front->hull_facets++;
+    front->cells.neighbors[handle] = PARADT__HULL;
+    for (place = 0; place < corners && front->finished.incident; place++) {
+        if (place != opposite) paradt__finished_count(&front->finished, front->grid, cell[place], -1);
+    }
+    return PARADT_OK;
+}
+
+// A vertex of the region that still needs a cell: a cell to start from, or 0 when there is none. Undivided, there is
+// one.
+static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
+    const paradt__set *set = front->set;
+    if (!front->view.owner) {
+        cell[0] = (paradt_index)(set->count / 2);
+        if (front->next_seed++) return 0;
+        paradt__cell_towards(&front->search, cell, 1);
+        return 1;
+    }
+    for (; front->next_seed < set->count; front->next_seed++) {
+        size_t at = front->next_seed, step;
+        const double *x = set->records + at * set->width;
+        int corners = front->cells.corners, i;
+        if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
+        front->touched[at / 64] |= (uint64_t)1 << at % 64;
+        for (step = 1; step < set->count; step++) {
+            size_t other = (at + step) % set->count;
+            if (paradt__compare(&set->space, set->records + other * set->width, x) > 0) break;
+        }
+        if (step == set->count) continue; // the largest of all is no cell's smallest
+        cell[0] = (paradt_index)at;
+        cell[1] = (paradt_index)((at + step) % set->count);
+        paradt__cell_towards(&front->search, cell, 2);
+        for (i = 0; i < corners; i++) {
+            if (cell[i] == (paradt_index)at) return 1;
+        }
+    }
+    return 0;
+}
+
+// The facets wait in one list for each 64 points, by their first vertex in grid order, and the lowest list that is not
+// empty is served: the front sweeps over the grid, and what it touches stays in the cache.
+typedef struct paradt__sweep {
+    paradt_index *heads;
+    size_t count, lowest;
+} paradt__sweep;
+
+enum { PARADT__SWEEP_SHIFT = 6 };
+
+static paradt_status paradt__sweep_activate(paradt__front *front, void *method, paradt_index handle,
+                                            const paradt_index *facet) {
+    paradt__sweep *sweep = (paradt__sweep *)method;
+    size_t bucket;
+    paradt_index first = facet[0];
+    int i;
+    for (i = 1; i < front->cells.corners - 1; i++) first = facet[i] < first ? facet[i] : first;
+    bucket = (size_t)first >> PARADT__SWEEP_SHIFT;
+    if (bucket < sweep->lowest) sweep->lowest = bucket;
+    return paradt__list_push(&front->lists, sweep->heads + bucket, handle, front->memory);
+}
+
+static paradt_status paradt__incode(paradt__front *front) {
+    paradt__sweep sweep;
+    paradt_status status = PARADT_OK;
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    size_t i;
+    sweep.count = (front->set->count >> PARADT__SWEEP_SHIFT) + 1;
+    sweep.heads = (paradt_index *)paradt__alloc(front->memory, sweep.count, sizeof *sweep.heads);
+    if (!sweep.heads) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < sweep.count; i++) sweep.heads[i] = PARADT__OPEN;
+    sweep.lowest = sweep.count;
+    if (!front->view.owner) {
+        status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
+        front->search.alive = front->finished.alive;
+    }
+    while (!status && paradt__front_seed(front, cell)) {
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__sweep_activate, &sweep);
+        while (!status && sweep.lowest < sweep.count) {
+            if (sweep.heads[sweep.lowest] < 0) {
+                sweep.lowest++;
+            } else {
+                paradt_index handle = paradt__list_pop(&front->lists, sweep.heads + sweep.lowest);
+                status = paradt__front_expand(front, handle, paradt__sweep_activate, &sweep);
+            }
+        }
+    }
+    paradt__release(front->memory, sweep.heads);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>bowyer-watson
+//
+// Incremental insertion (Bowyer 1981, Watson 1981): the cells in conflict with a new point form a star-shaped cavity,
+// found from any one of them through their neighbours; the point and the cavity's rim make the new cells. The hull is
+// closed by ghost cells, whose vertex PARADT__INFINITE lies beyond everything, so that inside and outside are one case.
+// A ghost is in conflict with the points strictly beyond its hull facet. In the plane of the facet, it is in conflict
+// with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
+// the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
+// with an affine function through the facet's lifted vertices alone.
+// Every T(P_i) of the points so far is complete and exact, so no cell is ever flat, and the last one is T(P).
+// A weighted point that is in conflict with no cell is hidden; a vertex inside of the cavity becomes hidden.
+//
+// The points come in rounds of eight times the size of the one before (Amenta, Choi and Rote, "Incremental
+// constructions con BRIO", SoCG 2003), within a round along Hilbert's curve. The order only matters for speed.
+// Doors: paradt__bowyer_watson.
+
+enum {
+    PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
+    PARADT__DEAD = -3,     // first vertex of a free place
+    PARADT__GROW_PART = 16
+};
+
+#define PARADT__EXPECT_MORE 1.01
+
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#define PARADT__BW_AVX2 1
+#include <immintrin.h>
+#else
+#define PARADT__BW_AVX2 0
+#endif
+
+// --- the order of insertion
+
+typedef struct paradt__keyed {
+    uint64_t key;
+    paradt_index point;
+} paradt__keyed;
+
+enum {
+    PARADT__ROUND_SHIFT = 3,   // a round is 2^3 times as large as the one before
+    PARADT__FIRST_ROUND = 64,  // points of the first round, about
+    PARADT__HILBERT_BITS = 60, // of a key, below the number of the round
+    PARADT__FEW_KEYS = 32      // sorted by insertion
+};
+
+// One level of Hilbert's curve in `dim` dimensions: takes one bit of each coordinate to `dim` bits of the position on
+// the curve, and the orientation of the curve (entry corner and direction) to that inside the orthant (Hamilton,
+// "Compact Hilbert indices", Dalhousie University, CS-2006-07).
+PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *entry, unsigned *direction) {
+    unsigned n = (unsigned)dim, all = (1u << n) - 1, turn = *direction + 1, place, start, ones = 0, low;
+    bits ^= *entry;
+    bits = (bits >> turn | bits << (n - turn)) & all;
+    place = bits;
+    place ^= place >> 1;
+    place ^= place >> 2;
+    place ^= place >> 4;
+    start = place ? (place - 1) & ~1u : 0;
+    start ^= start >> 1;
+    *entry ^= (start << turn | start >> (n - turn)) & all;
+    low = place & 1 ? place : place - 1;
+    for (; place && low & 1; low >>= 1) ones++;
+    *direction = (*direction + ones % n + 1) % n;
+    return place;
+}
+
+typedef struct paradt__hilbert {
+    int dim, levels;
+    unsigned char place[24][8], next[24][8]; // in two and three dimensions: the steps by orientation and bits
+} paradt__hilbert;
+
+static void paradt__hilbert_begin(paradt__hilbert *curve, int dim) {
+    unsigned state, bits, n = (unsigned)dim;
+    curve->dim = dim;
+    curve->levels = PARADT__HILBERT_BITS / dim < 31 ? PARADT__HILBERT_BITS / dim : 31;
+    for (state = 0; dim < 4 && state < n << n; state++) {
+        for (bits = 0; bits < 1u << n; bits++) {
+            unsigned entry = state / n, direction = state % n;
+            curve->place[state][bits] = (unsigned char)paradt__hilbert_step(dim, bits, &entry, &direction);
+            curve->next[state][bits] = (unsigned char)(entry * n + direction);
+        }
+    }
+}
+
+// The position of a lattice point on the curve; its coordinates have curve->levels bits.
+static uint64_t paradt__hilbert_key(const paradt__hilbert *curve, const uint32_t *x) {
+    uint64_t key = 0;
+    unsigned state = 0, direction = 0;
+    int level, j;
+    if (curve->dim == 3) {
+        for (level = curve->levels - 1; level >= 0; level--) {
+            unsigned bits = (x[0] >> level & 1) | (x[1] >> level & 1) << 1 | (x[2] >> level & 1) << 2;
+            key = key << 3 | curve->place[state][bits];
+            state = curve->next[state][bits];
+        }
+        return key;
+    }
+    for (level = curve->levels - 1; level >= 0; level--) {
+        unsigned bits = 0;
+        for (j = 0; j < curve->dim; j++) bits |= (x[j] >> level & 1) << j;
+        if (curve->dim == 2) {
+            key = key << 2 | curve->place[state][bits];
+            state = curve->next[state][bits];
+        } else {
+            key = key << curve->dim | paradt__hilbert_step(curve->dim, bits, &state, &direction);
+        }
+    }
+    return key;
+}
+
+// The lattice that the points are put on for their keys. Where differences could overflow, it is one of ordered bits.
+typedef struct paradt__lattice {
+    int filtered, shift;
+    double low[PARADT_MAX_DIM], scale, most;
+    int64_t low_bits[PARADT_MAX_DIM];
+} paradt__lattice;
+
+static void paradt__lattice_begin(paradt__lattice *lattice, const paradt__set *set, const paradt_index *subset,
+                                  size_t count, int levels) {
+    int axis;
+    double longest = 0.0;
+    uint64_t longest_bits = 0;
+    lattice->filtered = set->space.filtered;
+    for (axis = 0; axis < set->space.dim; axis++) {
+        const double *first = paradt__record(set, subset ? subset[0] : 0) + axis;
+        double low = *first, high = low;
+        int64_t low_bits = paradt__ordered_bits(low), high_bits = low_bits;
+        size_t i;
+        for (i = 0; i < count; i++) {
+            double x = paradt__record(set, subset ? subset[i] : (paradt_index)i)[axis];
+            if (lattice->filtered) {
+                low = x < low ? x : low;
+                high = x > high ? x : high;
+            } else {
+                int64_t bits = paradt__ordered_bits(x);
+                low_bits = bits < low_bits ? bits : low_bits;
+                high_bits = bits > high_bits ? bits : high_bits;
+            }
+        }
+        lattice->low[axis] = low;
+        lattice->low_bits[axis] = low_bits;
+        if (lattice->filtered && high - low > longest) longest = high - low;
+        if ((uint64_t)high_bits - (uint64_t)low_bits > longest_bits)
+            longest_bits = (uint64_t)high_bits - (uint64_t)low_bits;
+    }
+    lattice->shift = paradt__bit_length(longest_bits) - levels;
+    if (lattice->shift < 0) lattice->shift = 0;
+    lattice->most = paradt__power(levels) - 1.0;
+    lattice->scale = longest > 0.0 ? lattice->most / longest : 0.0;
+}
+
+PARADT__INLINE void paradt__lattice_point(const paradt__lattice *lattice, const double *record, int dim, uint32_t *x) {
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        if (lattice->filtered) {
+            double place = (record[axis] - lattice->low[axis]) * lattice->scale;
+            place = place < lattice->most ? place : lattice->most;
+            x[axis] = (uint32_t)(place > 0.0 ? place : 0.0);
+        } else {
+            uint64_t bits = (uint64_t)paradt__ordered_bits(record[axis]) - (uint64_t)lattice->low_bits[axis];
+            x[axis] = (uint32_t)(bits >> lattice->shift);
+        }
+    }
+}
+
+// Sorts by the bits of the keys below shift + 8: radix from the top, until few are left. other: room for as many.
+static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int shift) {
+    size_t place[257], i;
+    if (count <= PARADT__FEW_KEYS) {
+        for (i = 1; i < count; i++) {
+            paradt__keyed moved = keyed[i];
+            size_t j = i;
+            for (; j > 0 && keyed[j - 1].key > moved.key; j--) keyed[j] = keyed[j - 1];
+            keyed[j] = moved;
+        }
+        return;
+    }
+    memset(place, 0, sizeof place);
+    for (i = 0; i < count; i++) place[(keyed[i].key >> shift & 255) + 1]++;
+    for (i = 1; i < 257; i++) place[i] += place[i - 1];
+    for (i = 0; i < count; i++) other[place[keyed[i].key >> shift & 255]++] = keyed[i];
+    memcpy(keyed, other, count * sizeof *keyed);
+    if (!shift) return;
+    for (i = 0; i < 256; i++) {
+        size_t begin = i ? place[i - 1] : 0;
+        if (place[i] - begin > 1) paradt__keyed_sort(keyed + begin, other, place[i] - begin, shift < 8 ? 0 : shift - 8);
+    }
+}
+
+// The points of the subset (NULL: of the set) in the order of insertion: a new block, or NULL when there is no memory.
+static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_index *subset, size_t count,
+                                          paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed), *other;
+    paradt__hilbert curve;
+    paradt__lattice lattice;
+    int rounds = 0, dim = set->space.dim;
+    size_t i;
+    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed);
+    if (!keyed || !other) {
+        paradt__release(memory, keyed);
+        paradt__release(memory, other);
+        return NULL;
+    }
+    while (rounds < 15 && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND) rounds++;
+    paradt__hilbert_begin(&curve, dim);
+    paradt__lattice_begin(&lattice, set, subset, count, curve.levels);
+    for (i = 0; i < count; i++) {
+        paradt_index point = subset ? subset[i] : (paradt_index)i;
+        uint64_t draw = paradt__mix((uint64_t)i + 1) | (uint64_t)1 << 60;
+        int back = paradt__trailing_zeros(draw) / PARADT__ROUND_SHIFT;
+        uint32_t x[PARADT_MAX_DIM];
+        paradt__lattice_point(&lattice, paradt__record(set, point), dim, x);
+        keyed[i].key =
+            (uint64_t)(back < rounds ? rounds - back : 0) << PARADT__HILBERT_BITS | paradt__hilbert_key(&curve, x);
+        keyed[i].point = point;
+    }
+    paradt__keyed_sort(keyed, other, count, 56);
+    paradt__release(memory, other);
+    return keyed;
+}
+
+// --- spheres in three dimensions
+//
+// A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
+//     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
+// Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
+// So a test is one dot product, for ghosts too. Where its value does not exceed the bound on its error, the predicates
+// decide. The spheres are kept in a table of fixed size, each in the place that its cell's number says; one that
+// another has driven out is made again when it is wanted.
+//
+// The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
+// the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
+//     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
+// Let m_j be the largest size of a_j, b_j, c_j, and L = |a|^2 + |b|^2 + |c|^2. A difference has an error of u relative
+// to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most 8.1u * 6
+// m_x m_y m_z < 64u m_x m_y m_z. |a|^2 is wrong by 5u of it, the terms of n by 12u: n_x by at most 12.1u * 2 L m_y m_z
+// < 32u L m_y m_z. Where det > 128u m_x m_y m_z, the true determinant is more than half of det, and w_x is wrong by at
+// most u |w_x| + 2 (64u m_x m_y m_z |w_x| + 32u L m_y m_z) / det. With s_p, s_x the computed differences of p and x to
+// the centre, h_j the largest size of an |s_j| in the set, and
+//     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
+// a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
+// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det <= 6 m_x m_y m_z, W alone
+// counts less than 6 W m_x m_y m_z / det. In all less than
+//     u (64 H + (512 m_x m_y m_z W + 128 L Q) / det),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z;
+// the constants are rounded up so far that the roundings of this bound itself and of m, L and h don't matter.
+// Sums may be associated in any order and contracted: that only drops roundings.
+// A ghost's function is -t N . (x - p) + |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u *
+// 2 m_y m_z, the terms N_j (x - p)_j pass 8 more roundings; the lift adds at most 1.1 H. In all less than
+//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q).
+
+enum {
+    PARADT__SPHERES = 1 << 14,   // of the table
+    PARADT__STAR = 256,          // new cells that are made together, at most; else the general way is taken
+    PARADT__STAR_VERTICES = 130, // their vertices: that many facets have at most 2 + 256 / 2
+    PARADT__FEW_NUMBERS = 48,    // more than these are forgotten before the next point
+    PARADT__STAR_ROW = 144 // of the table of their edges: 4.5 cache lines, so that rows don't compete for the same
+};
+
+#ifdef PARADT_INDEX64
+typedef uint64_t paradt__tag;
+#else
+typedef uint32_t paradt__tag;
+#endif
+
+#define PARADT__KNOWN     (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
+#define PARADT__VAGUE     (PARADT__KNOWN >> 1)      // the sphere's error exceeds the set's standard
+#define PARADT__NO_SPHERE (PARADT__VAGUE - 1)       // a tag that is no cell's
+
+typedef struct paradt__sphere3 {
+    double normal[3], constant;
+    double error;
+    paradt__tag tag;                                  // the cell, with the two marks
+    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
+} paradt__sphere3;
+
+// A point as the spheres want it
+typedef struct paradt__seen3 {
+    double s[3], lift;
+} paradt__seen3;
+
+typedef struct paradt__spheres3 {
+    paradt__sphere3 *table; // [mask + 1] on cache lines, in
+    void *block;            // this block
+    paradt__tag mask;
+    int driven_out;            // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
+    double centre[3], half[3]; // of the bounding box; half of its sides, rounded up
+    double square;             // H
+    double steep;              // 2^60 H^(1/2)
+    double standard;           // the error that nearly all spheres stay below
+    paradt__seen3 next;        // the point to be inserted next
+    paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+
+    // The vertices around have small numbers: that of v is number[v + 1], if vertex[that] is v.
+    unsigned char *number; // [points + 1]
+    int count;             // numbers given
+    paradt_index vertex[PARADT__STAR_VERTICES + 1];
+    double place[PARADT__STAR_VERTICES + 1][4];
+    paradt_index edges[PARADT__STAR_VERTICES + 1]
+                      [PARADT__STAR_ROW]; // [i][j]: handle of the new cells' facet with the edge i, j
+
+    // The new cells, and those that are no ghosts
+    paradt_index base[PARADT__STAR];   // 4 times their places
+    paradt_index row[PARADT__STAR][4]; // vertices
+    paradt_index outer[PARADT__STAR];
+    unsigned char corner[PARADT__STAR][4]; // numbers of the vertices
+    unsigned char finite[PARADT__STAR + 8];
+    int finite_count;
+} paradt__spheres3;
+
+#define PARADT__UNIT_ERROR     2.220446049250313e-16
+#define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
+#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
+
+static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
+    if (!s) return;
+    paradt__release(memory, s->block);
+    paradt__release(memory, s->number);
+    paradt__release(memory, s);
+}
+
+// --- the triangulation under construction
+
+typedef struct paradt__bw {
+    paradt__space space; // its own, for the counters
+    paradt__memory *memory;
+    const double *records; // [count][width] in the order of insertion
+    size_t width, count;
+    size_t inserted;         // points so far
+    paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
+    unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
+    paradt_index *spare;     // [spare_capacity] places that are free
+    size_t spare_count, spare_capacity;
+    paradt_index
+        *cavity; // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by
+    size_t cavity_count, cavity_capacity;
+    paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
+    size_t rim_count, rim_capacity;
+    paradt__slot *ridges; // [ridge_capacity] hash table of the new cells' open facets
+    size_t ridge_capacity;
+    paradt_index last;         // a cell near the point inserted last
+    paradt__spheres3 *spheres; // in three dimensions, where the filter holds
+} paradt__bw;
+
+PARADT__INLINE const double *paradt__bw_record(const paradt__bw *bw, paradt_index point) {
+    return bw->records + (size_t)point * bw->width;
+}
+
+// The cell that a handle's facet belongs to
+PARADT__INLINE paradt_index paradt__bw_cell(const paradt__bw *bw, paradt_index handle) {
+    return handle / bw->cells.corners;
+}
+
+static void paradt__bw_end(paradt__bw *bw) {
+    paradt__release(bw->memory, bw->conflict);
+    paradt__release(bw->memory, bw->spare);
+    paradt__release(bw->memory, bw->cavity);
+    paradt__release(bw->memory, bw->rim);
+    paradt__release(bw->memory, bw->ridges);
+    paradt__spheres3_free(bw->spheres, bw->memory);
+}
+
+// Room for `capacity` cells
+static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
+    size_t before = bw->cells.capacity;
+    void *array = bw->conflict;
+    paradt_status status;
+    if (capacity <= before) return PARADT_OK;
+    status = paradt__cells_reserve(&bw->cells, capacity, bw->memory);
+    if (status) return status;
+    if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
+    bw->conflict = (unsigned char *)array;
+    memset(bw->conflict + before, 0, bw->cells.capacity - before);
+    return PARADT_OK;
+}
+
+// Room for `count` elements in a list of which `used` are in use
+static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t used, size_t *capacity, size_t count) {
+    void *array = *list;
+    size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
+    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
+    if (!paradt__grow(bw->memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
+    *list = (paradt_index *)array;
+    *capacity = larger;
+    return PARADT_OK;
+}
+
+// The number of cells to make room for when `needed` is too much for now: what the cells per point so far let expect.
+static size_t paradt__bw_expected(const paradt__bw *bw, size_t needed) {
+    double ratio = (double)needed / ((double)bw->inserted + 1.0),
+           expected = ratio * (double)bw->count * PARADT__EXPECT_MORE;
+    size_t least = needed + needed / PARADT__GROW_PART + 64;
+    return bw->inserted > bw->count / 32 && expected > (double)least && expected < 1e15 ? (size_t)expected : least;
+}
+
+// Makes sure of `count` free places.
+static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
+    size_t needed = bw->cells.count + count - (bw->spare_count < count ? bw->spare_count : count);
+    if (PARADT__LIKELY(needed <= bw->cells.capacity)) return PARADT_OK;
+    return paradt__bw_reserve(bw, paradt__bw_expected(bw, needed));
+}
+
+PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
+    if (bw->spare_count) return bw->spare[--bw->spare_count];
+    return (paradt_index)bw->cells.count++;
+}
+
+// The place of the infinite vertex in the cell, or -1
+PARADT__INLINE int paradt__bw_ghost(const paradt_index *cell, int corners) {
+    int i;
+    for (i = 0; i < corners; i++) {
+        if (cell[i] == PARADT__INFINITE) return i;
+    }
+    return -1;
+}
+
+// --- predicates of a cell and a point; the cells are whole
+
+// Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
+static int paradt__bw_side(paradt__bw *bw, paradt_index cell, int place, const double *x) {
+    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)bw->cells.corners;
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < bw->cells.corners; i++) p[i] = i == place ? x : paradt__bw_record(bw, vertices[i]);
+    return paradt__orient(&bw->space, p);
+}
+
+static int paradt__bw_conflicts(paradt__bw *bw, paradt_index cell, const double *x) {
+    int corners = bw->cells.corners, ghost, i, side;
+    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
+    const double *p[PARADT_MAX_DIM + 2];
+    ghost = paradt__bw_ghost(vertices, corners);
+    if (ghost >= 0) {
+        side = paradt__bw_side(bw, cell, ghost, x);
+        if (side) return side > 0;
+        cell = paradt__bw_cell(bw, bw->cells.neighbors[(size_t)cell * (size_t)corners + (size_t)ghost]);
+        vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
+    }
+    for (i = 0; i < corners; i++) p[i] = paradt__bw_record(bw, vertices[i]);
+    p[corners] = x;
+    return paradt__conflict(&bw->space, p);
+}
+
+// The cell that contains x, or a ghost whose hull facet has x strictly beyond it. A visibility walk: in a regular
+// triangulation it ends whichever facet it takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d
+// dimensions", Combinatorica 10, 1990).
+static paradt_index paradt__bw_walk(paradt__bw *bw, paradt_index cell, const double *x) {
+    int corners = bw->cells.corners, i, from = -1;
+    for (;;) {
+        size_t base = (size_t)cell * (size_t)corners;
+        int ghost = paradt__bw_ghost(bw->cells.vertices + base, corners);
+        if (ghost >= 0) {
+            if (paradt__bw_side(bw, cell, ghost, x) > 0) return cell;
+            i = ghost;
+        } else {
+            for (i = 0; i < corners; i++) {
+                if (i != from && paradt__bw_side(bw, cell, i, x) < 0) break;
+            }
+            if (i == corners) return cell;
+        }
+        from = (int)(bw->cells.neighbors[base + (size_t)i] % corners);
+        cell = paradt__bw_cell(bw, bw->cells.neighbors[base + (size_t)i]);
+    }
+}
+
+// --- insertion in any dimension
+
+// Fills the cavity and its rim from the first cell in conflict with x.
+static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const double *x) {
+    int corners = bw->cells.corners, i;
+    size_t head;
+    bw->cavity_count = bw->rim_count = 0;
+    bw->cavity[bw->cavity_count++] = first * corners;
+    bw->conflict[first] = 1;
+    for (head = 0; head < bw->cavity_count; head++) {
+        paradt_index base = bw->cavity[head] - bw->cavity[head] % corners;
+        paradt_status status = paradt__bw_list(bw, &bw->cavity, bw->cavity_count, &bw->cavity_capacity,
+                                               bw->cavity_count + (size_t)corners);
+        if (!status)
+            status = paradt__bw_list(bw, &bw->rim, bw->rim_count, &bw->rim_capacity, bw->rim_count + (size_t)corners);
+        if (status) return status;
+        for (i = 0; i < corners; i++) {
+            paradt_index other = paradt__bw_cell(bw, bw->cells.neighbors[base + i]);
+            if (bw->conflict[other]) continue;
+            if (paradt__bw_conflicts(bw, other, x)) {
+                bw->conflict[other] = 1;
+                bw->cavity[bw->cavity_count++] = bw->cells.neighbors[base + i];
+            } else {
+                bw->rim[bw->rim_count++] = base + i;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Links an open facet of a new cell to its twin, or leaves it in the table for that. Every ridge of the rim is in two
+// facets, so each entry is met once and needs no removal.
+static void paradt__bw_link(paradt__bw *bw, uint32_t key, paradt_index handle) {
+    size_t mask = bw->ridge_capacity - 1, slot = key & mask;
+    for (; bw->ridges[slot].handle >= 0; slot = (slot + 1) & mask) {
+        paradt_index twin = bw->ridges[slot].handle;
+        if (bw->ridges[slot].key != key || !paradt__same_facet(&bw->cells, twin, handle, bw->cells.corners)) continue;
+        bw->cells.neighbors[twin] = handle;
+        bw->cells.neighbors[handle] = twin;
+        return;
+    }
+    bw->ridges[slot].key = key;
+    bw->ridges[slot].handle = handle;
+}
+
+// A table for the rim's ridges, empty. At most half full: each of the ridges is in two of the facets.
+static paradt_status paradt__bw_ridges(paradt__bw *bw) {
+    size_t needed = 16, i;
+    while (needed < bw->rim_count * (size_t)bw->cells.corners) needed *= 2;
+    if (needed > bw->ridge_capacity) {
+        paradt__release(bw->memory, bw->ridges);
+        bw->ridges = (paradt__slot *)paradt__alloc(bw->memory, needed, sizeof *bw->ridges);
+        bw->ridge_capacity = bw->ridges ? needed : 0;
+        if (!bw->ridges) return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < bw->ridge_capacity; i++) bw->ridges[i].handle = PARADT__OPEN;
+    return PARADT_OK;
+}
+
+// Makes the new cells: those of the cavity with the point in the place of the vertex off the rim. The rim is theirs
+// then.
+static paradt_status paradt__bw_fill(paradt__bw *bw, paradt_index point) {
+    int corners = bw->cells.corners, j;
+    size_t i;
+    paradt_status status = paradt__bw_room(bw, bw->rim_count);
+    if (!status) status = paradt__bw_ridges(bw);
+    if (status) return status;
+    for (i = 0; i < bw->rim_count; i++) {
+        paradt_index inner = bw->rim[i], outer = bw->cells.neighbors[inner], made = paradt__bw_place(bw);
+        int place = (int)(inner % corners);
+        paradt_index *vertices = bw->cells.vertices + (size_t)made * (size_t)corners;
+        uint64_t sum;
+        memcpy(vertices, bw->cells.vertices + (inner - place), (size_t)corners * sizeof *vertices);
+        vertices[place] = point;
+        sum = paradt__cell_sum(vertices, corners);
+        bw->cells.neighbors[made * corners + place] = outer;
+        bw->cells.neighbors[outer] = made * corners + place;
+        for (j = 0; j < corners; j++) {
+            if (j != place)
+                paradt__bw_link(bw, paradt__facet_key(sum - paradt__vertex_key(vertices[j])), made * corners + j);
+        }
+        bw->rim[i] = made * corners + place;
+        bw->last = made;
+    }
+    return PARADT_OK;
+}
+
+// The places of the cavity become free.
+static paradt_status paradt__bw_clear(paradt__bw *bw) {
+    size_t i;
+    paradt_status status =
+        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
+    if (status) return status;
+    for (i = 0; i < bw->cavity_count; i++) {
+        paradt_index cell = paradt__bw_cell(bw, bw->cavity[i]);
+        bw->conflict[cell] = 0;
+        bw->spare[bw->spare_count + i] = cell;
+    }
+    bw->spare_count += bw->cavity_count;
+    return PARADT_OK;
+}
+
+static paradt_status paradt__bw_insert(paradt__bw *bw, paradt_index point) {
+    const double *x = paradt__bw_record(bw, point);
+    paradt_index cell = paradt__bw_walk(bw, bw->last, x);
+    paradt_status status;
+    bw->last = cell;
+    if (bw->space.weighted && !paradt__bw_conflicts(bw, cell, x)) return PARADT_OK;
+    status = paradt__bw_dig(bw, cell, x);
+    if (!status) status = paradt__bw_fill(bw, point);
+    if (!status) status = paradt__bw_clear(bw);
+    return status;
+}
+
+// --- insertion in three dimensions
+
+PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const double *x) {
+    paradt__seen3 seen;
+    seen.s[0] = x[0] - s->centre[0];
+    seen.s[1] = x[1] - s->centre[1];
+    seen.s[2] = x[2] - s->centre[2];
+    seen.lift = seen.s[0] * seen.s[0] + seen.s[1] * seen.s[1] + seen.s[2] * seen.s[2];
+    return seen;
+}
+
+PARADT__INLINE double paradt__largest3(double a, double b, double c) {
+    return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
+}
+
+// The sphere through p and p + a, p + b, p + c, positively oriented. Straight code, to be vectorised: where the
+// determinant is too small it is replaced, and the difference, scaled, is a bound on the error that leaves all in
+// doubt.
+PARADT__INLINE void paradt__sphere3_make(const double *half, double square, const paradt__seen3 *p, double ax,
+                                         double ay, double az, double bx, double by, double bz, double cx, double cy,
+                                         double cz, double *nx, double *ny, double *nz, double *constant,
+                                         double *error) {
+    double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz, lc = cx * cx + cy * cy + cz * cz;
+    double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
+    double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
+    double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
+    double det = ax * bcx + ay * bcy + az * bcz;
+    double mx = paradt__abs(ax) + paradt__abs(bx) + paradt__abs(cx);
+    double my = paradt__abs(ay) + paradt__abs(by) + paradt__abs(cy);
+    double mz = paradt__abs(az) + paradt__abs(bz) + paradt__abs(cz);
+    double box = mx * my * mz, lifts = la + lb + lc, sides = half[0] * my * mz + mx * half[1] * mz + mx * my * half[2];
+    double floor =
+        128.0 * PARADT__UNIT_ERROR * box + lifts * sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
+    double safe = det > floor ? det : floor, inverse = 1.0 / safe;
+    double wx = (la * bcx + lb * cax + lc * abx) * inverse;
+    double wy = (la * bcy + lb * cay + lc * aby) * inverse;
+    double wz = (la * bcz + lb * caz + lc * abz) * inverse;
+    double reach = paradt__abs(wx) * half[0] + paradt__abs(wy) * half[1] + paradt__abs(wz) * half[2];
+    *nx = -2.0 * p->s[0] - wx;
+    *ny = -2.0 * p->s[1] - wy;
+    *nz = -2.0 * p->s[2] - wz;
+    *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
+    *error = PARADT__UNIT_ERROR * (64.0 * square + (512.0 * box * reach + 128.0 * lifts * sides) * inverse) +
+             (safe - det) * inverse * PARADT__NO_ERROR_BOUND;
+}
+
+// The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
+static const unsigned char paradt__facet3[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
+
+static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphere, const paradt_index *vertices,
+                                     int place) {
+    const paradt__spheres3 *s = bw->spheres;
+    const unsigned char *order = paradt__facet3[place];
+    const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
+    const double *r = paradt__bw_record(bw, vertices[order[2]]), *h = s->half;
+    double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
+    double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx, size = paradt__largest3(nx, ny, nz);
+    double mx = paradt__largest3(ax, bx, 0.0), my = paradt__largest3(ay, by, 0.0), mz = paradt__largest3(az, bz, 0.0),
+           t;
+    double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
+    paradt__seen3 seen = paradt__seen3_of(s, p);
+    if (!(s->steep < PARADT__FLATTEST * size)) {
+        sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
+        sphere->error = PARADT__NO_ERROR_BOUND;
+        return;
+    }
+    t = s->steep / size;
+    sphere->normal[0] = -t * nx;
+    sphere->normal[1] = -t * ny;
+    sphere->normal[2] = -t * nz;
+    sphere->constant = t * (nx * seen.s[0] + ny * seen.s[1] + nz * seen.s[2]);
+    sphere->error = 2.0 * s->square +
+                    PARADT__UNIT_ERROR * t * 16.0 *
+                        (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
+}
+
+// Makes the sphere of a cell and puts it into the table.
+PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell) {
+    paradt__spheres3 *s = bw->spheres;
+    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+    const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)cell;
+    int ghost = paradt__bw_ghost(vertices, 4);
+    if (ghost >= 0) {
+        paradt__sphere3_of_ghost(bw, sphere, vertices, ghost);
+    } else {
+        const double *a = paradt__bw_record(bw, vertices[0]), *b = paradt__bw_record(bw, vertices[1]);
+        const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
+        paradt__seen3 seen = paradt__seen3_of(s, p);
+        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+        paradt__sphere3_make(s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0], a[1] - p[1],
+                             a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal, sphere->normal + 1,
+                             sphere->normal + 2, &sphere->constant, &sphere->error);
+    }
+    sphere->tag = (paradt__tag)cell | (sphere->error > s->standard ? PARADT__VAGUE : 0);
+}
+
+PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
+    const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__VAGUE) == (paradt__tag)cell)) paradt__bw3_sphere(bw, cell);
+    return sphere;
+}
+
+PARADT__INLINE double paradt__sphere3_power(const paradt__sphere3 *sphere, const paradt__seen3 *x) {
+    return (x->lift + sphere->constant) +
+           (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
+}
+
+// A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
+// two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
+// it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
+PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__seen3 *seen, const double *x) {
+    paradt_index cell = bw->spheres->start;
+    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
+    double power = paradt__sphere3_power(sphere, seen), error = sphere->error;
+    while (power >= -error) {
+        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)cell;
+        double least = power;
+        paradt_index best = cell;
+        int i;
+        for (i = 0; i < 4; i++) {
+            paradt_index other = neighbors[i] >> 2;
+            double value;
+            sphere = paradt__bw3_sphere_of(bw, other);
+            value = paradt__sphere3_power(sphere, seen);
+            best = value < least ? other : best;
+            error = value < least ? sphere->error : error;
+            least = value < least ? value : least;
+        }
+        if (best == cell) return paradt__bw_walk(bw, cell, x);
+        cell = best;
+        power = least;
+    }
+    return cell;
+}
+
+// Is the cell in conflict with the point? Where its sphere is not in the table, or the power does not tell. Marks of
+// cells whose spheres are driven out of the table while the cavity is dug are kept in bw.conflict.
+PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
+                                             const double *x) {
+    paradt__spheres3 *s = bw->spheres;
+    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+    double power;
+    if ((sphere->tag & ~(PARADT__KNOWN | PARADT__VAGUE)) != (paradt__tag)cell) {
+        if (sphere->tag & PARADT__KNOWN) {
+            bw->conflict[sphere->tag & ~(PARADT__KNOWN | PARADT__VAGUE)] = 1;
+            s->driven_out = 1;
+        }
+        paradt__bw3_sphere(bw, cell);
+        if (bw->conflict[cell]) sphere->tag |= PARADT__KNOWN;
+    }
+    if (sphere->tag & PARADT__KNOWN) return 1;
+    power = paradt__sphere3_power(sphere, seen);
+    if (paradt__abs(power) > sphere->error) return power < 0.0;
+    return (unsigned)paradt__bw_conflicts(bw, cell, x);
+}
+
+// What the search for the cavity works with
+typedef struct paradt__dig3 {
+    paradt_index *cavity, *rim;
+    size_t cavity_count, rim_count;
+    const paradt_index *neighbors;
+    paradt__sphere3 *table;
+    paradt__tag mask;
+    double standard;
+} paradt__dig3;
+
+// Looks at the other side of a facet of the cavity, which becomes part of the cavity or the rim, without branches.
+PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen, const double *x,
+                                     paradt_index inner) {
+    paradt_index handle = dig->neighbors[inner];
+    paradt__tag other = (paradt__tag)handle >> 2;
+    paradt__sphere3 *sphere = dig->table + (other & dig->mask);
+    double power = paradt__sphere3_power(sphere, seen);
+    unsigned conflict = power < 0.0, fresh;
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > dig->standard))) {
+        conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
+    }
+    fresh = conflict & !(sphere->tag & PARADT__KNOWN);
+    sphere->tag |= conflict ? PARADT__KNOWN : 0;
+    dig->cavity[dig->cavity_count] = handle;
+    dig->cavity_count += fresh;
+    dig->rim[dig->rim_count] = inner;
+    dig->rim_count += conflict ^ 1;
+}
+
+// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more.
+PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
+                                         size_t head) {
+    size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
+    paradt__dig3 dig = *work;
+    paradt__seen3 seen = *at;
+    if (!head) paradt__bw3_look(bw, &dig, &seen, x, dig.cavity[0]); // the first cell was not entered by that facet
+    for (; head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
+        paradt_index entry = dig.cavity[head], base = entry & ~(paradt_index)3;
+        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 1) & 3));
+        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 2) & 3));
+        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 3) & 3));
+    }
+    *work = dig;
+    return head;
+}
+
+typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
+                                  size_t head);
+
+PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
+                                             const double *x, paradt__spread3 spread) {
+    size_t head = 0;
+    paradt__dig3 dig;
+    dig.cavity = bw->cavity;
+    dig.rim = bw->rim;
+    dig.neighbors = bw->cells.neighbors;
+    dig.table = bw->spheres->table;
+    dig.mask = bw->spheres->mask;
+    dig.standard = bw->spheres->standard;
+    dig.cavity[0] = 4 * first;
+    dig.cavity_count = 1;
+    dig.rim_count = 0;
+    paradt__bw3_sphere_of(bw, first);
+    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
+    while ((head = spread(bw, &dig, seen, x, head)) < dig.cavity_count) {
+        paradt_status status =
+            paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity, dig.cavity_count + 4);
+        if (!status) status = paradt__bw_list(bw, &bw->rim, dig.rim_count, &bw->rim_capacity, dig.rim_count + 4);
+        if (status) return status;
+        dig.cavity = bw->cavity;
+        dig.rim = bw->rim;
+    }
+    bw->cavity_count = dig.cavity_count;
+    bw->rim_count = dig.rim_count;
+    return PARADT_OK;
+}
+
+static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
+    int i;
+    for (i = 0; i < s->count; i++) s->vertex[i] = PARADT__DEAD;
+    s->count = 0;
+}
+
+// Gives a vertex a number, the last one to all that are too many.
+PARADT__NOINLINE size_t paradt__bw3_number(paradt__bw *bw, paradt_index vertex) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t number = (size_t)s->count;
+    if (number > PARADT__STAR_VERTICES) return PARADT__STAR_VERTICES;
+    s->count++;
+    s->number[vertex + 1] = (unsigned char)number;
+    s->vertex[number] = vertex;
+    PARADT__PREFETCH(paradt__bw_record(bw, vertex >= 0 ? vertex : 0));
+    return number;
+}
+
+// Keeps the places of the vertices with numbers from `first` on: all are fetched by then.
+PARADT__INLINE void paradt__bw3_keep_places(paradt__bw *bw, int first) {
+    paradt__spheres3 *s = bw->spheres;
+    int i;
+    for (i = first; i < s->count; i++) {
+        if (s->vertex[i] >= 0) memcpy(s->place[i], paradt__bw_record(bw, s->vertex[i]), 3 * sizeof(double));
+    }
+}
+
+// Numbers the vertices of the rim and enters its edges. 0: there are too many vertices, and nothing has changed.
+PARADT__INLINE int paradt__bw3_outline(paradt__bw *bw, paradt_index point) {
+    paradt__spheres3 *s = bw->spheres;
+    const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
+    const unsigned char *numbers = s->number + 1;
+    size_t i, count = bw->rim_count, finite = 0;
+    int known = s->count;
+    for (i = 0; i < count; i++) {
+        paradt__tag inner = (paradt__tag)rim[i], edge = (paradt__tag)s->base[i];
+        const unsigned char *order = paradt__facet3[inner & 3];
+        const paradt_index *cell = vertices + (inner & ~(paradt__tag)3);
+        paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
+        size_t na = numbers[a], nb = numbers[b], nc = numbers[c];
+        if (!PARADT__LIKELY(s->vertex[na] == a)) na = paradt__bw3_number(bw, a);
+        if (!PARADT__LIKELY(s->vertex[nb] == b)) nb = paradt__bw3_number(bw, b);
+        if (!PARADT__LIKELY(s->vertex[nc] == c)) nc = paradt__bw3_number(bw, c);
+        if (!PARADT__LIKELY(s->count <= PARADT__STAR_VERTICES)) return 0;
+        s->row[i][0] = a;
+        s->row[i][1] = b;
+        s->row[i][2] = c;
+        s->row[i][3] = point;
+        s->outer[i] = neighbors[inner];
+        s->corner[i][0] = (unsigned char)na;
+        s->corner[i][1] = (unsigned char)nb;
+        s->corner[i][2] = (unsigned char)nc;
+        s->edges[nb][nc] = (paradt_index)edge;
+        s->edges[nc][na] = (paradt_index)(edge + 1);
+        s->edges[na][nb] = (paradt_index)(edge + 2);
+        s->finite[finite] = (unsigned char)i;
+        finite += (a | b | c) >= 0;
+    }
+    s->finite_count = (int)finite;
+    paradt__bw3_keep_places(bw, known);
+    return 1;
+}
+
+// Makes the new cells in the places of the cavity, and in fresh ones, and links them.
+PARADT__INLINE void paradt__bw3_star(paradt__bw *bw) {
+    const paradt__spheres3 *s = bw->spheres;
+    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
+    size_t i, count = bw->rim_count;
+    for (i = 0; i < count; i++) {
+        paradt__tag base = (paradt__tag)s->base[i], outer = (paradt__tag)s->outer[i];
+        size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
+        paradt_index *links = neighbors + base;
+        memcpy(vertices + base, s->row[i], sizeof s->row[i]);
+        links[0] = s->edges[c][b];
+        links[1] = s->edges[a][c];
+        links[2] = s->edges[b][a];
+        links[3] = (paradt_index)outer;
+        neighbors[outer] = (paradt_index)(base + 3);
+    }
+}
+
+// Where the new cells go: into the places of the cavity, then into free ones. What remains of the cavity becomes free.
+PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t count = bw->rim_count, inside = bw->cavity_count < count ? bw->cavity_count : count, i;
+    paradt_status status = paradt__bw_room(bw, count - inside);
+    if (status) return status;
+    for (i = 0; i < inside; i++) s->base[i] = bw->cavity[i] & ~(paradt_index)3;
+    for (; i < count; i++) s->base[i] = 4 * paradt__bw_place(bw);
+    return PARADT_OK;
+}
+
+// The spheres of the new cells that are no ghosts, some at a time in vectors, and the next point's powers.
+PARADT__INLINE void paradt__bw3_make_spheres(paradt__spheres3 *s, int count, const double *x,
+                                             const paradt__seen3 *seen) {
+    enum { W = 8 };
+    double a[3][W], b[3][W], c[3][W], normal[3][W], constant[W], error[W], power[W], least = PARADT__NO_ERROR_BOUND;
+    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, standard = s->standard;
+    paradt__seen3 p = *seen, next = s->next;
+    paradt__sphere3 *table = s->table;
+    paradt__tag mask = s->mask;
+    int i, lane, j, best = s->finite[0];
+    for (i = count; i % W; i++) s->finite[i] = s->finite[count - 1];
+    for (i = 0; i < count; i += W) {
+        for (lane = 0; lane < W; lane++) {
+            const unsigned char *corner = s->corner[s->finite[i + lane]];
+            const double *pa = s->place[corner[0]], *pb = s->place[corner[1]], *pc = s->place[corner[2]];
+            for (j = 0; j < 3; j++) {
+                a[j][lane] = pa[j];
+                b[j][lane] = pb[j];
+                c[j][lane] = pc[j];
+            }
+        }
+        for (lane = 0; lane < W; lane++) {
+            double nx, ny, nz, d, e;
+            paradt__sphere3_make(half, square, &p, b[0][lane] - x[0], b[1][lane] - x[1], b[2][lane] - x[2],
+                                 a[0][lane] - x[0], a[1][lane] - x[1], a[2][lane] - x[2], c[0][lane] - x[0],
+                                 c[1][lane] - x[1], c[2][lane] - x[2], &nx, &ny, &nz, &d, &e);
+            normal[0][lane] = nx;
+            normal[1][lane] = ny;
+            normal[2][lane] = nz;
+            constant[lane] = d;
+            error[lane] = e;
+            power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
+        }
+        for (lane = 0; lane < W; lane++) {
+            int number = s->finite[i + lane];
+            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
+            paradt__sphere3 *sphere = table + (cell & mask);
+            for (j = 0; j < 3; j++) sphere->normal[j] = normal[j][lane];
+            sphere->constant = constant[lane];
+            sphere->error = error[lane];
+            sphere->tag = cell | (error[lane] > standard ? PARADT__VAGUE : 0);
+            best = power[lane] < least ? number : best;
+            least = power[lane] < least ? power[lane] : least;
+        }
+    }
+    s->start = s->base[best] >> 2;
+}
+
+// The spheres of the new cells, and where to start for the next point.
+PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen) {
+    paradt__spheres3 *s = bw->spheres;
+    int i, next = 0, count = (int)bw->rim_count;
+    s->start = s->base[0] >> 2;
+    if (s->finite_count) paradt__bw3_make_spheres(s, s->finite_count, x, seen);
+    if (PARADT__LIKELY(s->finite_count == count)) return;
+    for (i = 0; i < count; i++) {
+        if (next < s->finite_count && s->finite[next] == i) next++;
+        else paradt__bw3_sphere(bw, s->base[i] >> 2);
+    }
+}
+
+// The places of the cavity from number `first` on become free, and their marks are taken away.
+static paradt_status paradt__bw3_clear(paradt__bw *bw, size_t first) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t i;
+    paradt_status status =
+        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
+    if (status) return status;
+    for (i = first; i < bw->cavity_count; i++) {
+        paradt__tag cell = (paradt__tag)bw->cavity[i] >> 2, *tag = &s->table[cell & s->mask].tag;
+        if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
+        bw->spare[bw->spare_count++] = (paradt_index)cell;
+    }
+    return PARADT_OK;
+}
+
+// Makes the new cells one by one, where there are too many for the tables.
+static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) {
+    paradt__spheres3 *s = bw->spheres;
+    paradt_status status = paradt__bw_fill(bw, point);
+    size_t i;
+    for (i = 0; i < bw->rim_count && !status; i++) {
+        paradt__tag cell = (paradt__tag)bw->rim[i] >> 2;
+        s->table[cell & s->mask].tag = PARADT__NO_SPHERE;
+    }
+    s->start = bw->last;
+    return status ? status : paradt__bw3_clear(bw, 0);
+}
+
+PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread) {
+    paradt__spheres3 *s = bw->spheres;
+    const double *x = paradt__bw_record(bw, point);
+    paradt__seen3 seen = s->next;
+    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread);
+    size_t i;
+    if (status) return status;
+    if ((size_t)point + 1 < bw->count) s->next = paradt__seen3_of(s, x + 3);
+    for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
+    s->driven_out = 0;
+    if (s->count > PARADT__FEW_NUMBERS) paradt__spheres3_forget_numbers(s);
+    if (bw->rim_count > PARADT__STAR) return paradt__bw3_fill_large(bw, point);
+    status = paradt__bw3_places(bw);
+    if (status) return status;
+    if (!paradt__bw3_outline(bw, point)) {
+        status = paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->rim_count);
+        if (status) return status;
+        for (i = bw->cavity_count; i < bw->rim_count; i++) bw->spare[bw->spare_count++] = s->base[i] >> 2;
+        return paradt__bw3_fill_large(bw, point);
+    }
+    paradt__bw3_star(bw);
+    paradt__bw3_spheres(bw, x, &seen);
+    return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
+}
+
+static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
+                                       size_t head) {
+    return paradt__bw3_spread(bw, work, at, x, head);
+}
+
+static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain);
+}
+
+#if PARADT__BW_AVX2
+// The same for four facets, cells or vertices at a time. It differs in nothing but the last bits of powers, which
+// decide nothing where they are in doubt.
+
+// Bytes to shuffle so that the elements of four of which the mask has bits come first
+#define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
+static const unsigned char paradt__packing[16][16] = {
+    {PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(1), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(2), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(2), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(0)},
+    {PARADT__LANE(3), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(3), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(1), PARADT__LANE(3), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(3), PARADT__LANE(0)},
+    {PARADT__LANE(2), PARADT__LANE(3), PARADT__LANE(0), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(2), PARADT__LANE(3), PARADT__LANE(0)},
+    {PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3), PARADT__LANE(0)},
+    {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
+};
+#undef PARADT__LANE
+
+__attribute__((target("avx2,fma,popcnt"))) static size_t
+paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x, size_t head) {
+    size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
+    paradt__dig3 dig = *work;
+    const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0), lift = _mm256_set1_pd(at->lift);
+    const __m256d standard = _mm256_set1_pd(dig.standard), sign = _mm256_set1_pd(-0.0);
+    const __m128i mask = _mm_set1_epi32((int)dig.mask), order = _mm_setr_epi32(0, 1, 2, 3);
+    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN);
+    char *table = (char *)dig.table;
+    for (; head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
+        paradt_index base = dig.cavity[head] & ~(paradt_index)3;
+        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)(dig.neighbors + base));
+        __m128i others = _mm_srli_epi32(handles, 2), places = _mm_slli_epi32(_mm_and_si128(others, mask), 6), tags;
+        uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
+        char *a = table + (uint32_t)low, *b = table + (low >> 32), *c = table + (uint32_t)high,
+             *d = table + (high >> 32);
+        __m256d ab = _mm256_hadd_pd(_mm256_mul_pd(_mm256_load_pd((const double *)(const void *)a), query),
+                                    _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)b), query));
+        __m256d cd = _mm256_hadd_pd(_mm256_mul_pd(_mm256_load_pd((const double *)(const void *)c), query),
+                                    _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)d), query));
+        __m256d power = _mm256_add_pd(_mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), lift),
+                                      _mm256_permute2f128_pd(ab, cd, 0x31));
+        unsigned conflict, fresh, sure;
+        enum { TAG = 5 * sizeof(double) };
+        tags = _mm_setr_epi32(*(int *)(void *)(a + TAG), *(int *)(void *)(b + TAG), *(int *)(void *)(c + TAG),
+                              *(int *)(void *)(d + TAG));
+        sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), standard, _CMP_GT_OQ)) &
+               (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others)));
+        if (!PARADT__LIKELY(sure == 15)) {
+            int i;
+            for (i = 0; i < 4; i++) paradt__bw3_look(bw, &dig, at, x, base + i);
+            continue;
+        }
+        conflict = (unsigned)_mm256_movemask_pd(power);
+        fresh = conflict & ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(tags));
+        // conflicts become marks: the powers' signs, narrowed to the cells' 32 bits
+        tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
+                                               _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
+        tags = _mm_or_si128(others, _mm_and_si128(tags, marks));
+        *(int *)(void *)(a + TAG) = _mm_cvtsi128_si32(tags);
+        *(int *)(void *)(b + TAG) = _mm_extract_epi32(tags, 1);
+        *(int *)(void *)(c + TAG) = _mm_extract_epi32(tags, 2);
+        *(int *)(void *)(d + TAG) = _mm_extract_epi32(tags, 3);
+        _mm_storeu_si128(
+            (__m128i *)(void *)(dig.cavity + dig.cavity_count),
+            _mm_shuffle_epi8(handles, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[fresh])));
+        dig.cavity_count += (unsigned)__builtin_popcount(fresh);
+        _mm_storeu_si128(
+            (__m128i *)(void *)(dig.rim + dig.rim_count),
+            _mm_shuffle_epi8(_mm_add_epi32(_mm_set1_epi32(base), order),
+                             _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[conflict ^ 15])));
+        dig.rim_count += (unsigned)__builtin_popcount(conflict ^ 15);
+    }
+    *work = dig;
+    return head;
+}
+
+__attribute__((target("avx2,fma,popcnt"))) static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw,
+                                                                                        paradt_index point) {
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2);
+}
+#endif
+
+// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
+static paradt_status paradt__bw3_begin(paradt__bw *bw) {
+    paradt__spheres3 *s;
+    size_t size = 64, i;
+    int axis;
+    if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
+    s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s);
+    if (!s) return PARADT_ERROR_MEMORY;
+    memset(s, 0, sizeof *s);
+    while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
+    s->mask = (paradt__tag)(size - 1);
+    s->block = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
+    s->number = (unsigned char *)paradt__alloc(bw->memory, bw->count + 1, 1);
+    if (!s->block || !s->number) return PARADT_ERROR_MEMORY;
+    s->table = (paradt__sphere3 *)(void *)((char *)s->block + (64 - (uintptr_t)s->block % 64) % 64);
+    memset(s->number, 0, bw->count + 1);
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(bw->space.low[axis]);
+        double high = paradt__from_ordered_bits(bw->space.high[axis]);
+        s->centre[axis] = low + (high - low) * 0.5;
+        s->half[axis] = (high - low) * 0.5000001;
+        s->square += s->half[axis] * s->half[axis];
+    }
+    s->steep = sqrt(s->square) * paradt__power(60);
+    s->standard = 4096.0 * PARADT__UNIT_ERROR * s->square;
+    s->count = PARADT__STAR_VERTICES;
+    paradt__spheres3_forget_numbers(s);
+    if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, 4));
+    return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, 64);
+}
+
+// --- the first cells, and the end
+
+// Cell 0 is that of the first points, cell 1 + i the ghost on its facet opposite vertex i.
+static paradt_status paradt__bw_first(paradt__bw *bw) {
+    int corners = bw->cells.corners, i, j;
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_index *vertices, *neighbors;
+    paradt_status status = paradt__bw_reserve(bw, (size_t)corners + 1);
+    if (status) return status;
+    vertices = bw->cells.vertices;
+    neighbors = bw->cells.neighbors;
+    bw->cells.count = (size_t)corners + 1;
+    for (i = 0; i < corners; i++) {
+        vertices[i] = i;
+        p[i] = paradt__bw_record(bw, i);
+    }
+    if (paradt__orient(&bw->space, p) < 0) {
+        vertices[0] = 1;
+        vertices[1] = 0;
+    }
+    // In the ghosts two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet.
+    for (i = 0; i < corners; i++) {
+        paradt_index base = (paradt_index)((i + 1) * corners);
+        for (j = 0; j < corners; j++) {
+            int place = j < 2 ? 1 - j : j;
+            vertices[base + place] = j == i ? (paradt_index)PARADT__INFINITE : vertices[j];
+            // ghosts i and j meet in the facet without vertices i and j, and that is opposite what stands for i in
+            // ghost j
+            neighbors[base + place] =
+                j == i ? (paradt_index)i : (paradt_index)((j + 1) * corners + (i < 2 ? 1 - i : i));
+            if (j == i) neighbors[i] = base + place;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Drops the ghosts and closes the gaps, from the end: the cells that remain are the first. Returns the ghosts' number.
+static uint64_t paradt__bw_close(paradt__bw *bw) {
+    paradt__cells *cells = &bw->cells;
+    size_t corners = (size_t)cells->corners, i, j, end = cells->count;
+    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
+    uint64_t ghosts = 0;
+    for (i = 0; i < bw->spare_count; i++) vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
+    for (i = 0; i < cells->count; i++) {
+        int ghost;
+        if (vertices[i * corners] == PARADT__DEAD) continue;
+        ghost = paradt__bw_ghost(vertices + i * corners, (int)corners);
+        if (ghost < 0) continue;
+        neighbors[neighbors[i * corners + (size_t)ghost]] = PARADT__HULL;
+        vertices[i * corners] = PARADT__DEAD;
+        ghosts++;
+    }
+    for (i = 0; i < end; i++) {
+        if (vertices[i * corners] != PARADT__DEAD) continue;
+        do {
+            end--;
+        } while (end > i && vertices[end * corners] == PARADT__DEAD);
+        if (end == i) break;
+        memcpy(vertices + i * corners, vertices + end * corners, corners * sizeof *vertices);
+        memcpy(neighbors + i * corners, neighbors + end * corners, corners * sizeof *neighbors);
+        for (j = 0; j < corners; j++) {
+            if (neighbors[i * corners + j] >= 0)
+                neighbors[neighbors[i * corners + j]] = (paradt_index)(i * corners + j);
+        }
+    }
+    cells->count = end;
+    for (i = 0; i < end * corners; i++) {
+        if (neighbors[i] >= 0) neighbors[i] /= (paradt_index)corners;
+    }
+    return ghosts;
+}
+
+// --- the door
+
+// Points that span the set come first: moves them there.
+static void paradt__bw_span_first(paradt__set *set) {
+    const double *basis[PARADT_MAX_DIM + 1];
+    size_t place[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], i, j, dim = set->space.dim;
+    paradt__set view = *set;
+    view.space.ambient = dim; // only the axes that orient
+    basis[0] = set->records;
+    paradt__span(&view, basis, axes, 0, 0);
+    set->space.counters = view.space.counters;
+    for (i = 0; i <= dim; i++) place[i] = (size_t)(basis[i] - set->records) / set->width;
+    for (i = 0; i <= dim; i++) {
+        paradt__exchange(set, set->width, (size_t)i, place[i]);
+        for (j = i + 1; j <= dim; j++) {
+            if (place[j] == (size_t)i) place[j] = place[i];
+        }
+    }
+}
+
+// The points in the order of insertion, as a set of their own. origin: their positions in the set.
+static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, const paradt_index *subset,
+                                       size_t count, paradt__memory *memory) {
+    size_t i;
+    paradt__keyed *order = paradt__keyed_order(set, subset, count, memory);
+    if (!order) return PARADT_ERROR_MEMORY;
+    *sorted = *set;
+    memset(&sorted->space.counters, 0, sizeof sorted->space.counters);
+    sorted->count = count;
+    sorted->records = (double *)paradt__alloc(memory, count, set->width * sizeof(double));
+    sorted->origin = (paradt_index *)paradt__alloc(memory, count, sizeof *sorted->origin);
+    if (sorted->records && sorted->origin) {
+        for (i = 0; i < count; i++) {
+            memcpy(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+            sorted->origin[i] = order[i].point;
+        }
+        paradt__bw_span_first(sorted);
+    }
+    paradt__release(memory, order);
+    return sorted->records && sorted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+typedef paradt_status (*paradt__inserter)(paradt__bw *bw, paradt_index point);
+
+static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
+    if (!bw->spheres) return paradt__bw_insert;
+#if PARADT__BW_AVX2
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__bw3_insert_avx2;
+#endif
+    return paradt__bw3_insert;
+}
+
+static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
+    paradt__inserter insert;
+    size_t i;
+    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
+    if (!status) status = paradt__bw_first(bw);
+    if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
+    insert = paradt__choose_inserter(bw);
+    for (i = (size_t)bw->cells.corners; i < bw->count && !status; i++) {
+        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)bw->count))
+            return PARADT_ERROR_CANCELLED;
+        status = insert(bw, (paradt_index)i);
+        bw->inserted = i + 1;
+    }
+    return status;
+}
+
+static paradt_status paradt__bowyer_watson(paradt__set *set, const paradt_index *subset, size_t count,
+                                           paradt__memory *memory, paradt__cells *cells, int adjacency,
+                                           const paradt__progress *progress, paradt__counters *counters,
+                                           uint64_t *hull_facets) {
+    paradt__set sorted;
+    paradt__bw bw;
+    size_t i;
+    paradt_status status;
+    memset(&sorted, 0, sizeof sorted); // owns nothing yet
+    status = paradt__bw_gather(&sorted, set, subset, count, memory);
+    memset(&bw, 0, sizeof bw);
+    bw.cells.corners = set->space.dim + 1;
+    if (!status) {
+        bw.space = sorted.space;
+        bw.memory = memory;
+        bw.records = sorted.records;
+        bw.width = sorted.width;
+        bw.count = count;
+        status = paradt__bw_build(&bw, progress);
+        *counters = bw.space.counters;
+    }
+    if (!status) *hull_facets = paradt__bw_close(&bw);
+    paradt__bw_end(&bw);
+    *cells = bw.cells;
+    for (i = 0; !status && i < cells->count * (size_t)cells->corners; i++)
+        cells->vertices[i] = sorted.origin[cells->vertices[i]];
+    if (!adjacency) {
+        paradt__release(memory, cells->neighbors);
+        cells->neighbors = NULL;
+    }
+    if (status) paradt__cells_free(cells, memory);
+    paradt__set_free(&sorted, memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>dewall
+//
+// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
+// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
+// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
+// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
+// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
+// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
+// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
+// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
+// out of a range, and go back to the caller. Doors: paradt__dewall.
+
+enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
+
+typedef struct paradt__wall {
+    size_t begin, cut, end;
+    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
+    paradt_index outside;         // facets with a vertex out of the range
+} paradt__wall;
+
+static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle,
+                                           const paradt_index *facet) {
+    paradt__wall *wall = (paradt__wall *)method;
+    size_t low = SIZE_MAX, high = 0;
+    paradt_index *head = &wall->alpha;
+    int i;
+    for (i = 0; i < front->cells.corners - 1; i++) {
+        size_t at = (size_t)facet[i];
+        low = at < low ? at : low;
+        high = at > high ? at : high;
+    }
+    if (low < wall->begin || high >= wall->end) head = &wall->outside;
+    else if (high < wall->cut) head = &wall->one;
+    else if (low >= wall->cut) head = &wall->two;
+    return paradt__list_push(&front->lists, head, handle, front->memory);
+}
+
+// Moves the facets of a list to the lists of the wall.
+static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+    int corners = front->cells.corners;
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) {
+        paradt_index handle = paradt__list_pop(&front->lists, head), facet[PARADT_MAX_DIM];
+        int opposite = (int)(handle % corners);
+        paradt__facet_of(front->cells.vertices + (handle - opposite), corners, opposite, facet);
+        status = paradt__wall_activate(front, wall, handle, facet);
+    }
+    return status;
+}
+
+// Works on a list of the wall until it is empty.
+static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) {
+        status = paradt__front_expand(front, paradt__list_pop(&front->lists, head), paradt__wall_activate, wall);
+    }
+    return status;
+}
+
+// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
+static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
+    const paradt__set *set = front->set;
+    const paradt__space *space = &set->space;
+    int axis = paradt__grid_axis(set, wall->begin, wall->end), dim = space->dim, i;
+    size_t at, left = wall->begin, right = wall->cut;
+    const double *p, *q;
+    for (at = wall->begin; at < wall->cut; at++) {
+        if (paradt__before(space, set->records + left * set->width, set->records + at * set->width, axis)) left = at;
+    }
+    for (at = wall->cut; at < wall->end; at++) {
+        if (paradt__before(space, set->records + at * set->width, set->records + right * set->width, axis)) right = at;
+    }
+    p = set->records + left * set->width;
+    q = set->records + right * set->width;
+    cell[0] = (paradt_index)left;
+    cell[1] = (paradt_index)right;
+    front->search.begin = 0;
+    front->search.end = set->count;
+    paradt__cell_towards(&front->search, cell, 2);
+    do {
+        int behind = 0, within = 0;
+        for (i = 0; i <= dim; i++) {
+            behind += paradt__before(space, p, paradt__record(set, cell[i]), axis);
+            within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
+        }
+        if (behind > 0 && behind <= dim) return within == dim + 1;
+    } while (paradt__walk(&front->search, cell, q));
+    return 0;
+}
+
+// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
+// range are added to *outside. The depth is at most the logarithm of the number of points.
+static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
+                                        paradt_index *outside) {
+    paradt__wall wall;
+    paradt_status status;
+    wall.begin = begin;
+    wall.end = wall.cut = end;
+    wall.alpha = wall.one = wall.two = PARADT__OPEN;
+    wall.outside = *outside;
+    if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
+    status = paradt__wall_receive(front, &wall, head);
+    if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
+        paradt_index cell[PARADT_MAX_DIM + 1];
+        if (paradt__wall_seed(front, &wall, cell)) {
+            status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
+        }
+    }
+    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
+        paradt_index back = PARADT__OPEN;
+        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
+        status = paradt__wall_serve(front, &wall, &wall.alpha);
+        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
+        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
+        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
+        if (!status) status = paradt__wall_receive(front, &wall, &back);
+    }
+    *outside = wall.outside;
+    return status;
+}
+
+// On a line facets are points, which cross nothing: there is no wall to build.
+static paradt_status paradt__dewall(paradt__front *front) {
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    size_t count = front->set->count;
+    paradt_status status = PARADT_OK;
+    if (front->set->space.dim == 1) return paradt__incode(front);
+    while (!status && paradt__front_seed(front, cell)) {
+        paradt_index outside = PARADT__OPEN;
+        paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+        wall.cut = wall.end = count;
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
+        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, &outside);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>regions
+//
+// Space is divided into boxes by cutting a box in two again and again: at the coordinate that gives each side its share
+// of the points (bisection), or of the volume (uniform). A point on a cut belongs to the upper side; the outer boxes
+// are unbounded. A cell belongs to the box that holds its lexicographically smallest vertex. Each region is built alone
+// and keeps the cells it owns; the facets between cells of different regions are matched when all have ended. Doors:
+// paradt__regions_assign, paradt__region_compact, paradt__regions_join.
+
+// A region's part of the points, and its box
+typedef struct paradt__part {
+    size_t begin, end; // of the permuted points
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+} paradt__part;
+
+typedef struct paradt__partitioner {
+    const paradt__set *set;
+    paradt_partition partition;
+    paradt_index *points; // [set.count] permuted, so that a box is a range
+    int64_t *keys;        // [set.count] room for the coordinates of a box along one axis, as ordered bits
+    uint32_t *owner;      // [set.count]
+    paradt__part *parts;  // [regions]
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the box at hand, unbounded at +-PARADT__FAR
+} paradt__partitioner;
+
+// The nth smallest key (quickselect).
+static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
+    size_t begin = 0, end = count;
+    while (end - begin > 1) {
+        int64_t pivot = keys[begin + (end - begin) / 2];
+        size_t i = begin, j = end - 1;
+        for (;;) {
+            int64_t t;
+            while (keys[i] < pivot) i++;
+            while (pivot < keys[j]) j--;
+            if (i >= j) break;
+            t = keys[i];
+            keys[i++] = keys[j];
+            keys[j--] = t;
+        }
+        if (i == j && nth == i) return pivot;
+        if (nth < i) end = i;
+        else begin = i == j ? i + 1 : i;
+    }
+    return keys[begin];
+}
+
+// Bounding box of the points of a range.
+static void paradt__box_of(const paradt__partitioner *p, size_t begin, size_t end, double *low, double *high) {
+    int axis;
+    size_t i;
+    for (axis = 0; axis < p->set->space.dim; axis++) {
+        for (i = begin; i < end; i++) {
+            double x = paradt__record(p->set, p->points[i])[axis];
+            if (i == begin || paradt__ordered_bits(x) < paradt__ordered_bits(low[axis])) low[axis] = x;
+            if (i == begin || paradt__ordered_bits(x) > paradt__ordered_bits(high[axis])) high[axis] = x;
+        }
+    }
+}
+
+// Where to cut the box for the first `share` of `regions`.
+static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, size_t share, size_t regions, int axis,
+                             const double *low, const double *high) {
+    double part = (double)share / (double)regions;
+    size_t i, nth = (size_t)((double)(end - begin) * part);
+    int64_t key;
+    if (p->partition == PARADT_UNIFORM || begin == end) return low[axis] * (1.0 - part) + high[axis] * part;
+    for (i = begin; i < end; i++) p->keys[i - begin] = paradt__ordered_bits(paradt__record(p->set, p->points[i])[axis]);
+    key = paradt__select_key(p->keys, end - begin, nth);
+    for (i = begin; i < end; i++) {
+        double x = paradt__record(p->set, p->points[i])[axis];
+        if (paradt__ordered_bits(x) == key) return x;
+    }
+    return low[axis];
+}
+
+static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t end, const double *low,
+                                  const double *high, size_t first, size_t regions) {
+    double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut;
+    size_t share = regions / 2, i, middle = begin, bytes = sizeof(double) * (size_t)p->set->space.dim;
+    int axis, longest = 0;
+    if (regions == 1) {
+        for (i = begin; i < end; i++) p->owner[p->points[i]] = (uint32_t)first;
+        p->parts[first].begin = begin;
+        p->parts[first].end = end;
+        memcpy(p->parts[first].low, p->low, sizeof p->low);
+        memcpy(p->parts[first].high, p->high, sizeof p->high);
+        return;
+    }
+    memcpy(below, low, bytes);
+    memcpy(above, high, bytes);
+    if (p->partition == PARADT_BISECTION && begin < end) paradt__box_of(p, begin, end, below, above);
+    for (axis = 1; axis < p->set->space.dim; axis++) {
+        if (above[axis] * 0.5 - below[axis] * 0.5 > above[longest] * 0.5 - below[longest] * 0.5) longest = axis;
+    }
+    cut = paradt__cut_of(p, begin, end, share, regions, longest, below, above);
+    for (i = begin; i < end; i++) {
+        paradt_index point = p->points[i];
+        if (paradt__ordered_bits(paradt__record(p->set, point)[longest]) >= paradt__ordered_bits(cut)) continue;
+        p->points[i] = p->points[middle];
+        p->points[middle++] = point;
+    }
+    {
+        double low_cut[PARADT_MAX_DIM], high_cut[PARADT_MAX_DIM], before = p->low[longest], after = p->high[longest];
+        memcpy(low_cut, below, bytes);
+        memcpy(high_cut, above, bytes);
+        low_cut[longest] = high_cut[longest] = cut;
+        p->high[longest] = cut;
+        paradt__partition_box(p, begin, middle, below, high_cut, first, share);
+        p->high[longest] = after;
+        p->low[longest] = cut;
+        paradt__partition_box(p, middle, end, low_cut, above, first + share, regions - share);
+        p->low[longest] = before;
+    }
+}
+
+// Fills owner[set->count] with the region of each point, points[set->count] with the positions ordered by region, and
+// parts[regions].
+static paradt_status paradt__regions_assign(const paradt__set *set, size_t regions, paradt_partition partition,
+                                            paradt__memory *memory, uint32_t *owner, paradt_index *points,
+                                            paradt__part *parts) {
+    paradt__partitioner p;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    size_t i;
+    int axis;
+    p.set = set;
+    p.partition = partition;
+    p.owner = owner;
+    p.points = points;
+    p.parts = parts;
+    for (axis = 0; axis < PARADT_MAX_DIM; axis++) {
+        p.low[axis] = -PARADT__FAR;
+        p.high[axis] = PARADT__FAR;
+    }
+    p.keys = (int64_t *)paradt__alloc(memory, set->count, sizeof *p.keys);
+    if (!p.keys) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < set->count; i++) p.points[i] = (paradt_index)i;
+    paradt__box_of(&p, 0, set->count, low, high);
+    paradt__partition_box(&p, 0, set->count, low, high, 0, regions);
+    paradt__release(memory, p.keys);
+    return PARADT_OK;
+}
+
+// Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
+static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__set *set,
+                                            const paradt__region_view *view, paradt__memory *memory,
+                                            uint64_t *foreign) {
+    size_t corners = (size_t)cells->corners, i, kept = 0;
+    paradt_index *place = (paradt_index *)paradt__alloc(memory, cells->count, sizeof *place);
+    if (!place) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < cells->count; i++) {
+        int owned = paradt__owns(view, set, cells->vertices + i * corners, cells->corners);
+        place[i] = owned ? (paradt_index)kept++ : (paradt_index)PARADT__OPEN;
+    }
+    for (i = 0; i < cells->count; i++) {
+        paradt_index *to;
+        size_t j;
+        if (place[i] < 0) continue;
+        memmove(cells->vertices + (size_t)place[i] * corners, cells->vertices + i * corners, corners * sizeof *to);
+        to = cells->neighbors + (size_t)place[i] * corners;
+        for (j = 0; j < corners; j++) {
+            paradt_index neighbor = cells->neighbors[i * corners + j];
+            to[j] = neighbor < 0 ? neighbor : place[neighbor];
+        }
+    }
+    *foreign = cells->count - kept;
+    cells->count = kept;
+    paradt__release(memory, place);
+    return PARADT_OK;
+}
+
+// Appends the cells of a region.
+static void paradt__cells_append(paradt__cells *all, const paradt__cells *part) {
+    size_t corners = (size_t)all->corners, offset = all->count, i;
+    paradt_index *to = all->neighbors + offset * corners;
+    if (!part->count) return;
+    memcpy(all->vertices + offset * corners, part->vertices, part->count * corners * sizeof *to);
+    for (i = 0; i < part->count * corners; i++) {
+        to[i] = part->neighbors[i] < 0 ? part->neighbors[i] : part->neighbors[i] + (paradt_index)offset;
+    }
+    all->count += part->count;
+}
+
+// Links an open facet to its twin, if that was seen before.
+static paradt_status paradt__join_facet(paradt__active *active, paradt__cells *all, paradt_index handle,
+                                        paradt__memory *memory) {
+    int corners = all->corners, opposite = (int)(handle % corners);
+    const paradt_index *cell = all->vertices + (handle - opposite);
+    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
+    paradt_status status = paradt__active_room(active, memory);
+    paradt_index twin;
+    if (status) return status;
+    twin = paradt__active_match(active, all, paradt__smallest_but(cell, corners, opposite), key, handle, corners);
+    if (twin >= 0) {
+        all->neighbors[handle] = twin / (paradt_index)corners;
+        all->neighbors[twin] = handle / (paradt_index)corners;
+    }
+    return PARADT_OK;
+}
+
+// Links the open facets of all regions to each other. What finds no partner is the hull.
+static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *memory, uint64_t *hull_facets) {
+    paradt__active active;
+    size_t facets = all->count * (size_t)all->corners, i;
+    paradt_status status = paradt__active_begin(&active, 0, memory);
+    for (i = 0; i < facets && !status; i++) {
+        if (all->neighbors[i] == PARADT__OPEN) status = paradt__join_facet(&active, all, (paradt_index)i, memory);
+    }
+    for (i = 0; i < facets; i++) {
+        if (all->neighbors[i] == PARADT__OPEN) all->neighbors[i] = PARADT__HULL;
+        *hull_facets += all->neighbors[i] == PARADT__HULL;
+    }
+    paradt__active_free(&active, memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>patches
+//
+// A region by insertion. The region inserts its own points, then those of the others in a margin around its box, and
+// then asks for every cell that could be wrong whether a point that it has not got is in conflict with the cell. Such a
+// point is inserted, until the answers are no. The answers are exact, so nothing depends on the width of the margin.
+//
+// Which cells could be wrong? Let K be the box with its margin, S the points inserted, q a point that is missing. S has
+// all points in K, so q is outside K. The cells of T(S) in conflict with q are connected through facets, and one of
+// them contains q (or, q being outside of the hull, is a ghost that q is strictly beyond). K is convex: a cell with all
+// its vertices in K contains no point outside. So the cells in conflict are reached from ghosts, from the cells on
+// them, and from cells with a vertex outside K, through cells in conflict; the search passes over no others. A cell
+// without a vertex of the region may stay wrong: it is only passed through. New cells have a new vertex outside K, so
+// all of them are asked about. When the list is empty, every cell with a vertex of the region is one of T(P): the
+// region's vertices have all their cells, and those whose smallest vertex is the region's are its own.
+//
+// Points that span the set are inserted first everywhere, so a region may have flat sets of points, or none.
+// A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_build, paradt__patch_emit, paradt__patch_end.
+
+// The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, in
+// the order of insertion, under a grid.
+typedef struct paradt__field {
+    paradt__set set; // owns nothing
+    paradt__grid grid;
+    size_t begin;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
+} paradt__field;
+
+// What is known of a cell
+enum {
+    PARADT__UNKNOWN,
+    PARADT__WAITING, // it is in the list of cells to be asked about
+    PARADT__ASKED    // it is one of T(P), or it is not and was passed through
+};
+
+typedef struct paradt__patch {
+    const paradt__set *set;
+    const paradt__field *fields; // [field_count]
+    size_t field_count, own;     // own: the region's number
+    paradt__search *searches;    // [field_count] one in each field
+    paradt__memory *memory;
+    paradt__bw bw;
+    size_t capacity;      // points that the arrays below have room for
+    double *records;      // [capacity][set.width]
+    paradt_index *origin; // [capacity] positions in the set
+    size_t inside;        // points up to here are in K, but for those of the basis
+    unsigned char *state; // [state_capacity] of cells
+    size_t state_capacity;
+    paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
+    size_t list_count, list_capacity;
+    paradt_index *number; // [bw.cells.count] of the cells that the region owns; PARADT__OPEN: of the others
+    size_t owned, made;   // cells owned, and cells of the triangulation
+} paradt__patch;
+
+// Lays the grid of a field over the positions [begin, end) of the set.
+static paradt_status paradt__field_begin(paradt__field *field, const paradt__set *set, size_t begin, size_t end,
+                                         paradt__memory *memory) {
+    field->set = *set;
+    field->set.records = set->records + begin * set->width;
+    field->set.origin = NULL;
+    field->set.count = end - begin;
+    field->begin = begin;
+    return end > begin ? paradt__grid_lay(&field->grid, &field->set, memory) : PARADT_OK;
+}
+
+// --- points
+
+static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
+    size_t at = patch->bw.count, width = patch->set->width;
+    if (at == patch->capacity) {
+        size_t larger = at + at / 8 + 256;
+        void *records = patch->records, *origin = patch->origin;
+        int grown = paradt__grow(patch->memory, &records, at * width, larger * width, sizeof(double));
+        patch->records = (double *)records;
+        patch->bw.records = patch->records;
+        grown = grown && paradt__grow(patch->memory, &origin, at, larger, sizeof *patch->origin);
+        patch->origin = (paradt_index *)origin;
+        if (!grown) return PARADT_ERROR_MEMORY;
+        patch->capacity = larger;
+    }
+    memcpy(patch->records + at * width, patch->set->records + position * width, width * sizeof(double));
+    patch->origin[at] = (paradt_index)position;
+    patch->bw.count++;
+    return PARADT_OK;
+}
+
+static int paradt__is_among(const paradt_index *points, int count, size_t position) {
+    int i;
+    for (i = 0; i < count; i++) {
+        if ((size_t)points[i] == position) return 1;
+    }
+    return 0;
+}
+
+// Is the point in K?
+static int paradt__within(const double *x, const double *low, const double *high, int dim) {
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
+    }
+    return 1;
+}
+
+// Adds the points of a field's box that are in K and not of the basis.
+static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
+                                          const double *low, const double *high, const paradt_index *basis) {
+    int dim = patch->set->space.dim, axis;
+    size_t first = box * PARADT__LANES, i;
+    const double *bounds =
+        field->grid.boxes[level] + box / PARADT__LANES * field->grid.group_width + box % PARADT__LANES;
+    paradt_status status = PARADT_OK;
+    for (axis = 0; axis < dim; axis++, bounds += 2 * PARADT__LANES) {
+        if (bounds[0] > high[axis] || bounds[PARADT__LANES] < low[axis]) return PARADT_OK;
+    }
+    for (i = first; i < first + PARADT__LANES && !status; i++) {
+        if (level) {
+            if (i >= field->grid.box_count[level - 1]) break;
+            status = paradt__patch_gather(patch, field, level - 1, i, low, high, basis);
+        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim) &&
+                   !paradt__is_among(basis, dim + 1, field->begin + i)) {
+            status = paradt__patch_add(patch, field->begin + i);
+        }
+    }
+    return status;
+}
+
+// The margin: about one and a half distances between neighbours where the points are dense, by the median of the
+// longest sides of some boxes of eight points. Where differences of coordinates may overflow there is none.
+static double paradt__patch_margin(const paradt__field *field) {
+    enum { SAMPLE = 63 };
+    double sides[SAMPLE];
+    int dim = field->set.space.dim, axis, i, j;
+    if (!field->set.space.filtered || field->set.count == 0) return 0.0;
+    for (i = 0; i < SAMPLE; i++) {
+        size_t box = (size_t)i * field->grid.cell_count / SAMPLE;
+        const double *low = field->grid.boxes[0] + box / PARADT__LANES * field->grid.group_width + box % PARADT__LANES;
+        double longest = 0.0;
+        for (axis = 0; axis < dim; axis++, low += 2 * PARADT__LANES) {
+            longest = paradt__larger(longest, low[PARADT__LANES] - low[0]);
+        }
+        for (j = i; j > 0 && sides[j - 1] > longest; j--) sides[j] = sides[j - 1];
+        sides[j] = longest;
+    }
+    return 0.7 * sides[SAMPLE / 2];
+}
+
+// The points to begin with: the basis, the region's, those in the margin.
+static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *basis) {
+    const paradt__field *own = patch->fields + patch->own;
+    int dim = patch->set->space.dim, axis;
+    double margin = paradt__patch_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
+    for (i = own->begin; i < own->begin + own->set.count && !status; i++) {
+        if (!paradt__is_among(basis, dim + 1, i)) status = paradt__patch_add(patch, i);
+    }
+    for (axis = 0; axis < dim; axis++) {
+        low[axis] = own->low[axis] - margin;
+        high[axis] = own->high[axis] + margin;
+    }
+    for (i = 0; i < patch->field_count && margin > 0.0 && !status; i++) {
+        const paradt__field *field = patch->fields + i;
+        int level = field->grid.levels - 1;
+        size_t box;
+        for (box = 0; i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status; box++) {
+            status = paradt__patch_gather(patch, field, level, box, low, high, basis);
+        }
+    }
+    patch->inside = patch->bw.count;
+    return status;
+}
+
+// --- cells
+
+PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
+    return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
+}
+
+// Has the cell a vertex of the region?
+static int paradt__patch_matters(const paradt__patch *patch, paradt_index cell) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    const paradt__field *own = patch->fields + patch->own;
+    int i;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (vertices[i] >= 0 && (size_t)patch->origin[vertices[i]] - own->begin < own->set.count) return 1;
+    }
+    return 0;
+}
+
+// Puts a cell into the list of those to be asked about, if nothing is known of it.
+static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
+    paradt_status status;
+    if (patch->state[cell] != PARADT__UNKNOWN) return PARADT_OK;
+    patch->state[cell] = PARADT__WAITING;
+    status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
+    if (!status) patch->list[patch->list_count++] = cell;
+    return status;
+}
+
+// Room for the states of all cells
+static paradt_status paradt__patch_states(paradt__patch *patch) {
+    size_t before = patch->state_capacity, after = patch->bw.cells.capacity;
+    void *state = patch->state;
+    if (after <= before) return PARADT_OK;
+    if (!paradt__grow(patch->memory, &state, before, after, 1)) return PARADT_ERROR_MEMORY;
+    patch->state = (unsigned char *)state;
+    patch->state_capacity = after;
+    memset(patch->state + before, PARADT__UNKNOWN, after - before);
+    return PARADT_OK;
+}
+
+// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, which are those of the
+// basis. Places that are free stay out of it.
+static paradt_status paradt__patch_suspects(paradt__patch *patch) {
+    paradt__bw *bw = &patch->bw;
+    int corners = bw->cells.corners, i;
+    size_t cell;
+    paradt_status status = paradt__patch_states(patch);
+    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
+    for (cell = 0; cell < bw->cells.count && !status; cell++) {
+        const paradt_index *vertices = bw->cells.vertices + cell * (size_t)corners;
+        for (i = 0; i < corners && vertices[i] >= corners; i++) {
+        }
+        if (i == corners) continue;
+        status = paradt__patch_wait(patch, (paradt_index)cell);
+        i = paradt__bw_ghost(vertices, corners);
+        if (i >= 0 && patch->state[cell] == PARADT__WAITING && !status) {
+            paradt_index handle = bw->cells.neighbors[cell * (size_t)corners + (size_t)i];
+            status = paradt__patch_wait(patch, paradt__bw_cell(bw, handle));
+        }
+    }
+    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__UNKNOWN;
+    return status;
+}
+
+// A point of the field in conflict with a cell, or -1. For a ghost: a point strictly beyond its facet.
+static paradt_index paradt__patch_ask(paradt__patch *patch, size_t number, paradt_index cell) {
+    const paradt__field *field = patch->fields + number;
+    paradt__bw *bw = &patch->bw;
+    int dim = bw->cells.corners - 1, ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), dim + 1), i, count = 0;
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    const double *corners[PARADT_MAX_DIM + 1];
+    paradt_index places[PARADT_MAX_DIM + 1], answer;
+    for (i = 0; i <= dim; i++) {
+        size_t place;
+        if (i == ghost) continue;
+        place = (size_t)patch->origin[vertices[i]] - field->begin;
+        corners[count] = paradt__bw_record(bw, vertices[i]);
+        places[count++] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
+    }
+    if (ghost < 0) {
+        answer = paradt__search_foreign_conflict(patch->searches + number, corners, places);
+    } else {
+        paradt_index handle = bw->cells.neighbors[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
+        const paradt_index *inner = paradt__patch_cell(patch, paradt__bw_cell(bw, handle));
+        answer = paradt__search_foreign_apex(patch->searches + number, corners, places, (dim - ghost) % 2 ? -1 : 1,
+                                             paradt__bw_record(bw, inner[handle % (dim + 1)]));
+    }
+    return answer < 0 ? -1 : answer + (paradt_index)field->begin;
+}
+
+// Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
+static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
+    paradt__bw *bw = &patch->bw;
+    size_t i;
+    paradt_status status = paradt__patch_add(patch, position);
+    bw->last = cell;
+    if (!status) status = paradt__bw_insert(bw, (paradt_index)(bw->count - 1));
+    if (!status) status = paradt__patch_states(patch);
+    for (i = 0; i < bw->cavity_count && !status; i++) {
+        patch->state[paradt__bw_cell(bw, bw->cavity[i])] = PARADT__UNKNOWN;
+    }
+    for (i = 0; i < bw->rim_count && !status; i++) {
+        paradt_index made = paradt__bw_cell(bw, bw->rim[i]);
+        patch->state[made] = PARADT__UNKNOWN;
+        status = paradt__patch_wait(patch, made);
+    }
+    return status;
+}
+
+// Asks about a cell, and does what follows from the answer.
+static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
+    paradt__bw *bw = &patch->bw;
+    paradt_index answer = -1;
+    paradt_status status = PARADT_OK;
+    size_t number;
+    int i, ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
+    patch->state[cell] = PARADT__ASKED;
+    for (number = 0; number < patch->field_count && answer < 0; number++) {
+        if (number != patch->own && patch->fields[number].set.count) answer = paradt__patch_ask(patch, number, cell);
+    }
+    if (answer >= 0 && paradt__patch_matters(patch, cell)) return paradt__patch_insert(patch, (size_t)answer, cell);
+    for (i = 0; i < bw->cells.corners && !status && (answer >= 0 || ghost >= 0); i++) {
+        if (answer < 0 && i != ghost) continue; // the facet of a ghost: points in its plane conflict with both sides
+        status = paradt__patch_wait(
+            patch, paradt__bw_cell(bw, bw->cells.neighbors[(size_t)cell * (size_t)bw->cells.corners + (size_t)i]));
+    }
+    return status;
+}
+
+// Gives back what only the building needs: all patches wait together for the last step.
+static void paradt__patch_rest(paradt__patch *patch) {
+    paradt__spheres3_free(patch->bw.spheres, patch->memory);
+    paradt__release(patch->memory, patch->searches);
+    paradt__release(patch->memory, patch->records);
+    paradt__release(patch->memory, patch->list);
+    patch->bw.spheres = NULL;
+    patch->searches = NULL;
+    patch->records = NULL;
+    patch->list = NULL;
+    patch->list_count = patch->list_capacity = 0;
+}
+
+static void paradt__patch_end(paradt__patch *patch) {
+    paradt__patch_rest(patch);
+    paradt__bw_end(&patch->bw);
+    paradt__release(patch->memory, patch->origin);
+    paradt__release(patch->memory, patch->state);
+    paradt__release(patch->memory, patch->number);
+    paradt__cells_free(&patch->bw.cells, patch->memory);
+}
+
+static paradt_status paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
+                                         size_t field_count, size_t own, paradt__memory *memory) {
+    size_t i;
+    memset(patch, 0, sizeof *patch);
+    patch->set = set;
+    patch->fields = fields;
+    patch->field_count = field_count;
+    patch->own = own;
+    patch->memory = patch->bw.memory = memory;
+    patch->bw.cells.corners = set->space.dim + 1;
+    patch->bw.space = set->space;
+    memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
+    patch->bw.width = set->width;
+    patch->searches = (paradt__search *)paradt__alloc(memory, field_count, sizeof *patch->searches);
+    if (!patch->searches) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < field_count; i++) paradt__search_begin(patch->searches + i, &fields[i].set, &fields[i].grid);
+    return PARADT_OK;
+}
+
+// Numbers the cells that the region owns.
+static paradt_status paradt__patch_number(paradt__patch *patch, const paradt__region_view *view) {
+    const paradt__cells *cells = &patch->bw.cells;
+    size_t corners = (size_t)cells->corners, i, j;
+    patch->number = (paradt_index *)paradt__alloc(patch->memory, cells->count, sizeof *patch->number);
+    if (!patch->number) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < patch->bw.spare_count; i++) cells->vertices[(size_t)patch->bw.spare[i] * corners] = PARADT__DEAD;
+    for (i = 0; i < cells->count; i++) {
+        const paradt_index *vertices = cells->vertices + i * corners;
+        paradt_index cell[PARADT_MAX_DIM + 1];
+        patch->number[i] = PARADT__OPEN;
+        if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, (int)corners) >= 0) continue;
+        for (j = 0; j < corners; j++) cell[j] = patch->origin[vertices[j]];
+        patch->made++;
+        if (paradt__owns(view, patch->set, cell, (int)corners)) patch->number[i] = (paradt_index)patch->owned++;
+    }
+    return PARADT_OK;
+}
+
+// Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
+// vertex of the region are in it. basis: dim + 1 positions that span the set.
+static paradt_status paradt__patch_build(paradt__patch *patch, const paradt_index *basis,
+                                         const paradt__region_view *view, const paradt__progress *progress) {
+    paradt_status status = paradt__patch_points(patch, basis);
+    if (!status) status = paradt__bw_build(&patch->bw, progress);
+    if (!status) status = paradt__patch_suspects(patch);
+    while (!status && patch->list_count) {
+        paradt_index cell = patch->list[--patch->list_count];
+        if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+    }
+    return status ? status : paradt__patch_number(patch, view);
+}
+
+// Has the facet a vertex of the region? The facets of the hull that have not may be inside of T(P).
+static int paradt__patch_knows(const paradt__patch *patch, const paradt_index *vertices, int opposite,
+                               const paradt__region_view *view) {
+    int i;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (i != opposite && view->owner[patch->origin[vertices[i]]] == view->region) return 1;
+    }
+    return 0;
+}
+
+// Writes the region's cells from number `offset` on, in the caller's indices, and lists the facets that are open.
+// *hull: facets of the hull that are known to be.
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__region_view *view, paradt__cells *all,
+                                        size_t offset, uint64_t *hull) {
+    const paradt__cells *cells = &patch->bw.cells;
+    size_t corners = (size_t)cells->corners, i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < cells->count && !status; i++) {
+        const paradt_index *vertices = cells->vertices + i * corners, *links = cells->neighbors + i * corners;
+        size_t base = ((size_t)patch->number[i] + offset) * corners;
+        if (patch->number[i] < 0) continue;
+        for (j = 0; j < corners && !status; j++) {
+            paradt_index other = links[j] / (paradt_index)corners, number = patch->number[other];
+            all->vertices[base + j] = patch->set->origin[patch->origin[vertices[j]]];
+            if (number >= 0) {
+                all->neighbors[base + j] = number + (paradt_index)offset;
+            } else if (paradt__bw_ghost(cells->vertices + (size_t)other * corners, (int)corners) >= 0 &&
+                       paradt__patch_knows(patch, vertices, (int)j, view)) {
+                all->neighbors[base + j] = PARADT__HULL;
+                ++*hull;
+            } else {
+                all->neighbors[base + j] = PARADT__OPEN;
+                status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
+                                         patch->list_count + 1);
+                if (!status) patch->list[patch->list_count++] = (paradt_index)(base + j);
+            }
+        }
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+
+static double paradt__now(void) {
+#if defined(TIME_UTC)
+    struct timespec now;
+    if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#endif
+    return (double)clock() / (double)CLOCKS_PER_SEC;
+}
+
+// How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
+typedef paradt_status (*paradt__front_method)(paradt__front *front);
+
+static paradt__front_method paradt__choose_front(paradt_method method) {
+    static const paradt__front_method methods[PARADT_METHOD_COUNT] = {NULL, paradt__incode, paradt__dewall, NULL};
+    return methods[method];
+}
+
+PARADT_DEF const char *paradt_status_string(paradt_status status) {
+#define PARADT__TEXT(name, text) text,
+    static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
+    return (unsigned)status < PARADT_STATUS_COUNT ? texts[status] : "unknown status";
+}
+
+PARADT_DEF const char *paradt_method_string(paradt_method method) {
+    static const char *const names[] = {PARADT_METHOD_LIST(PARADT__TEXT)};
+#undef PARADT__TEXT
+    return (unsigned)method < PARADT_METHOD_COUNT ? names[method] : "unknown method";
+}
+
+PARADT_DEF uint64_t paradt_hash_cell(const uint64_t *vertices, int count) {
+    uint64_t sorted[PARADT_MAX_DIM + 1], h = (uint64_t)count;
+    int i, j;
+    for (i = 0; i < count; i++) {
+        for (j = i; j > 0 && sorted[j - 1] > vertices[i]; j--) sorted[j] = sorted[j - 1];
+        sorted[j] = vertices[i];
+    }
+    for (i = 0; i < count; i++) h = paradt__mix(h + sorted[i]) + UINT64_C(0x9e3779b97f4a7c15);
+    return paradt__mix(h);
+}
+
+PARADT_DEF uint64_t paradt_hash(const paradt_triangulation *t) {
+    uint64_t sum = 0;
+    size_t i;
+    int j;
+    for (i = 0; i < t->cell_count; i++) {
+        uint64_t vertices[PARADT_MAX_DIM + 1];
+        for (j = 0; j <= t->dim; j++) vertices[j] = (uint64_t)t->cells[i * (size_t)(t->dim + 1) + (size_t)j];
+        sum += paradt_hash_cell(vertices, t->dim + 1);
+    }
+    return sum;
+}
+
+PARADT_DEF void paradt_free(paradt_triangulation *t) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!t) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = t->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, t->cells);
+    paradt__release(&memory, t->neighbors);
+    paradt__release(&memory, t->representative);
+    memset(t, 0, sizeof *t);
+}
+
+static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options) {
+    size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    if (points->dim < 2 || points->dim > PARADT_MAX_DIM || (unsigned)points->scalar > PARADT_F32)
+        return PARADT_ERROR_ARGUMENT;
+    if (points->count && !points->data) return PARADT_ERROR_ARGUMENT;
+    if (points->stride && points->stride < size * (size_t)points->dim) return PARADT_ERROR_ARGUMENT;
+    if (options) {
+        if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
+            return PARADT_ERROR_ARGUMENT;
+        if (options->flags & ~(unsigned)PARADT_NO_NEIGHBORS) return PARADT_ERROR_ARGUMENT;
+    }
+    if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
+        return PARADT_ERROR_TOO_LARGE;
+    if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
+        return PARADT_ERROR_TOO_LARGE;
+    return PARADT_OK;
+}
+
+// All that one call works with.
+typedef struct paradt__work {
+    paradt__memory memory;
+    paradt__set set;
+    paradt__grid grid;
+    paradt_options options;
+    size_t regions;
+    paradt_stats *stats;
+    paradt__cells cells;
+    uint32_t *owner;                        // [set.count] region of each point
+    paradt_index *points;                   // [set.count] the points ordered by region
+    paradt__part *parts;                    // [regions]
+    paradt__field *fields;                  // [regions] with insertion
+    struct paradt__region *region;          // [regions]
+    int translated;                         // the cells have the caller's indices already
+    paradt__set permuted;                   // with insertion: the set ordered by region and time of insertion
+    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
+} paradt__work;
+
+// What one region leaves behind.
+typedef struct paradt__region {
+    paradt__memory memory;
+    paradt_status status;
+    paradt__cells cells; // of a front, or
+    paradt__patch patch; // what insertion builds,
+    size_t offset;       // with the number of its first cell
+    uint64_t hull_facets;
+    paradt_stats stats;
+} paradt__region;
+
+static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
+    stats->orient_calls += c->orient_calls;
+    stats->insphere_calls += c->insphere_calls;
+    stats->exact_small += c->exact_small;
+    stats->exact_fixed += c->exact_fixed;
+    stats->exact_general += c->exact_general;
+    stats->perturbed += c->perturbed;
+}
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    stats->distance_evaluations += front->search.distance_evaluations;
+    stats->grid_cells_visited += front->search.grid_cells_visited;
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, &front->search.space.counters);
+}
+
+// Adds what a region counted.
+static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
+    stats->distance_evaluations += region->distance_evaluations;
+    stats->grid_cells_visited += region->grid_cells_visited;
+    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
+    stats->orient_calls += region->orient_calls;
+    stats->insphere_calls += region->insphere_calls;
+    stats->exact_small += region->exact_small;
+    stats->exact_fixed += region->exact_fixed;
+    stats->exact_general += region->exact_general;
+    stats->perturbed += region->perturbed;
+    stats->cells_recomputed += region->cells_recomputed;
+}
+
+static paradt_status paradt__build_undivided(paradt__work *work) {
+    paradt__front front;
+    paradt__region_view view = {NULL, 0};
+    paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
+    front.progress.call = work->options.progress;
+    front.progress.user = work->options.user;
+    front.progress.length = 1.0;
+    if (!status) status = paradt__choose_front(work->options.method)(&front);
+    paradt__count_front(work->stats, &front);
+    paradt__front_end(&front);
+    work->cells = front.cells;
+    work->stats->hull_facets = front.hull_facets;
+    return status;
+}
+
+static paradt_status paradt__build_by_insertion(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    memset(&counters, 0, sizeof counters);
+    progress.call = work->options.progress;
+    progress.user = work->options.user;
+    progress.begin = 0.0;
+    progress.length = 1.0;
+    status = paradt__bowyer_watson(&work->set, NULL, work->set.count, &work->memory, &work->cells,
+                                   !(work->options.flags & PARADT_NO_NEIGHBORS), &progress, &counters,
+                                   &work->stats->hull_facets);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// --- regions: the work of one is a task
+
+static paradt__progress paradt__region_progress(const paradt__work *work, size_t index) {
+    paradt__progress progress;
+    progress.call = work->options.progress;
+    progress.user = work->options.user;
+    progress.length = 1.0 / (double)work->regions;
+    progress.begin = (double)index * progress.length;
+    return progress;
+}
+
+static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
+    paradt__region_view view;
+    view.owner = work->owner;
+    view.region = (uint32_t)index;
+    return view;
+}
+
+// By InCoDe or DeWall.
+static void paradt__front_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view = paradt__view_of(work, index);
+    paradt__front front;
+    region->status =
+        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
+    front.progress = paradt__region_progress(work, index);
+    if (!region->status) region->status = paradt__choose_front(work->options.method)(&front);
+    paradt__count_front(&region->stats, &front);
+    paradt__front_end(&front);
+    region->cells = front.cells;
+    if (!region->status)
+        region->status =
+            paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+}
+
+// By insertion, first step: the region's part of the permuted set, and its field.
+static void paradt__field_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__field *field = work->fields + index;
+    const paradt__part *part = work->parts + index;
+    const paradt__set *set = &work->set, *permuted = &work->permuted;
+    size_t count = part->end - part->begin, i;
+    paradt__keyed *order = NULL;
+    memcpy(field->low, part->low, sizeof field->low);
+    memcpy(field->high, part->high, sizeof field->high);
+    if (count) {
+        order = paradt__keyed_order(set, work->points + part->begin, count, &region->memory);
+        if (!order) region->status = PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < count && order; i++) {
+        size_t to = part->begin + i;
+        memcpy(permuted->records + to * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+        permuted->origin[to] = set->origin[order[i].point];
+        work->owner[to] = (uint32_t)index;
+    }
+    paradt__release(&region->memory, order);
+    if (!region->status) region->status = paradt__field_begin(field, permuted, part->begin, part->end, &region->memory);
+}
+
+// By insertion, second step: the cells.
+static void paradt__patch_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__region_view view = paradt__view_of(work, index);
+    paradt__progress progress = paradt__region_progress(work, index);
+    size_t i;
+    region->status = paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &region->memory);
+    if (!region->status) region->status = paradt__patch_build(patch, work->basis, &view, &progress);
+    paradt__count_predicates(&region->stats, &patch->bw.space.counters);
+    for (i = 0; i < work->regions && patch->searches; i++) {
+        paradt__count_predicates(&region->stats, &patch->searches[i].space.counters);
+        region->stats.distance_evaluations += patch->searches[i].distance_evaluations;
+        region->stats.grid_cells_visited += patch->searches[i].grid_cells_visited;
+    }
+    region->stats.cells_recomputed = patch->made - patch->owned;
+    paradt__patch_rest(patch);
+}
+
+// By insertion, third step: into the result.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view = paradt__view_of(work, index);
+    region->status = paradt__patch_emit(&region->patch, &view, &work->cells, region->offset, &region->hull_facets);
+}
+
+// Runs a task for each region; the first status that is not PARADT_OK.
+static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (work->options.parallel_for) {
+        work->options.parallel_for(work->options.user, work->regions, task, work);
+    } else {
+        for (i = 0; i < work->regions; i++) {
+            task(work, i);
+            if (work->region[i].status) break;
+        }
+    }
+    for (i = 0; i < work->regions && !status; i++) status = work->region[i].status;
+    return status;
+}
+
+// Puts the cells of the regions together, giving their memory back one by one.
+static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *cells, paradt_status status) {
+    size_t total = 0, peaks = work->memory.held, i;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        total += region->cells.count;
+        paradt__count_region(work->stats, &region->stats);
+        paradt__memory_join(&work->memory, &region->memory, &peaks);
+    }
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    cells->corners = work->set.space.dim + 1;
+    if (!status) status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    for (i = 0; i < work->regions; i++) {
+        if (!status) paradt__cells_append(cells, &work->region[i].cells);
+        paradt__cells_free(&work->region[i].cells, &work->memory);
+    }
+    return status;
+}
+
+// Links the open facets that the patches have listed. What finds no partner is the hull.
+static paradt_status paradt__join_patches(paradt__work *work) {
+    paradt__active active;
+    paradt_status status = paradt__active_begin(&active, 0, &work->memory);
+    size_t i, j;
+    for (i = 0; i < work->regions && !status; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        for (j = 0; j < patch->list_count && !status; j++) {
+            status = paradt__join_facet(&active, &work->cells, patch->list[j], &work->memory);
+        }
+    }
+    for (i = 0; i < work->regions && !status; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        work->stats->hull_facets += work->region[i].hull_facets;
+        for (j = 0; j < patch->list_count; j++) {
+            paradt_index *link = work->cells.neighbors + patch->list[j];
+            if (*link != PARADT__OPEN) continue;
+            *link = PARADT__HULL;
+            work->stats->hull_facets++;
+        }
+    }
+    paradt__active_free(&active, &work->memory);
+    return status;
+}
+
+// What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
+// steps, when none of them runs.
+static void paradt__share_memory(paradt__work *work) {
+    size_t peaks = work->memory.held, i;
+    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+}
+
+// Puts the cells of the patches together, each region its own part.
+static paradt_status paradt__collect_patches(paradt__work *work) {
+    paradt__cells *cells = &work->cells;
+    size_t total = 0, i;
+    paradt_status status;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].offset = total;
+        total += work->region[i].patch.owned;
+    }
+    status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    cells->count = total;
+    paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__emit_task);
+    return status ? status : paradt__join_patches(work);
+}
+
+// The first step of insertion: the permuted set takes the place of the set.
+static paradt_status paradt__permute_set(paradt__work *work) {
+    paradt__set *set = &work->set, *permuted = &work->permuted, view = *set;
+    const double *basis[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], i;
+    paradt_status status;
+    *permuted = *set;
+    permuted->records = (double *)paradt__alloc(&work->memory, set->count, set->width * sizeof(double));
+    permuted->origin = (paradt_index *)paradt__alloc(&work->memory, set->count, sizeof *set->origin);
+    status = permuted->records && permuted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+    paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__field_task);
+    *set = *permuted;
+    paradt__set_free(&view, &work->memory);
+    if (status) return status;
+    view = *set;
+    view.space.ambient = set->space.dim; // only the axes that orient
+    basis[0] = set->records;
+    paradt__span(&view, basis, axes, 0, 0);
+    set->space.counters = view.space.counters;
+    for (i = 0; i <= set->space.dim; i++)
+        work->basis[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_patches(paradt__work *work) {
+    paradt_status status;
+    size_t i;
+    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
+    if (!work->fields) return PARADT_ERROR_MEMORY;
+    memset(work->fields, 0, work->regions * sizeof *work->fields);
+    status = paradt__permute_set(work);
+    paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__patch_task);
+    paradt__share_memory(work);
+    if (!status) status = paradt__collect_patches(work);
+    paradt__share_memory(work);
+    work->translated = 1;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        region->patch.memory = region->patch.bw.memory = &work->memory;
+        paradt__patch_end(&region->patch);
+        paradt__grid_free(&work->fields[i].grid, &work->memory);
+    }
+    return status;
+}
+
+static paradt_status paradt__build_fronts(paradt__work *work) {
+    paradt_status status = paradt__run_regions(work, paradt__front_task);
+    status = paradt__collect_regions(work, &work->cells, status);
+    return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
+}
+
+static paradt_status paradt__build_regions(paradt__work *work) {
+    paradt__memory *memory = &work->memory;
+    size_t i;
+    paradt_status status;
+    work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
+    work->points = (paradt_index *)paradt__alloc(memory, work->set.count, sizeof *work->points);
+    work->parts = (paradt__part *)paradt__alloc(memory, work->regions, sizeof *work->parts);
+    work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
+    if (!work->owner || !work->points || !work->parts || !work->region) return PARADT_ERROR_MEMORY;
+    memset(work->region, 0, work->regions * sizeof *work->region);
+    status = paradt__regions_assign(&work->set, work->regions, work->options.partition, memory, work->owner,
+                                    work->points, work->parts);
+    if (status) return status;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].memory = paradt__memory_fork(memory, work->regions);
+        work->region[i].cells.corners = work->set.space.dim + 1;
+    }
+    work->cells.corners = work->set.space.dim + 1;
+    return paradt__choose_front(work->options.method) ? paradt__build_fronts(work) : paradt__build_patches(work);
+}
+
+// The cell of a set of one point, or of none.
+static paradt_status paradt__build_trivial(paradt__work *work) {
+    paradt__cells *cells = &work->cells;
+    paradt_status status;
+    cells->corners = 1;
+    status = paradt__cells_reserve(cells, 1, &work->memory);
+    if (status) return status;
+    cells->count = work->set.count;
+    cells->vertices[0] = 0;
+    cells->neighbors[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Marks the representatives that are no vertex, and those they stand for, as hidden.
+static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
+    const paradt__cells *cells = &work->cells;
+    size_t words = out->point_count / 64 + 1, corners = (size_t)cells->corners, i;
+    uint64_t *used;
+    if (!work->set.space.weighted) return PARADT_OK;
+    used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
+    if (!used) return PARADT_ERROR_MEMORY;
+    memset(used, 0, words * sizeof *used);
+    for (i = 0; i < cells->count * corners; i++) {
+        size_t point = (size_t)cells->vertices[i];
+        used[point / 64] |= (uint64_t)1 << point % 64;
+    }
+    for (i = 0; i < out->point_count; i++) {
+        size_t point = (size_t)out->representative[i];
+        if (used[point / 64] >> point % 64 & 1) continue;
+        work->stats->hidden += point == i;
+        out->representative[i] = -1;
+    }
+    paradt__release(&work->memory, used);
+    return PARADT_OK;
+}
+
+// Positions become the caller's indices.
+static void paradt__translate(paradt__work *work) {
+    paradt__cells *cells = &work->cells;
+    size_t count = cells->count * (size_t)cells->corners, i;
+    for (i = 0; i < count && !work->translated; i++) cells->vertices[i] = work->set.origin[cells->vertices[i]];
+}
+
+static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
+    double begun = paradt__now(), loaded, sorted;
+    paradt_status status;
+    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
+    if (!out->representative) return PARADT_ERROR_MEMORY;
+    status = paradt__set_load(&work->set, points, &work->memory, out->representative, &out->error_point);
+    if (status) return status;
+    work->stats->duplicates = points->count - work->set.count;
+    loaded = sorted = paradt__now();
+    if (work->set.space.dim <= 0) {
+        status = paradt__build_trivial(work);
+    } else if (!paradt__choose_front(work->options.method)) {
+        status = work->regions > 1 ? paradt__build_regions(work) : paradt__build_by_insertion(work);
+    } else {
+        status = paradt__set_grade(&work->set, &work->memory);
+        if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+        sorted = paradt__now();
+        if (!status) status = work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
+    }
+    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.neighbors) {
+        paradt__release(&work->memory, work->cells.neighbors);
+        work->cells.neighbors = NULL;
+    }
+    if (!status) paradt__translate(work);
+    work->stats->seconds_points = loaded - begun;
+    work->stats->seconds_grid = sorted - loaded;
+    work->stats->seconds_build = paradt__now() - sorted;
+    return status;
+}
+
+static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
+    paradt__cells *cells = &work->cells;
+    out->dim = work->set.space.dim;
+    out->cell_count = cells->count;
+    out->cells = cells->vertices;
+    out->neighbors = cells->neighbors;
+    cells->vertices = cells->neighbors = NULL;
+}
+
+PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
+                                            const paradt_options *options) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_status status;
+    double begun = paradt__now(), built;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    if (!points) return PARADT_ERROR_ARGUMENT;
+    status = paradt__check_arguments(points, options);
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    memset(&stats, 0, sizeof stats);
+    if (options) work.options = *options;
+    paradt__memory_begin(&work.memory, options);
+    work.stats = &stats;
+    out->point_count = points->count;
+    work.regions = work.options.regions ? work.options.regions : 1;
+    if (work.regions > points->count) work.regions = points->count ? points->count : 1;
+    status = paradt__build(&work, points, out);
+    built = paradt__now();
+    paradt__grid_free(&work.grid, &work.memory);
+    paradt__release(&work.memory, work.owner);
+    paradt__release(&work.memory, work.points);
+    paradt__release(&work.memory, work.parts);
+    paradt__release(&work.memory, work.fields);
+    paradt__release(&work.memory, work.region);
+    if (!status) status = paradt__find_hidden(&work, out);
+    out->allocator = work.memory.allocator;
+    if (!status) {
+        paradt__deliver(&work, out);
+        stats.cells = out->cell_count;
+        stats.regions = work.regions;
+    }
+    paradt__cells_free(&work.cells, &work.memory);
+    paradt__set_free(&work.set, &work.memory);
+    if (status) {
+        size_t bad = out->error_point;
+        paradt_free(out);
+        out->error_point = bad;
+        return status;
+    }
+    stats.peak_bytes = work.memory.peak;
+    stats.seconds_finish = paradt__now() - built;
+    stats.seconds = paradt__now() - begun;
+    out->stats = stats;
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>remote
+//
+// What paradt_mpi.h stands on, beside the doors of the sections above: the searches of >>search for cells whose
+// vertices need not be points of the set, and one region built alone. A facet or cell is given by the records of its
+// vertices, laid out as those of the set (axes permuted alike, the same grade), and measured with it. `own` names those
+// of them that are points of the set, or is PARADT__OPEN.
+//
+// It is only compiled where paradt_mpi.h is implemented.
+//
+// paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
+// hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
+// side, the last exactly. Doors: these, paradt__remote_sphere, paradt__remote_region.
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+#define PARADT__REMOTE 1
+
+// The question is the conflict with the positively oriented cell. corners, own: [dim + 1]
+static void paradt__remote_cell(paradt__search *s, const double *const *corners, const paradt_index *own) {
+    paradt_index vertices[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i <= s->space.dim; i++) vertices[i] = own[i] >= 0 ? own[i] : (paradt_index)s->set->count;
+    paradt__search_sphere(s, corners, vertices);
+}
+
+// The question is what lies strictly beyond the facet opposite vertex `opposite` of the positively oriented cell.
+static void paradt__remote_facet(paradt__search *s, const double *const *corners, const paradt_index *own,
+                                 int opposite) {
+    int dim = s->space.dim, i, count = 0;
+    for (i = 0; i <= dim; i++) {
+        if (i == opposite) continue;
+        s->facet[count] = own[i];
+        s->corners[count++] = corners[i];
+    }
+    s->outside = (dim - opposite) % 2 ? 1 : -1;
+    s->conflict = s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
+}
+
+// Which of a group of eight boxes reach strictly beyond the facet? In a box N(u) + its error is at most the sum over
+// the axes of the largest of normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that is not positive, nothing
+// in the box is beyond: so the many points in the plane of a facet on a flat hull are no candidates.
+static unsigned paradt__remote_beyond(const paradt__search *s, const double *group) {
+    unsigned mask = 0;
+    int lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double most = 0.0;
+        for (j = 0; j < s->space.dim; j++) {
+            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
+            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
+            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
+            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
+            most += a > b ? a : b;
+        }
+        mask |= (unsigned)(most > 0.0) << lane;
+    }
+    return mask;
+}
+
+// Which of a group of eight boxes, laid out as those of the grid, may hold an answer?
+static unsigned paradt__remote_boxes(const paradt__search *s, const double *group) {
+    paradt__lane_bounds bounds;
+    unsigned mask;
+    if (!s->space.filtered) return 255u;
+    mask = s->test.group(&s->q, group, &bounds);
+    return mask && !s->conflict && s->q.n_floor == 0.0 ? mask & paradt__remote_beyond(s, group) : mask;
+}
+
+// Lies the sphere of the cell in the room of the whole set, so that points outside of it are no answers?
+static int paradt__remote_confined(const paradt__search *s) {
+    return s->space.filtered && paradt__search_inside(s, s->grid->levels - 1, 0);
+}
+
+// Is the point strictly beyond the facet?
+static int paradt__remote_is_beyond(paradt__search *s, size_t point) {
+    const double *x = s->set->records + point * s->set->width;
+    double n = 0.0, n_bound = 0.0;
+    int j;
+    for (j = 0; j < s->space.dim && s->space.filtered; j++) {
+        double u = x[j] - s->q.origin[j];
+        n += s->q.normal[j] * u;
+        n_bound += s->q.reach[j] * paradt__abs(u);
+    }
+    if (s->space.filtered && n + n_bound < s->q.n_floor) return 0;
+    if (s->space.filtered && n > n_bound && n > s->q.n_floor) return 1;
+    return paradt__search_is_outside(s, x);
+}
+
+// A point beyond the facet in the boxes of a group.
+static paradt_index paradt__remote_find_beyond(paradt__search *s, int level, size_t group) {
+    unsigned mask = paradt__remote_boxes(s, s->grid->boxes[level] + group * s->grid->group_width);
+    size_t lane, i, first;
+    for (lane = 0; lane < PARADT__LANES && group * PARADT__LANES + lane < s->grid->box_count[level]; lane++) {
+        if (!(mask >> lane & 1)) continue;
+        first = group * PARADT__LANES + lane;
+        if (level) {
+            paradt_index found = paradt__remote_find_beyond(s, level - 1, first);
+            if (found >= 0) return found;
+            continue;
+        }
+        for (i = first * PARADT__LANES; i < (first + 1) * PARADT__LANES && i < s->set->count; i++) {
+            if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
+        }
+    }
+    return PARADT__OPEN;
+}
+
+// A point of the set that answers the question, or PARADT__OPEN: there is none.
+static paradt_index paradt__remote_any(paradt__search *s) {
+    size_t i;
+    if (s->conflict) {
+        paradt__search_down(s);
+        return s->found ? s->apex : (paradt_index)PARADT__OPEN;
+    }
+    if (s->space.filtered) return paradt__remote_find_beyond(s, s->grid->levels - 1, 0);
+    for (i = 0; i < s->set->count; i++) {
+        if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
+    }
+    return PARADT__OPEN;
+}
+
+// Insertion that can be gone on with: the triangulation of the points so far, ghosts and all.
+typedef struct paradt__remote_engine {
+    paradt__set sorted; // in the order of insertion; origin: their positions in the set they come from
+    size_t capacity;    // points that `sorted` has room for
+    paradt__bw bw;
+} paradt__remote_engine;
+
+static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
+    if (engine->bw.memory) paradt__bw_end(&engine->bw);
+    paradt__cells_free(&engine->bw.cells, memory);
+    paradt__set_free(&engine->sorted, memory);
+    memset(engine, 0, sizeof *engine);
+}
+
+// Inserts all points of the set. It is measured with all points that are to come, spans them, and has no sagittas.
+static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
+                                                 paradt__memory *memory, const paradt__progress *progress) {
+    paradt_status status;
+    memset(engine, 0, sizeof *engine);
+    status = paradt__bw_gather(&engine->sorted, set, NULL, set->count, memory);
+    if (status) return status;
+    engine->capacity = set->count;
+    engine->bw.space = engine->sorted.space;
+    engine->bw.memory = memory;
+    engine->bw.records = engine->sorted.records;
+    engine->bw.width = engine->sorted.width;
+    engine->bw.count = set->count;
+    engine->bw.cells.corners = set->space.dim + 1;
+    return paradt__bw_build(&engine->bw, progress);
+}
+
+// Inserts one more point of the set.
+static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
+                                                  paradt_index position) {
+    paradt__set *sorted = &engine->sorted;
+    size_t at = sorted->count, larger = at + at / 16 + 64;
+    if (at == engine->capacity) {
+        void *records = sorted->records, *origin = sorted->origin;
+        int grown = paradt__grow(engine->bw.memory, &records, at * set->width, larger * set->width, sizeof(double));
+        sorted->records = (double *)records;
+        engine->bw.records = sorted->records;
+        grown = grown && paradt__grow(engine->bw.memory, &origin, at, larger, sizeof *sorted->origin);
+        sorted->origin = (paradt_index *)origin;
+        if (!grown) return PARADT_ERROR_MEMORY;
+        engine->capacity = larger;
+    }
+    memcpy(sorted->records + at * set->width, paradt__record(set, position), set->width * sizeof(double));
+    sorted->origin[at] = position;
+    engine->bw.count = ++sorted->count;
+    return paradt__bw_insert(&engine->bw, (paradt_index)at);
+}
+
+// Marks the free places, so that paradt__remote_engine_cell passes them over.
+static void paradt__remote_engine_mark(paradt__remote_engine *engine) {
+    paradt__cells *cells = &engine->bw.cells;
+    size_t i;
+    for (i = 0; i < engine->bw.spare_count; i++)
+        cells->vertices[(size_t)engine->bw.spare[i] * (size_t)cells->corners] = PARADT__DEAD;
+}
+
+// The vertices of a cell, and which of its facets are on the hull. 0: it is free, or a ghost.
+static int paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t cell, paradt_index *vertices,
+                                      unsigned *hull) {
+    const paradt__bw *bw = &engine->bw;
+    int corners = bw->cells.corners, i;
+    const paradt_index *from = bw->cells.vertices + cell * (size_t)corners;
+    const paradt_index *handles = bw->cells.neighbors + cell * (size_t)corners;
+    if (from[0] == PARADT__DEAD || paradt__bw_ghost(from, corners) >= 0) return 0;
+    *hull = 0;
+    for (i = 0; i < corners; i++) {
+        const paradt_index *other = bw->cells.vertices + (size_t)paradt__bw_cell(bw, handles[i]) * (size_t)corners;
+        vertices[i] = engine->sorted.origin[from[i]];
+        *hull |= (unsigned)(paradt__bw_ghost(other, corners) >= 0) << i;
+    }
+    return 1;
+}
+
+// Ends the insertion: the cells, with positions in the set as vertices.
+static void paradt__remote_engine_end(paradt__remote_engine *engine, paradt__cells *cells, paradt__memory *memory) {
+    size_t i;
+    paradt__bw_close(&engine->bw);
+    *cells = engine->bw.cells;
+    memset(&engine->bw.cells, 0, sizeof engine->bw.cells);
+    for (i = 0; i < cells->count * (size_t)cells->corners; i++)
+        cells->vertices[i] = engine->sorted.origin[cells->vertices[i]];
+    paradt__remote_engine_free(engine, memory);
+}
+
+// Grades the set by a reference sphere that is given, as paradt__set_grade does by one it finds. *near: whether the set
+// is near to it; if not, the set remains as it is. The largest sagitta is left in set->grade_limit.
+static paradt_status paradt__remote_sphere(paradt__set *set, const double *centre, double radius2,
+                                           paradt__memory *memory, int *near) {
+    double largest = 0.0, *records;
+    int64_t o[PARADT_MAX_DIM][3], squared;
+    int ambient = set->space.ambient, top = 0, j;
+    size_t i, width = set->width;
+    while (top < 100 && paradt__power(2 * top) < 4.0 * radius2) top++;
+    while (top > -100 && paradt__power(2 * top - 2) > 4.0 * radius2) top--;
+    *near = 1;
+    for (j = 0; j < ambient; j++) {
+        set->centre[j] = centre[j];
+        *near &= paradt__abs(centre[j]) < 0.25 * paradt__power(top);
+    }
+    if (!*near) return PARADT_OK;
+    for (j = 0; j < ambient; j++) paradt__digits_of(centre[j], top, o[j]);
+    squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
+    records = (double *)paradt__alloc(memory, set->count, (width + 1) * sizeof(double));
+    if (!records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < set->count && *near; i++) {
+        double *to = records + i * (width + 1);
+        memcpy(to, set->records + i * width, width * sizeof(double));
+        *near = paradt__largest(to, ambient) < paradt__power(top);
+        if (!*near) break;
+        to[ambient] = paradt__sagitta(to, (const int64_t(*)[3])o, squared, top, ambient);
+        largest = paradt__larger(largest, paradt__abs(to[ambient]));
+        *near = largest < radius2 * 0.0009765625;
+    }
+    if (*near) {
+        paradt__release(memory, set->records);
+        set->records = records;
+        set->width++;
+        set->grade = PARADT__SAGITTA;
+        set->grade_limit = largest;
+        set->grade_error = ambient * paradt__power(2 * top - 77);
+    } else {
+        paradt__release(memory, records);
+    }
+    return PARADT_OK;
+}
+
+// What paradt__remote_region works with
+typedef struct paradt__remote_part {
+    paradt__memory memory;
+    paradt__set set;
+    paradt__grid grid;
+    uint32_t *owner;      // [set.count]
+    paradt_index *points; // [set.count]
+    paradt__part *parts;  // [regions]
+    paradt__cells cells;
+} paradt__remote_part;
+
+// Builds one region of a loaded set facet by facet.
+static paradt_status paradt__remote_front(paradt__remote_part *part, const paradt_options *options, size_t region,
+                                          paradt_stats *stats) {
+    paradt__set *set = &part->set;
+    paradt__memory *memory = &part->memory;
+    paradt__region_view view;
+    paradt__front front;
+    paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
+    paradt_status status;
+    part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
+    part->points = (paradt_index *)paradt__alloc(memory, set->count, sizeof *part->points);
+    part->parts = (paradt__part *)paradt__alloc(memory, options->regions, sizeof *part->parts);
+    if (!part->owner || !part->points || !part->parts) return PARADT_ERROR_MEMORY;
+    status = paradt__set_grade(set, memory);
+    if (!status) status = paradt__grid_build(&part->grid, set, memory);
+    if (!status)
+        status = paradt__regions_assign(set, options->regions, options->partition, memory, part->owner, part->points,
+                                        part->parts);
+    if (status) return status;
+    view.owner = part->owner;
+    view.region = (uint32_t)region;
+    status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
+    front.progress.call = options->progress;
+    front.progress.user = options->user;
+    front.progress.length = 1.0;
+    if (!status) status = paradt__choose_front(method)(&front);
+    paradt__count_front(stats, &front);
+    paradt__front_end(&front);
+    part->cells = front.cells;
+    return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
+}
+
+// The cell of a set of one point, in region 0.
+static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
+    paradt_status status;
+    part->cells.corners = 1;
+    status = paradt__cells_reserve(&part->cells, 1, &part->memory);
+    if (status) return status;
+    part->cells.count = region ? 0 : part->set.count;
+    part->cells.vertices[0] = 0;
+    part->cells.neighbors[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor
+// DeWall: `out` gets just the cells that it owns. Their neighbours in other regions are PARADT__OPEN. Hidden points are
+// not found: that takes the cells of all regions.
+static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
+                                           const paradt_options *options, size_t region) {
+    paradt__remote_part part;
+    paradt__cells *cells = &part.cells;
+    paradt_stats stats;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    double begun = paradt__now();
+    size_t i;
+    memset(out, 0, sizeof *out);
+    memset(&part, 0, sizeof part);
+    memset(&stats, 0, sizeof stats);
+    paradt__memory_begin(&part.memory, options);
+    out->point_count = points->count;
+    out->allocator = part.memory.allocator;
+    out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
+    if (out->representative)
+        status = paradt__set_load(&part.set, points, &part.memory, out->representative, &out->error_point);
+    if (!status)
+        status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
+                                        : paradt__remote_trivial(&part, region);
+    if (!status) {
+        for (i = 0; i < cells->count * (size_t)cells->corners; i++)
+            cells->vertices[i] = part.set.origin[cells->vertices[i]];
+        out->dim = part.set.space.dim;
+        out->cell_count = cells->count;
+        out->cells = cells->vertices;
+        out->neighbors = cells->neighbors;
+        cells->vertices = cells->neighbors = NULL;
+        stats.cells = out->cell_count;
+        stats.duplicates = points->count - part.set.count;
+        stats.peak_bytes = part.memory.peak;
+        stats.seconds = paradt__now() - begun;
+        out->stats = stats;
+    }
+    paradt__cells_free(cells, &part.memory);
+    paradt__grid_free(&part.grid, &part.memory);
+    paradt__release(&part.memory, part.owner);
+    paradt__release(&part.memory, part.points);
+    paradt__release(&part.memory, part.parts);
+    paradt__set_free(&part.set, &part.memory);
+    if (status) {
+        i = out->error_point;
+        paradt_free(out);
+        out->error_point = i;
+    }
+    return status;
+}
+
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check
+//
+// The certificate: whatever the arrays of a triangulation hold, paradt_check accepts exactly those that are T(P). It
+// shares with the methods only the reading of points, the predicates and the memory account; it builds nothing that it
+// could get wrong in the same way, and it takes linear time (expected: hashing; hidden points are found by short
+// walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and Uhrig,
+// "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999; Devillers,
+// Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
+// Computational Geometry 11, 1998. Door: paradt_check.
+//
+// What is tested, all of it in exact signs (k: the affine dimension, counted anew; o: a place infinitesimally near the
+// lexicographically smallest vertex, inside one of its cells):
+//   (1) points of equal coordinates have the same representative, the right one, or all are hidden; each
+//       representative is a vertex, each vertex is its own representative;
+//   (2) each cell is positively oriented;
+//   (3) adjacency is an involution on the facets of cells, two neighbours have all but one vertex in common, and their
+//       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
+//   (4) across each facet with two cells, the other cell's vertex is no conflict of the cell under the perturbation;
+//   (5) each hull facet (one without neighbour) has o strictly on its cell's side;
+//   (6) at each ridge of the hull, where two hull facets meet when one turns around it through the cells, neither
+//       facet's remaining vertex is beyond the other facet's hyperplane;
+//   (7) one cell only contains o;
+//   (8) each hidden point lies in a cell with which it is not in conflict.
+//
+// Why this proves T(P). Choose the infinitesimals of o and of the perturbation as real numbers so small that all the
+// finitely many signs stay as they are; "generic" means off the hyperplanes of all facets. Let n(x) be the number of
+// cells that contain a generic x. By (2) and (3) n does not change across a facet of two cells: one is lost, one
+// gained. Across a hull facet it falls by one to the facet's outside. Facets of the hull are paired at ridges: turning
+// around a ridge is an injective map of flags by (3), so it never runs in circles and ends at another hull facet, which
+// by (2), (3) has the opposite orientation at the ridge. By (5) the hull is thus star-shaped about o: projected from o
+// to the sphere, neighbouring facets lie on opposite sides of their ridge, so the projection covers the sphere equally
+// often everywhere, and any generic ray from o crosses the hull n(o) times, each time outward. By (7) that is once, and
+// the hull is the boundary of one star-shaped body Q with n = 1 in it and n = 0 outside. A section of Q by a generic
+// plane through o is a star-shaped polygon, convex at each corner by (6), so convex; so is Q. Q contains all of P:
+// vertices and duplicates by (1), hidden points by (8); so Q = conv(P), and the cells tile it. Let g be the function on
+// Q that is affine on each cell and takes the lifted heights at the vertices. Along any generic segment g is
+// continuous, as neighbours share a facet's vertices, and strictly convex at each facet crossed, by (4). So the plane
+// of any cell lies below g on all of Q, hence below each lifted vertex; below each hidden one by (8), as it is a
+// conflict or not by the plane over its own place. With perturbed heights "below" is strict but for the cell's own
+// vertices: each cell is a facet of the lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none
+// is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
+// o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+
+enum {
+    PARADT__CHECK_PHASES = 5, // those that report progress
+    PARADT__CHECK_PACE = 4096 // elements between two calls of it: some milliseconds
+};
+
+typedef struct paradt__check {
+    const paradt_triangulation *t;
+    const paradt_options *options; // may be NULL
+    paradt_fault *fault;
+    paradt__memory memory;
+    paradt__set set;               // the records of all the caller's points, by the caller's index
+    size_t corners;                // dim + 1, of a cell
+    const paradt_index *neighbors; // t->neighbors or matched
+    paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
+    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
+    const double
+        *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
+    int phase;
+} paradt__check;
+
+static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
+                                        paradt_index point) {
+    check->fault->reason = reason;
+    check->fault->cell = cell;
+    check->fault->point = point;
+    return PARADT_ERROR_INVALID;
+}
+
+// To be called for each element of a phase.
+static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
+    const paradt_options *options = check->options;
+    double fraction;
+    if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
+    fraction = (check->phase + (double)done / (double)all) / (double)PARADT__CHECK_PHASES;
+    return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
+}
+
+PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check, size_t cell) {
+    return check->t->cells + cell * check->corners;
+}
+
+static void paradt__check_gather(const paradt__check *check, size_t cell, const double **corners) {
+    const paradt_index *vertices = paradt__check_cell(check, cell);
+    size_t i;
+    for (i = 0; i < check->corners; i++) corners[i] = paradt__record(&check->set, vertices[i]);
+}
+
+// In dimension 0 a cell is a point and the empty determinant is 1.
+static int paradt__check_orient(paradt__check *check, const double *const *corners) {
+    return check->set.space.dim == 0 ? 1 : paradt__orient(&check->set.space, corners);
+}
+
+// On which side of the facet opposite `corner` x lies: 1 is the cell's. corners come back as they were.
+static int paradt__check_side(paradt__check *check, const double **corners, size_t corner, const double *x) {
+    const double *own = corners[corner];
+    int side;
+    size_t i;
+    if (x == own) return 1;
+    for (i = 0; i < check->corners; i++)
+        if (x == corners[i]) return 0;
+    corners[corner] = x;
+    side = paradt__check_orient(check, corners);
+    corners[corner] = own;
+    return side;
+}
+
+// --- points: condition (1) up to "is a vertex"
+
+// The predicates' error bounds are those of one dimension
+static void paradt__check_set_dim(paradt__check *check, int dim) {
+    check->set.space.dim = dim;
+    if (dim > 0) paradt__space_end(&check->set.space);
+}
+
+// ... and of the coordinates that stand at their places.
+static void paradt__check_measure(paradt__check *check, int dim) {
+    paradt__space *space = &check->set.space;
+    size_t i;
+    paradt__space_begin(space, dim, space->ambient, space->weighted);
+    for (i = 0; i < check->set.count; i++) paradt__space_add(space, check->set.records + i * check->set.width);
+    paradt__check_set_dim(check, dim);
+}
+
+static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
+    paradt__set *set = &check->set;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    size_t bad = 0;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    set->records = (double *)paradt__alloc(&check->memory, points->count, set->width * sizeof(double));
+    set->origin = (paradt_index *)paradt__alloc(&check->memory, points->count, sizeof(paradt_index));
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    if (set->records && set->origin) status = paradt__set_read(set, points, &bad);
+    paradt__release(&check->memory, set->origin);
+    set->origin = NULL;
+    if (status == PARADT_ERROR_NOT_FINITE)
+        paradt__check_fail(check, "a coordinate or weight is NaN or infinite", -1, (paradt_index)bad);
+    if (status) return status;
+    paradt__set_scale(set);
+    paradt__check_measure(check, points->dim);
+    return PARADT_OK;
+}
+
+// Takes the coordinate at place `axis` of all records to their end; `axis` of them orient.
+static void paradt__check_pass_over(paradt__check *check, int axis) {
+    size_t i, after = (size_t)(check->set.space.ambient - axis - 1);
+    for (i = 0; i < check->set.count; i++) {
+        double *record = check->set.records + i * check->set.width + axis, coordinate = *record;
+        memmove(record, record + 1, after * sizeof(double));
+        record[after] = coordinate;
+    }
+    paradt__check_measure(check, axis);
+}
+
+// The affine dimension. Axes are taken from the first to the last, each that makes the projection to the axes taken
+// larger: one point out of the flat of the basis shows it. One that is passed over is an affine function of those
+// taken, for all points are then exactly in that flat. In the end the records begin with the axes taken.
+static paradt_status paradt__check_dimension(paradt__check *check) {
+    const double *basis[PARADT_MAX_DIM + 1];
+    int axis, taken = 0, ambient = check->set.space.ambient;
+    size_t i, n = check->set.count;
+    if (n) basis[0] = check->set.records;
+    for (axis = 0; n && axis < ambient; axis++) {
+        paradt__check_set_dim(check, taken + 1);
+        for (i = 1; i < n; i++) {
+            basis[taken + 1] = paradt__record(&check->set, (paradt_index)i);
+            if (paradt__orient(&check->set.space, basis)) break;
+        }
+        if (i < n) taken++;
+        else paradt__check_pass_over(check, taken);
+    }
+    if (!n) taken = -1;
+    if (check->t->dim != taken)
+        return paradt__check_fail(check, "dim is not the affine dimension of the points", -1, -1);
+    paradt__check_set_dim(check, taken);
+    check->corners = (size_t)(taken + 1);
+    return PARADT_OK;
+}
+
+// The place in the table of the points that have the record's coordinates, or of an empty one.
+static size_t paradt__check_place(const paradt__check *check, const paradt_index *table, size_t slots,
+                                  const double *record) {
+    int ambient = check->set.space.ambient;
+    size_t slot = (size_t)paradt__hash_coordinates(record, ambient) & (slots - 1);
+    while (table[slot] >= 0 &&
+           memcmp(paradt__record(&check->set, table[slot]), record, (size_t)ambient * sizeof(double)))
+        slot = (slot + 1) & (slots - 1);
+    return slot;
+}
+
+// Fills the table with the point that has to stand for its place: the heaviest, then the first.
+static void paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
+    const paradt__space *space = &check->set.space;
+    size_t i;
+    for (i = 0; i < check->set.count; i++) {
+        const double *record = paradt__record(&check->set, (paradt_index)i);
+        paradt_index *leader = table + paradt__check_place(check, table, slots, record);
+        if (*leader < 0 ||
+            (space->weighted && paradt__ordered_bits(record[space->ambient]) >
+                                    paradt__ordered_bits(paradt__record(&check->set, *leader)[space->ambient])))
+            *leader = (paradt_index)i;
+    }
+}
+
+static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
+    const paradt_index *representative = check->t->representative;
+    size_t i;
+    for (i = 0; i < check->set.count; i++) {
+        paradt_index point = (paradt_index)i, stands = representative[i], leader;
+        leader = table[paradt__check_place(check, table, slots, paradt__record(&check->set, point))];
+        if ((stands < 0) != (representative[leader] < 0))
+            return paradt__check_fail(check, "of points with equal coordinates some are called hidden, some not", -1,
+                                      point);
+        if (stands >= 0 && stands != leader)
+            return paradt__check_fail(
+                check, "the representative is not the first of the heaviest with these coordinates", -1, point);
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_representatives(paradt__check *check) {
+    paradt_status status;
+    paradt_index *table;
+    size_t slots = 16, i;
+    for (i = 0; i < check->set.count; i++) {
+        paradt_index stands = check->t->representative[i];
+        if (stands < -1 || stands >= (paradt_index)check->set.count)
+            return paradt__check_fail(check, "a representative is no point", -1, (paradt_index)i);
+        if (stands < 0 && !check->set.space.weighted)
+            return paradt__check_fail(check, "a point is called hidden without weights", -1, (paradt_index)i);
+    }
+    while (slots < check->set.count * 2) slots *= 2;
+    table = (paradt_index *)paradt__alloc(&check->memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    memset(table, 0xff, slots * sizeof *table);
+    paradt__check_lead(check, table, slots);
+    status = paradt__check_against_leaders(check, table, slots);
+    paradt__release(&check->memory, table);
+    return status;
+}
+
+// --- cells: condition (2), the rest of (1)
+
+static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
+    const paradt_index *vertices = paradt__check_cell(check, cell);
+    size_t i, j;
+    for (i = 0; i < check->corners; i++) {
+        paradt_index v = vertices[i];
+        if (v < 0 || v >= (paradt_index)check->set.count)
+            return paradt__check_fail(check, "a vertex is no point", (paradt_index)cell, -1);
+        if (check->t->representative[v] < 0)
+            return paradt__check_fail(check, "a vertex is called hidden", (paradt_index)cell, v);
+        if (check->t->representative[v] != v)
+            return paradt__check_fail(check, "a vertex is represented by another point", (paradt_index)cell, v);
+        for (j = 0; j < i; j++)
+            if (vertices[j] == v) return paradt__check_fail(check, "a cell has a vertex twice", (paradt_index)cell, v);
+        check->cell_of[v] = (paradt_index)cell;
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_cells(paradt__check *check) {
+    const double *corners[PARADT_MAX_DIM + 1];
+    size_t i, cell_count = check->t->cell_count;
+    check->cell_of = (paradt_index *)paradt__alloc(&check->memory, check->set.count, sizeof(paradt_index));
+    if (!check->cell_of) return PARADT_ERROR_MEMORY;
+    memset(check->cell_of, 0xff, check->set.count * sizeof(paradt_index));
+    for (i = 0; i < cell_count; i++) {
+        paradt_status status = paradt__check_pace(check, i, cell_count);
+        int orientation;
+        if (!status) status = paradt__check_vertices(check, i);
+        if (status) return status;
+        paradt__check_gather(check, i, corners);
+        orientation = paradt__check_orient(check, corners);
+        if (orientation == 0) return paradt__check_fail(check, "a cell is flat", (paradt_index)i, -1);
+        if (orientation < 0) return paradt__check_fail(check, "a cell is negatively oriented", (paradt_index)i, -1);
+    }
+    for (i = 0; i < check->set.count; i++)
+        if (check->t->representative[i] == (paradt_index)i && check->cell_of[i] < 0)
+            return paradt__check_fail(check, "a point that is not hidden is a vertex of no cell", -1, (paradt_index)i);
+    return PARADT_OK;
+}
+
+// --- facets: conditions (3) and (4)
+
+// The corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 when they don't share it.
+// place becomes where each vertex is found in the other cell, with the opposite one in the place of `corner`.
+static int paradt__check_across(const paradt__check *check, size_t cell, size_t corner, size_t other, size_t *place) {
+    const paradt_index *a = paradt__check_cell(check, cell), *b = paradt__check_cell(check, other);
+    unsigned left = (1u << check->corners) - 1;
+    size_t i, j;
+    for (i = 0; i < check->corners; i++) {
+        if (i == corner) continue;
+        for (j = 0; j < check->corners && a[i] != b[j]; j++) {
+        }
+        if (j == check->corners) return -1;
+        place[i] = j;
+        left &= ~(1u << j);
+    }
+    for (j = 0; left >> 1; left >>= 1) j++;
+    place[corner] = j;
+    return a[corner] == b[j] ? -1 : (int)j;
+}
+
+// Given that both cells are positively oriented, the vertices opposite a shared facet are on different sides if and
+// only if replacing one by the other turns the orientation over.
+static int paradt__check_is_odd(const size_t *place, size_t corners) {
+    size_t i, j;
+    int odd = 0;
+    for (i = 0; i < corners; i++)
+        for (j = 0; j < i; j++) odd ^= place[j] > place[i];
+    return odd;
+}
+
+static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
+    paradt_index neighbor = check->neighbors[cell * check->corners + corner];
+    size_t place[PARADT_MAX_DIM + 1], other = (size_t)neighbor;
+    int opposite;
+    if (neighbor < 0) return PARADT_OK;
+    opposite = paradt__check_across(check, cell, corner, other, place);
+    if (opposite < 0)
+        return paradt__check_fail(check, "a cell does not share the facet with the neighbour across it",
+                                  (paradt_index)cell, paradt__check_cell(check, cell)[corner]);
+    if (check->neighbors[other * check->corners + (size_t)opposite] != (paradt_index)cell)
+        return paradt__check_fail(check, "a neighbour's neighbour is another cell", (paradt_index)cell,
+                                  paradt__check_cell(check, cell)[corner]);
+    if (cell > other) return PARADT_OK;
+    if (!paradt__check_is_odd(place, check->corners))
+        return paradt__check_fail(check, "neighbours lie on the same side of their facet", (paradt_index)cell,
+                                  paradt__check_cell(check, cell)[corner]);
+    corners[check->corners] = paradt__record(&check->set, paradt__check_cell(check, other)[opposite]);
+    if (paradt__conflict(&check->set.space, corners))
+        return paradt__check_fail(check, "a facet is not locally Delaunay", (paradt_index)cell,
+                                  paradt__check_cell(check, other)[opposite]);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_facets(paradt__check *check) {
+    const double *corners[PARADT_MAX_DIM + 2];
+    size_t cell, corner, cell_count = check->t->cell_count;
+    for (cell = 0; cell < cell_count; cell++) {
+        paradt_status status = paradt__check_pace(check, cell, cell_count);
+        paradt__check_gather(check, cell, corners);
+        for (corner = 0; corner < check->corners && !status; corner++)
+            status = paradt__check_facet(check, cell, corner, corners);
+        if (status) return status;
+    }
+    return PARADT_OK;
+}
+
+// Looks for the facet of the cell opposite `corner` in the table of facets (numbered cell * corners + corner, plus 1; 0
+// is empty). Returns its place there, or the empty one where it belongs.
+static size_t paradt__check_facet_place(const paradt__check *check, const size_t *table, size_t slots, size_t cell,
+                                        size_t corner) {
+    const paradt_index *vertices = paradt__check_cell(check, cell);
+    uint64_t hash = 0;
+    size_t i, j, slot;
+    for (i = 0; i < check->corners; i++)
+        if (i != corner) hash += paradt__mix((uint64_t)vertices[i] + 1);
+    for (slot = (size_t)paradt__mix(hash) & (slots - 1); table[slot]; slot = (slot + 1) & (slots - 1)) {
+        size_t facet = table[slot] - 1, same = 1;
+        const paradt_index *other = paradt__check_cell(check, facet / check->corners);
+        for (i = 0; i < check->corners && same; i++) {
+            if (i == corner) continue;
+            for (j = 0; j < check->corners && (j == facet % check->corners || vertices[i] != other[j]); j++) {
+            }
+            same = j < check->corners;
+        }
+        if (same) break;
+    }
+    return slot;
+}
+
+// Adjacency for a triangulation that comes without: cells with equal facets are neighbours.
+static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
+    size_t cell, corner, corners = check->corners;
+    for (cell = 0; cell < check->t->cell_count; cell++) {
+        for (corner = 0; corner < corners; corner++) {
+            size_t *place = table + paradt__check_facet_place(check, table, slots, cell, corner);
+            size_t facet = cell * corners + corner, twin = *place - 1;
+            check->matched[facet] = -1;
+            if (!*place) {
+                *place = facet + 1;
+                continue;
+            }
+            if (check->matched[twin] >= 0)
+                return paradt__check_fail(check, "a facet belongs to three cells", (paradt_index)cell,
+                                          paradt__check_cell(check, cell)[corner]);
+            check->matched[facet] = (paradt_index)(twin / corners);
+            check->matched[twin] = (paradt_index)cell;
+        }
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_adjacency(paradt__check *check) {
+    size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
+    paradt_status status;
+    check->neighbors = check->t->neighbors;
+    if (check->neighbors) {
+        for (i = 0; i < facets; i++)
+            if (check->neighbors[i] < -1 || check->neighbors[i] >= (paradt_index)check->t->cell_count)
+                return paradt__check_fail(check, "a neighbour is no cell", (paradt_index)(i / check->corners), -1);
+        return PARADT_OK;
+    }
+    while (slots < facets + facets / 4) // most facets are there twice and take one place
+        slots *= 2;
+    check->neighbors = check->matched = (paradt_index *)paradt__alloc(&check->memory, facets, sizeof(paradt_index));
+    table = (size_t *)paradt__alloc(&check->memory, slots, sizeof *table);
+    if (!check->matched || !table) {
+        paradt__release(&check->memory, table);
+        return PARADT_ERROR_MEMORY;
+    }
+    memset(table, 0, slots * sizeof *table);
+    status = paradt__check_match(check, table, slots);
+    paradt__release(&check->memory, table);
+    return status;
+}
+
+// --- the hull and the covering: conditions (5) to (7)
+
+// Is o on the cell's side of the facet opposite `corner`? The orientation is affine in o, so its sign is that of the
+// first of o's vertices that is off the facet; they are not all on it, being those of a cell.
+static int paradt__check_holds_origin(paradt__check *check, const double **corners, size_t corner) {
+    size_t i;
+    int side = 0;
+    for (i = 0; i < check->corners && !side; i++) side = paradt__check_side(check, corners, corner, check->origin[i]);
+    return side > 0;
+}
+
+// The lexicographically smallest vertex is o's first, so most cells are passed by on their first coordinates.
+static void paradt__check_choose_origin(paradt__check *check) {
+    size_t i, smallest = check->set.count, home;
+    const double *first;
+    for (i = 0; i < check->set.count; i++)
+        if (check->cell_of[i] >= 0 && (smallest == check->set.count ||
+                                       paradt__compare(&check->set.space, paradt__record(&check->set, (paradt_index)i),
+                                                       paradt__record(&check->set, (paradt_index)smallest)) < 0))
+            smallest = i;
+    paradt__check_gather(check, (size_t)check->cell_of[smallest], check->origin);
+    first = paradt__record(&check->set, (paradt_index)smallest);
+    for (home = 0; check->origin[home] != first; home++) {
+    }
+    check->origin[home] = check->origin[0];
+    check->origin[0] = first;
+}
+
+// Are all corners on one side of o's first vertex, strictly and along one axis?
+static int paradt__check_is_apart(const paradt__check *check, const double *const *corners) {
+    int axis;
+    for (axis = 0; axis < check->set.space.dim; axis++) {
+        double at = check->origin[0][axis];
+        size_t i, above = 0, below = 0;
+        for (i = 0; i < check->corners; i++) {
+            above += corners[i][axis] > at;
+            below += corners[i][axis] < at;
+        }
+        if (above == check->corners || below == check->corners) return 1;
+    }
+    return 0;
+}
+
+// The vertex in which the hull facet opposite `corner` of the cell is met, across the ridge without the corner `aside`
+// too, by the next hull facet: turns around the ridge from cell to cell. `leave` is the corner whose facet is left
+// through, `stay` the one that is not of the ridge and stays. For each flag (cell, leave, stay) there is one before it
+// at most, and none before the first, so this ends.
+static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
+    size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
+    for (;;) {
+        paradt_index next = check->neighbors[cell * check->corners + leave];
+        int opposite;
+        if (next < 0) return paradt__check_cell(check, cell)[stay];
+        opposite = paradt__check_across(check, cell, leave, (size_t)next, place);
+        leave = place[stay];
+        stay = (size_t)opposite;
+        cell = (size_t)next;
+    }
+}
+
+static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell, size_t corner,
+                                              const double **corners) {
+    size_t aside;
+    if (!paradt__check_holds_origin(check, corners, corner))
+        return paradt__check_fail(check, "a hull facet has cells beyond it", (paradt_index)cell,
+                                  paradt__check_cell(check, cell)[corner]);
+    for (aside = 0; aside < check->corners; aside++) {
+        paradt_index next;
+        if (aside == corner) continue;
+        next = paradt__check_turn(check, cell, corner, aside);
+        if (paradt__check_side(check, corners, corner, paradt__record(&check->set, next)) < 0)
+            return paradt__check_fail(check, "the hull is not convex", (paradt_index)cell, next);
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_hull(paradt__check *check) {
+    const double *corners[PARADT_MAX_DIM + 1];
+    size_t cell, corner, cell_count = check->t->cell_count;
+    paradt_index first = -1;
+    paradt__check_choose_origin(check);
+    for (cell = 0; cell < cell_count; cell++) {
+        paradt_status status = paradt__check_pace(check, cell, cell_count);
+        size_t held = 0;
+        paradt__check_gather(check, cell, corners);
+        for (corner = 0; corner < check->corners && !status; corner++)
+            if (check->neighbors[cell * check->corners + corner] < 0)
+                status = paradt__check_hull_facet(check, cell, corner, corners);
+        if (status) return status;
+        if (paradt__check_is_apart(check, corners)) continue;
+        while (held < check->corners && paradt__check_holds_origin(check, corners, held)) held++;
+        if (held < check->corners) continue;
+        if (first >= 0) return paradt__check_fail(check, "the cells cover a place twice", (paradt_index)cell, -1);
+        first = (paradt_index)cell;
+    }
+    return PARADT_OK;
+}
+
+// --- hidden points: condition (8)
+
+enum { PARADT__CHECK_DIGIT = 11, PARADT__CHECK_DIGITS = 4 }; // bits sorted by at a time, times: 44 bits a key
+
+typedef struct paradt__check_key {
+    uint64_t key;
+    paradt_index point;
+} paradt__check_key;
+
+// The place of x in a Morton order of a grid of 2^bits cells an axis over the box. Only the time of the walks depends
+// on it. A box so thin that its width has no inverse is not divided.
+static uint64_t paradt__check_morton(const double *x, const double *low, const double *high, int dim, int bits) {
+    uint64_t key = 0, limit = ((uint64_t)1 << bits) - 1, cell[PARADT_MAX_DIM];
+    int axis, bit;
+    for (axis = 0; axis < dim; axis++) {
+        double width = high[axis] * 0.5 - low[axis] * 0.5, from = x[axis] * 0.5 - low[axis] * 0.5;
+        double scaled = width > 1e-300 ? from / width * (double)limit : 0.0;
+        cell[axis] = scaled > 0.0 ? (uint64_t)scaled : 0;
+        if (cell[axis] > limit) cell[axis] = limit;
+    }
+    for (bit = bits - 1; bit >= 0; bit--)
+        for (axis = 0; axis < dim; axis++) key = key << 1 | (cell[axis] >> bit & 1);
+    return key;
+}
+
+// The vertices and hidden points, in no order yet. Returns how many there are.
+static size_t paradt__check_list(const paradt__check *check, paradt__check_key *keys) {
+    const paradt__set *set = &check->set;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int axis, dim = set->space.dim, bits = PARADT__CHECK_DIGIT * PARADT__CHECK_DIGITS / dim;
+    size_t i, listed = 0;
+    if (bits > 20) bits = 20;
+    memcpy(low, set->records, (size_t)dim * sizeof(double));
+    memcpy(high, set->records, (size_t)dim * sizeof(double));
+    for (i = 0; i < set->count; i++) {
+        const double *x = set->records + i * set->width;
+        for (axis = 0; axis < dim; axis++) {
+            low[axis] = x[axis] < low[axis] ? x[axis] : low[axis];
+            high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
+        }
+    }
+    for (i = 0; i < set->count; i++) {
+        if (check->cell_of[i] < 0 && check->t->representative[i] >= 0) continue;
+        keys[listed].key = paradt__check_morton(set->records + i * set->width, low, high, dim, bits);
+        keys[listed++].point = (paradt_index)i;
+    }
+    return listed;
+}
+
+// By key, in passes of a digit from the lowest; there are an even number, so the result is in keys again.
+static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
+    int digit;
+    for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
+        size_t starts[(1 << PARADT__CHECK_DIGIT) + 1] = {0}, i, mask = (1 << PARADT__CHECK_DIGIT) - 1;
+        int shift = digit * PARADT__CHECK_DIGIT;
+        paradt__check_key *swap = keys;
+        for (i = 0; i < count; i++) starts[(keys[i].key >> shift & mask) + 1]++;
+        for (i = 0; i < mask; i++) starts[i + 1] += starts[i];
+        for (i = 0; i < count; i++) other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        keys = other;
+        other = swap;
+    }
+}
+
+// Moves *cell to one that contains the point, across facets that have it on their other side. In a regular
+// triangulation, which the cells are known to be by now, such a walk never comes back to a cell (Edelsbrunner, "An
+// acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+static paradt_status paradt__check_walk(paradt__check *check, paradt_index point, paradt_index *cell) {
+    const double *corners[PARADT_MAX_DIM + 2], *x = paradt__record(&check->set, point);
+    for (;;) {
+        size_t corner = 0;
+        paradt__check_gather(check, (size_t)*cell, corners);
+        while (corner < check->corners && paradt__check_side(check, corners, corner, x) >= 0) corner++;
+        if (corner == check->corners) break;
+        *cell = check->neighbors[(size_t)*cell * check->corners + corner];
+        if (*cell < 0) return paradt__check_fail(check, "a hidden point lies outside of all cells", -1, point);
+    }
+    corners[check->corners] = x;
+    if (paradt__conflict(&check->set.space, corners))
+        return paradt__check_fail(check, "a point that is called hidden should be a vertex", *cell, point);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__check_hidden(paradt__check *check) {
+    paradt__check_key *keys;
+    paradt_status status = PARADT_OK;
+    paradt_index cell = 0;
+    size_t i = 0, n = check->set.count;
+    while (i < n && check->t->representative[i] >= 0) i++;
+    if (i == n) return PARADT_OK;
+    keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
+    if (!keys) return PARADT_ERROR_MEMORY;
+    n = paradt__check_list(check, keys);
+    paradt__check_sort(keys, keys + n, n);
+    for (i = 0; i < n && !status; i++) {
+        paradt_index point = keys[i].point;
+        status = paradt__check_pace(check, i, n);
+        if (check->cell_of[point] >= 0) cell = check->cell_of[point];
+        else if (!status) status = paradt__check_walk(check, point, &cell);
+    }
+    paradt__release(&check->memory, keys);
+    return status;
+}
+
+// --- all of it
+
+static paradt_status paradt__check_all(paradt__check *check, const paradt_points *points) {
+    const paradt_triangulation *t = check->t;
+    paradt_status status;
+    if (t->point_count != points->count)
+        return paradt__check_fail(check, "the triangulation has another number of points", -1, -1);
+    if (t->cell_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+        return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
+    status = paradt__check_read(check, points);
+    if (!status) status = paradt__check_dimension(check);
+    if (status) return status;
+    if (!points->count)
+        return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
+    status = paradt__check_representatives(check);
+    check->phase = 1;
+    if (!status) status = paradt__check_cells(check);
+    if (!status) status = paradt__check_adjacency(check);
+    check->phase = 2;
+    if (!status) status = paradt__check_facets(check);
+    check->phase = 3;
+    if (!status) status = paradt__check_hull(check);
+    check->phase = 4;
+    if (!status) status = paradt__check_hidden(check);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
+                                      const paradt_options *options, paradt_fault *fault) {
+    paradt__check check;
+    paradt_fault unwanted;
+    paradt_status status;
+    memset(&check, 0, sizeof check);
+    check.t = triangulation;
+    check.options = options;
+    check.fault = fault ? fault : &unwanted;
+    memset(check.fault, 0, sizeof *check.fault);
+    if (!triangulation || !points || (triangulation->cell_count && !triangulation->cells) ||
+        (triangulation->point_count && !triangulation->representative))
+        return PARADT_ERROR_ARGUMENT;
+    status = paradt__check_arguments(points, options);
+    if (status) return status;
+    paradt__memory_begin(&check.memory, options);
+    status = paradt__check_all(&check, points);
+    paradt__release(&check.memory, check.set.records);
+    paradt__release(&check.memory, check.matched);
+    paradt__release(&check.memory, check.cell_of);
+    return status;
+}
+#ifdef __cplusplus
+}
+#endif
+
+#if defined(__clang__)
+#pragma float_control(pop)
+#elif defined(__GNUC__) && !defined(__TINYC__)
+#pragma GCC pop_options
+#elif defined(_MSC_VER)
+#pragma float_control(pop)
+#endif
+
+#endif // PARADT__IMPLEMENTED
+#endif // PARADT_IMPLEMENTATION
+
+// ParaDT is available under two licences: choose whichever you prefer.
+//
+// ------------------------------------------------------------------------------
+// ALTERNATIVE A - MIT No Attribution (MIT-0)
+//
+// Copyright (c) The ParaDT authors
+//
+// Permission is hereby granted, free of charge, to any person obtaining a copy of
+// this software and associated documentation files (the "Software"), to deal in
+// the Software without restriction, including without limitation the rights to
+// use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies
+// of the Software, and to permit persons to whom the Software is furnished to do
+// so.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+// IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+// FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+// AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+// LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+// OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+// SOFTWARE.
+//
+// ------------------------------------------------------------------------------
+// ALTERNATIVE B - Public Domain (Unlicense, www.unlicense.org)
+//
+// This is free and unencumbered software released into the public domain.
+//
+// Anyone is free to copy, modify, publish, use, compile, sell, or distribute this
+// software, either in source code form or as a compiled binary, for any purpose,
+// commercial or non-commercial, and by any means.
+//
+// In jurisdictions that recognize copyright laws, the author or authors of this
+// software dedicate any and all copyright interest in the software to the public
+// domain. We make this dedication for the benefit of the public at large and to
+// the detriment of our heirs and successors. We intend this dedication to be an
+// overt act of relinquishment in perpetuity of all present and future rights to
+// this software under copyright law.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+// IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+// FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+// AUTHORS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN
+// ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION
+// WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.

@@ -1,0 +1,2582 @@
+// paradt_mpi.h - v0.1.0 - exact Delaunay and regular triangulations on many machines - public domain or MIT-0
+//
+// paradt.h spread over the ranks of an MPI communicator. Each rank hands in some of the points and gets some of the
+// cells: together those of paradt_triangulate, each once, whatever the number of ranks and whoever had which point.
+//
+// DO THIS in one C or C++ file of the program; it brings the implementation of paradt.h with it, so that no other file
+// defines PARADT_IMPLEMENTATION:
+//
+//     #define PARADT_MPI_IMPLEMENTATION
+//     #include "paradt_mpi.h"
+//
+// A whole program. Every rank makes a thousand points, and all of them together are triangulated:
+//
+//     #define PARADT_MPI_IMPLEMENTATION
+//     #include "paradt_mpi.h"
+//     #include <stdio.h>
+//
+//     int main(int argc, char **argv) {
+//         static double x[1000][3];
+//         paradt_points points = {x, 1000, 3, 0, PARADT_F64, NULL};
+//         paradt_mpi_triangulation t;
+//         int rank, i, j;
+//         MPI_Init(&argc, &argv);
+//         MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+//         srand((unsigned)rank);
+//         for (i = 0; i < 1000; i++)
+//             for (j = 0; j < 3; j++) x[i][j] = rand() / (double)RAND_MAX;
+//         if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, NULL) == PARADT_OK)
+//             printf("rank %d has %zu cells of %llu\n", rank, t.cell_count, (unsigned long long)t.cell_total);
+//         paradt_mpi_free(&t);
+//         MPI_Finalize();
+//         return 0;
+//     }
+//
+//     mpicc -O3 -o many many.c -lm && mpiexec -n 4 ./many
+//
+// It needs MPI 3 and what paradt.h needs. PARADT_STATIC, PARADT_INDEX64 and the other macros of paradt.h hold here too;
+// PARADT_DEF stands before each public function.
+//
+// CONTENTS
+//
+//     points, result, how it is divided, why the cells are right, replicated points, errors, MPI, memory, cost, limits,
+//     changes; the declarations; the implementation in sections marked "// >>name"; the licence
+//
+//
+// POINTS
+//
+// A rank hands in any share of the points, as to paradt_triangulate: all of them, some, or none. Each point is handed
+// in by one rank. Global ids number them through, from 0: those of rank 0 in their order, then those of rank 1, and so
+// on. `dim` must be the same on all ranks, also on one without points; the type of the coordinates and the stride may
+// differ. Weights are for all points or for none; where a rank has no points, they do not matter.
+//
+//
+// RESULT
+//
+// The cells of a rank are `cells`, with k = t.dim + 1 vertices each. These are positions in a table of vertices, which
+// has their global ids and coordinates:
+//
+//     t.cells[i * k + j]        vertex j of cell i, a position in the table
+//     t.vertices[v]             its global id
+//     t.coordinates[v * t.ambient + a]
+//     t.neighbors[i * k + j]    the number of the cell opposite that vertex, or -1 on the hull
+//     t.first_cell + i          the number of cell i
+//     t.representative[p]       of the points that this rank handed in: the global id of the vertex that stands for it
+//
+// Numbers of cells run through all ranks: rank r has those from first_cell to first_cell + cell_count - 1. Which rank
+// a cell belongs to depends on the number of ranks; the union does not. The rules for duplicates, hidden points, lower
+// dimensions and orientation are those of paradt.h, with global ids in the place of indices.
+//
+// Statistics come three times: of this rank, summed over all, and the largest of all. Those of all are the same on
+// every rank.
+//
+//
+// HOW IT IS DIVIDED
+//
+// Space is cut into as many boxes as there are ranks: a box is halved across the longest side of its points, so that
+// each side gets its share of the points, until one rank is left for each (recursive coordinate bisection), or its
+// share of space (PARADT_UNIFORM). The cut is found by counting, digit by digit of the coordinates' bits, so that no
+// rank has more than its share of the points at any time. A point on a cut belongs to the upper side. Each rank gets
+// the points of its box, its own points, and then:
+//
+//     1. sends to others those of its points that are near to theirs: a guess that saves work and decides nothing;
+//     2. triangulates its own points and those it got, and looks at each cell that has an own vertex: where a point of
+//        another rank may lie in the cell's sphere, or beyond its facet on the hull, it sends that rank the cell;
+//     3. answers for itself: has a cell that it got an own point for a vertex, or one in conflict with it, by the exact
+//        test? Then it adds those of the cell's vertices that are the sender's own points;
+//     4. inserts these, if there were any (by a method other than insertion it triangulates again), and keeps the
+//        cells whose lexicographically smallest vertex is its own.
+//
+//
+// WHY THE CELLS ARE RIGHT
+//
+// Let O(r) be the points of rank r, S(r) those it has in step 2, and T(X) the triangulation of X. Claim: after step 3
+// every rank s has all points p that are joined to one of its own points q by an edge in T(P). Let p belong to rank r.
+// The edge p q is one in the triangulation of any subset of P that holds p and q, so of S(r) and q. If q is in S(r), a
+// cell around p in T(S(r)) has q for a vertex. If not, the cells around p change when q comes, so that q is in conflict
+// with one of them; the cells beyond the hull count, which have points strictly outside of a facet in conflict. Either
+// way that cell was sent to s, unless s had all its vertices of O(r) already, for floating point only ever decides that
+// a point can't be in a sphere; and s kept p. So in step 4 the cells of T(P) around a point q of O(s) have all their
+// vertices on rank s. No point is in conflict with them, so they are cells of its triangulation, and as they fill the
+// space around q there are no others. Nothing depends on what step 1 guessed, and there is nothing to repeat.
+//
+// With weights a point may be hidden by others that it has no edge to. Then steps 2 to 4 are repeated, and a rank
+// answers a cell with a point that is in conflict with it, until no cell around an own vertex is in conflict with
+// anything.
+//
+// Points that are nearly on a sphere or in two parallel planes have spheres that reach all boxes and are empty. So the
+// ranks tell each other more than one box: up to 64 of them, around parts of their points; and near a sphere they
+// measure the points from there, as paradt.h does.
+//
+//
+// REPLICATED POINTS
+//
+// With PARADT_MPI_REPLICATED every rank hands in all points, the same on each. They are not sent anywhere: each rank
+// makes the cells of its box by InCoDe (or DeWall), as the regions of paradt.h do, and they talk only to agree on
+// errors and to number and link the cells. That is the thesis' ParaInCoDe. Global ids are the indices, and
+// representative is filled on all ranks alike.
+//
+//
+// ERRORS
+//
+// All ranks return the same status, that of the first rank that failed; error_rank says which, and error_point the
+// index of the point there (PARADT_ERROR_NOT_FINITE). The statuses are those of paradt.h, and also
+//
+//     PARADT_ERROR_ARGUMENT    ranks that differ in dim, in having weights, in options.flags; replicated points that
+//                              are not the same
+//     PARADT_ERROR_CANCELLED   a rank's progress callback returned nonzero
+//
+// They are agreed on at the end of each step, so a rank that fails waits for the others to get there.
+//
+//
+// MPI
+//
+// The communicator is duplicated at the beginning and the duplicate freed at the end, so that no message meets one of
+// yours. Its error handler is that of your communicator; where that lets MPI calls return, what follows a failed one is
+// undefined. Calls from several threads at once need MPI_THREAD_MULTIPLE and a communicator each. The header neither
+// starts nor ends MPI, prints nothing and aborts nothing. Messages are cut into pieces of PARADT_MPI_PIECE bytes, so
+// that none has too many for an int. All ranks have the same byte order.
+//
+// options.local is for what a rank does alone, which is a paradt_triangulate: method, regions and parallel_for (threads
+// within a rank), progress, memory_limit, allocator. It may differ between ranks but for the partition and the flags.
+//
+//
+// MEMORY
+//
+// All memory but that of MPI itself comes from the rank's options.local.allocator, within its memory_limit. At no time
+// has a rank more than its share of the points, those it handed in, and those near its border.
+//
+//
+// COST
+//
+// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods. Beside
+// that, points are sent once, to their ranks; the cuts take O(n / p log p) time and about 8 log2 p reductions; each
+// cell is looked at once more; and what is sent in steps 1 and 2 is proportional to the number of points near the
+// border, for points spread without structure. The rounds do not grow with the number of ranks. stats.seconds_* tell
+// where the time goes.
+//
+//
+// LIMITS
+//
+//     a rank    the limits of paradt.h, for its own points and those near its border
+//     points    2^63 - 1 in all
+//     ranks     as MPI; each keeps 64 boxes of every other one
+//
+//
+// CHANGES
+//
+//     0.1.0  the first version
+//
+
+#ifndef PARADT_MPI_H
+#define PARADT_MPI_H
+
+#if defined(PARADT_MPI_IMPLEMENTATION) && !defined(PARADT_IMPLEMENTATION)
+#define PARADT_IMPLEMENTATION
+#endif
+#include "paradt.h"
+
+#include <mpi.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// paradt_mpi_options.flags
+enum { PARADT_MPI_REPLICATED = 1 }; // every rank hands in all points
+
+typedef struct paradt_mpi_options {
+    paradt_options local; // what each rank does alone (see MPI); flags and partition: for all of it
+    unsigned flags;       // 0; PARADT_MPI_REPLICATED
+} paradt_mpi_options;
+
+// Fields of paradt_mpi_stats: name, what it counts. Times are wall time, and the sum and maximum of times are too.
+#define PARADT_MPI_COUNTERS(X)                                                                                         \
+    X(points, "own points, without duplicates")                                                                        \
+    X(points_guessed, "points got from others by the guess")                                                           \
+    X(points_asked, "points got from others because of a conflict")                                                    \
+    X(cells, "cells that this rank owns")                                                                              \
+    X(cells_recomputed, "cells made last that another rank owns: the duplication")                                     \
+    X(cells_asked, "cells sent to others in question")                                                                 \
+    X(rounds, "times that cells were sent in question")                                                                \
+    X(triangulations, "times that this rank triangulated")                                                             \
+    X(duplicates, "points that another point stands for")                                                              \
+    X(hidden, "places of weighted points that are no vertex")                                                          \
+    X(hull_facets, "facets with a cell on one side only; 0 with PARADT_NO_NEIGHBORS")                                  \
+    X(bytes_sent, "to other ranks, in messages of step 0 to 4 and those that link cells")                              \
+    X(messages_sent, "their number")                                                                                   \
+    X(peak_bytes, "most memory held at once")
+#define PARADT_MPI_TIMERS(X)                                                                                           \
+    X(seconds_partition, "reading, cutting, sending the points")                                                       \
+    X(seconds_grid, "sorting them, the boxes, the guess")                                                              \
+    X(seconds_build, "triangulating")                                                                                  \
+    X(seconds_ask, "sending cells in question and answering")                                                          \
+    X(seconds_finish, "numbering and linking cells, representatives")                                                  \
+    X(seconds, "all of it")
+
+#define PARADT_MPI__COUNTER(name, about) uint64_t name;
+#define PARADT_MPI__TIMER(name, about)   double name;
+typedef struct paradt_mpi_stats {
+    PARADT_MPI_COUNTERS(PARADT_MPI__COUNTER)
+    PARADT_MPI_TIMERS(PARADT_MPI__TIMER)
+} paradt_mpi_stats;
+
+typedef struct paradt_mpi_triangulation {
+    int dim;                  // affine dimension of all points: dim + 1 vertices a cell; -1: no points
+    int ambient;              // coordinates a point
+    uint64_t cell_total;      // cells of all ranks
+    uint64_t first_cell;      // number of this rank's first cell
+    size_t cell_count;        // cells of this rank
+    paradt_index *cells;      // [cell_count][dim + 1] positions in `vertices`, positively oriented
+    int64_t *neighbors;       // [cell_count][dim + 1] number of the cell opposite each vertex, -1: hull; or NULL
+    size_t vertex_count;      // vertices of this rank's cells
+    size_t vertex_own;        // so many of them, the first, lie in this rank's box
+    int64_t *vertices;        // [vertex_count] global ids
+    double *coordinates;      // [vertex_count][ambient]
+    uint64_t point_total;     // points of all ranks, as handed in
+    uint64_t first_point;     // global id of this rank's first point
+    size_t point_count;       // points of this rank, as handed in
+    int64_t *representative;  // [point_count] global id of the point itself, or of what stands for it; -1: hidden
+    paradt_mpi_stats stats;   // of this rank
+    paradt_mpi_stats sum;     // over all ranks
+    paradt_mpi_stats largest; // of all ranks
+    int error_rank;           // after an error: the first rank that had it
+    size_t error_point;       // PARADT_ERROR_NOT_FINITE: index of the first such point of that rank; else 0
+    paradt_allocator allocator;
+} paradt_mpi_triangulation;
+
+// Computes the triangulation of the points of all ranks. Collective over comm.
+//   out      is overwritten, whatever it held. After an error it is empty but for error_rank and error_point.
+//   local    this rank's points, read during the call only; see POINTS.
+//   options  NULL: the defaults. flags, local.flags and local.partition are the same on all ranks.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, the same on all ranks. Thread safety: as MPI allows, with
+// a communicator and an `out` for each call.
+PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
+                                                const paradt_points *local, const paradt_mpi_options *options);
+
+// Gives this rank's arrays back to the allocator they came from, and makes the triangulation all zero. NULL and all
+// zero are fine. Not collective. Thread safety: as free.
+PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *triangulation);
+
+// The hash of the cells of all ranks, by their global ids: that of paradt_hash for the same points in the order of
+// their ids. Collective over comm; the same on all ranks.
+PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *triangulation, MPI_Comm comm);
+
+// Puts the cells together on the rank `root`, as paradt_triangulate would return them for all points there, but for the
+// statistics. On the other ranks *out is empty. Collective over comm, that of paradt_mpi_triangulate; root is the same
+// on all ranks. Memory comes from the allocator of the triangulation. Errors, the same on all ranks: ARGUMENT, MEMORY,
+// TOO_LARGE (more cells than an index can number).
+PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm,
+                                           const paradt_mpi_triangulation *triangulation, int root);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif // PARADT_MPI_H
+
+// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each uses
+// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid.
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+#ifndef PARADT_MPI__IMPLEMENTED
+#define PARADT_MPI__IMPLEMENTED
+
+#ifndef PARADT__REMOTE
+#error "PARADT_MPI_IMPLEMENTATION must be defined before paradt.h is included with PARADT_IMPLEMENTATION"
+#endif
+
+#include <limits.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PARADT_MPI_PIECE
+#define PARADT_MPI_PIECE ((size_t)1 << 30) // bytes of a message at most
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>talk
+//
+// What one call works with, agreement on errors, and the one way in which ranks send each other anything of variable
+// size. Every function here is collective, and so is every function below that calls one. What is decided from the
+// results of reductions is decided alike on all ranks. Doors: paradt_mpi__agree, paradt_mpi__exchange,
+// paradt_mpi__smallest, paradt_mpi__sum.
+
+typedef struct paradt_mpi__home { // where a point that a rank knows is at home
+    uint64_t id;
+    int rank;
+    paradt_index place; // among the own points of that rank
+} paradt_mpi__home;
+
+typedef struct paradt_mpi__slot { // of a hash table of points of other ranks; rank < 0: free
+    int rank;
+    paradt_index place;
+    paradt_index value;
+} paradt_mpi__slot;
+
+typedef struct paradt_mpi__table {
+    paradt_mpi__slot *slots;
+    size_t size, count; // size is a power of two, or 0
+} paradt_mpi__table;
+
+typedef struct paradt_mpi__directory { // boxes around all points of all ranks, in groups of eight as in >>grid
+    double *groups;                    // [ranks][PARADT_MPI__GROUPS][width]
+    int *count;                        // [ranks] boxes of each
+    double *ranks;                     // [ranks / 8, rounded up][width] one box a rank
+    size_t width;                      // doubles a group
+} paradt_mpi__directory;
+
+typedef struct paradt_mpi__question { // a cell, or a facet on the hull of it, that a rank is to be asked about
+    int rank;
+    int opposite;      // vertex opposite the facet; -1: the cell
+    paradt_index cell; // its place
+} paradt_mpi__question;
+
+typedef struct paradt_mpi__list { // own points to be sent: `place` to `rank`, in the order of ranks
+    size_t count, capacity;
+    paradt_mpi__slot *items; // value: not used
+} paradt_mpi__list;
+
+enum {
+    PARADT_MPI__GROUPS = 8, // of boxes a rank tells the others
+    PARADT_MPI__DIGIT = 8   // bits of a coordinate that are counted at a time
+};
+
+typedef struct paradt_mpi__work {
+    MPI_Comm comm;
+    int rank, ranks;
+    paradt__memory memory;
+    paradt_mpi_options options;
+    paradt_mpi_triangulation *out;
+    paradt_mpi_stats stats;
+    size_t error_point;
+    paradt_status failed;     // what all ranks have agreed on
+    size_t *to, *from;        // [ranks] elements of an exchange
+    uint64_t *first;          // [ranks + 1] first global id of each rank's points
+    int dim, weighted;        // of the points as handed in
+    int shift;                // the coordinates were multiplied by 2^shift
+    paradt__set set;          // own points in grid order; behind them in records those of others
+    paradt__grid grid;        // of the own points
+    paradt__search search;    // in it
+    int ready;                // the grid is there: there are points here, not all equal, and other ranks
+    size_t known, room;       // points in set.records, and places for them
+    paradt_mpi__home *home;   // [room]
+    paradt_mpi__table others; // points of others that are known: value is the place in set.records
+    paradt_mpi__table told;   // ranks and the own points that they were told
+    paradt_index *twin;       // [received] of each point received the one that stands for it
+    uint64_t *received;       // [received] their ids
+    size_t received_count;    //
+    double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM]; // this rank's box, on the caller's axes; -FAR, FAR: unbounded
+    paradt_mpi__directory directory;
+    paradt__remote_engine engine; // insertion, while it goes on
+    int inserting;                // it does
+    paradt_triangulation local;   // of the points known when it was made
+    size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
+    double progress_begin, progress_length;
+} paradt_mpi__work;
+
+// The status of the first rank that has one, on all.
+static paradt_status paradt_mpi__agree(paradt_mpi__work *w, paradt_status status) {
+    int mine = status ? w->rank : INT_MAX, first;
+    int64_t told[2];
+    if (w->failed) return w->failed;
+    MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, w->comm);
+    if (first == INT_MAX) return PARADT_OK;
+    told[0] = status;
+    told[1] = (int64_t)w->error_point;
+    MPI_Bcast(told, 2, MPI_INT64_T, first, w->comm);
+    w->out->error_rank = first;
+    w->out->error_point = (size_t)told[1];
+    w->failed = (paradt_status)told[0];
+    return w->failed;
+}
+
+static void paradt_mpi__smallest(paradt_mpi__work *w, int64_t *facts, int count) {
+    MPI_Allreduce(MPI_IN_PLACE, facts, count, MPI_INT64_T, MPI_MIN, w->comm);
+}
+
+static uint64_t paradt_mpi__sum(paradt_mpi__work *w, uint64_t x) {
+    MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_UINT64_T, MPI_SUM, w->comm);
+    return x;
+}
+
+static size_t paradt_mpi__pieces(size_t bytes) {
+    return bytes / PARADT_MPI_PIECE + (bytes % PARADT_MPI_PIECE != 0);
+}
+
+// Starts to send or receive what goes between this rank and `other`, in pieces. They do not overtake each other.
+static MPI_Request *paradt_mpi__start(paradt_mpi__work *w, char *data, size_t bytes, int other, int sends,
+                                      MPI_Request *request) {
+    while (bytes) {
+        size_t piece = bytes < PARADT_MPI_PIECE ? bytes : PARADT_MPI_PIECE;
+        if (sends) MPI_Isend(data, (int)piece, MPI_BYTE, other, 0, w->comm, request);
+        else MPI_Irecv(data, (int)piece, MPI_BYTE, other, 0, w->comm, request);
+        w->stats.bytes_sent += sends ? piece : 0;
+        w->stats.messages_sent += (uint64_t)sends;
+        request++;
+        data += piece;
+        bytes -= piece;
+    }
+    return request;
+}
+
+static void paradt_mpi__transfer(paradt_mpi__work *w, const char *send, char *receive, size_t size,
+                                 MPI_Request *requests) {
+    MPI_Request *next = requests;
+    size_t out = 0, in = 0;
+    int r;
+    for (r = 0; r < w->ranks; r++) {
+        size_t sent = w->to[r] * size, got = w->from[r] * size;
+        if (r == w->rank) {
+            if (sent) memcpy(receive + in, send + out, sent);
+        } else {
+            next = paradt_mpi__start(w, receive + in, got, r, 0, next);
+            next = paradt_mpi__start(w, (char *)(uintptr_t)(send + out), sent, r, 1, next);
+        }
+        out += sent;
+        in += got;
+    }
+    while (next > requests) MPI_Wait(--next, MPI_STATUS_IGNORE);
+}
+
+// Sends w->to[r] elements of `size` bytes to each rank r, those for rank 0 first, and gets w->from[r] from each, in
+// *receive, which is to be released. *count: how many in all. status: of this rank so far; nothing is sent if one
+// has failed.
+static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status status, const void *send, size_t size,
+                                          void **receive, size_t *count) {
+    MPI_Request *requests = NULL;
+    size_t pieces = 0, total = 0;
+    int r;
+    *receive = NULL;
+    for (r = 0; r < w->ranks && status; r++) w->to[r] = 0;
+    MPI_Alltoall(w->to, (int)sizeof *w->to, MPI_BYTE, w->from, (int)sizeof *w->from, MPI_BYTE, w->comm);
+    for (r = 0; r < w->ranks; r++) {
+        total += w->from[r];
+        if (r != w->rank) pieces += paradt_mpi__pieces(w->to[r] * size) + paradt_mpi__pieces(w->from[r] * size);
+    }
+    if (!status) {
+        *receive = paradt__alloc(&w->memory, total, size);
+        requests = (MPI_Request *)paradt__alloc(&w->memory, pieces, sizeof *requests);
+        if (!*receive || !requests) status = PARADT_ERROR_MEMORY;
+    }
+    status = paradt_mpi__agree(w, status);
+    if (!status) paradt_mpi__transfer(w, (const char *)send, (char *)*receive, size, requests);
+    paradt__release(&w->memory, requests);
+    *count = total;
+    if (status) {
+        paradt__release(&w->memory, *receive);
+        *receive = NULL;
+    }
+    return status;
+}
+
+// Adds an item to a list of own points to be sent.
+static paradt_status paradt_mpi__list_add(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
+    if (list->count == list->capacity) {
+        void *array = list->items;
+        size_t capacity = list->capacity * 2 + 64;
+        if (!paradt__grow(&w->memory, &array, list->count, capacity, sizeof *list->items)) return PARADT_ERROR_MEMORY;
+        list->items = (paradt_mpi__slot *)array;
+        list->capacity = capacity;
+    }
+    list->items[list->count].rank = rank;
+    list->items[list->count++].place = place;
+    return PARADT_OK;
+}
+
+// The slot of a point, or a free one. The table has room.
+static paradt_mpi__slot *paradt_mpi__find(const paradt_mpi__table *table, int rank, paradt_index place) {
+    size_t i = (size_t)paradt__mix((uint64_t)rank << 40 ^ (uint64_t)place) & (table->size - 1);
+    for (;; i = (i + 1) & (table->size - 1)) {
+        paradt_mpi__slot *slot = table->slots + i;
+        if (slot->rank < 0 || (slot->rank == rank && slot->place == place)) return slot;
+    }
+}
+
+// Makes room for `more` points: at most half of the slots are taken.
+static paradt_status paradt_mpi__table_room(paradt_mpi__work *w, paradt_mpi__table *table, size_t more) {
+    paradt_mpi__table larger;
+    size_t i;
+    if ((table->count + more) * 2 < table->size) return PARADT_OK;
+    larger.count = table->count;
+    for (larger.size = 64; larger.size < (table->count + more) * 3;) larger.size *= 2;
+    larger.slots = (paradt_mpi__slot *)paradt__alloc(&w->memory, larger.size, sizeof *larger.slots);
+    if (!larger.slots) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < larger.size; i++) larger.slots[i].rank = -1;
+    for (i = 0; i < table->size; i++) {
+        const paradt_mpi__slot *slot = table->slots + i;
+        if (slot->rank >= 0) *paradt_mpi__find(&larger, slot->rank, slot->place) = *slot;
+    }
+    paradt__release(&w->memory, table->slots);
+    *table = larger;
+    return PARADT_OK;
+}
+
+// Is the point in the table? If not, it is now.
+static int paradt_mpi__table_put(paradt_mpi__table *table, int rank, paradt_index place, paradt_index value) {
+    paradt_mpi__slot *slot = paradt_mpi__find(table, rank, place);
+    if (slot->rank >= 0) return 1;
+    slot->rank = rank;
+    slot->place = place;
+    slot->value = value;
+    table->count++;
+    return 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>input
+//
+// A rank's points as rows of doubles: the coordinates, the weight if there are weights, and the bits of the global id,
+// which are only copied. Doors: paradt_mpi__check, paradt_mpi__read.
+
+static uint64_t paradt_mpi__bits_at(const double *x) {
+    uint64_t bits;
+    memcpy(&bits, x, sizeof bits);
+    return bits;
+}
+
+static void paradt_mpi__put_bits(double *x, uint64_t bits) {
+    memcpy(x, &bits, sizeof bits);
+}
+
+// Agrees on the arguments: dim, weights, flags.
+static paradt_status paradt_mpi__check(paradt_mpi__work *w, const paradt_points *local, paradt_status status) {
+    int64_t facts[5], weights;
+    if (!status && !local) status = PARADT_ERROR_ARGUMENT;
+    if (!status) status = paradt__check_arguments(local, &w->options.local);
+    if (!status && w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED) status = PARADT_ERROR_ARGUMENT;
+    status = paradt_mpi__agree(w, status);
+    if (status) return status;
+    facts[0] = local->dim;
+    facts[1] = w->options.flags;
+    facts[2] = w->options.local.flags;
+    facts[3] = w->options.local.partition;
+    facts[4] = w->options.flags & PARADT_MPI_REPLICATED ? (int64_t)local->count : 0;
+    MPI_Bcast(facts, 5, MPI_INT64_T, 0, w->comm);
+    if (facts[0] != local->dim || facts[1] != (int64_t)w->options.flags ||
+        facts[2] != (int64_t)w->options.local.flags || facts[3] != (int64_t)w->options.local.partition ||
+        (w->options.flags & PARADT_MPI_REPLICATED && facts[4] != (int64_t)local->count))
+        status = PARADT_ERROR_ARGUMENT;
+    weights = local->count && local->weights ? -1 : 0;
+    paradt_mpi__smallest(w, &weights, 1);
+    w->dim = local->dim;
+    w->weighted = weights < 0;
+    if (w->weighted && local->count && !local->weights) status = PARADT_ERROR_ARGUMENT;
+    return paradt_mpi__agree(w, status);
+}
+
+// Numbers the points: w->first.
+static void paradt_mpi__number(paradt_mpi__work *w, size_t count) {
+    uint64_t mine = count, next = 0;
+    int r;
+    MPI_Allgather(&mine, 1, MPI_UINT64_T, w->first, 1, MPI_UINT64_T, w->comm);
+    for (r = 0; r <= w->ranks; r++) {
+        uint64_t here = r < w->ranks ? w->first[r] : 0;
+        w->first[r] = next;
+        next += here;
+    }
+}
+
+// Reads this rank's points into rows of dim + weighted + 1 doubles; not collective.
+static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *local, double **rows) {
+    size_t width = (size_t)w->dim + (size_t)w->weighted, i;
+    int axis;
+    *rows = (double *)paradt__alloc(&w->memory, local->count, (width + 1) * sizeof **rows);
+    if (!*rows) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < local->count; i++) {
+        double *row = *rows + i * (width + 1);
+        int finite = 1;
+        for (axis = 0; axis < w->dim; axis++) {
+            row[axis] = paradt__coordinate(local, i, axis);
+            finite &= paradt__is_finite(row[axis]);
+        }
+        if (w->weighted) {
+            uint64_t bits = paradt_mpi__bits_at(local->weights + i);
+            paradt_mpi__put_bits(row + w->dim, bits << 1 == 0 ? 0 : bits);
+            finite &= paradt__is_finite(row[w->dim]);
+        }
+        if (!finite) {
+            w->error_point = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        paradt_mpi__put_bits(row + width, w->first[w->rank] + i);
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>partition
+//
+// Boxes with more than one rank are halved, all at once, until each has one. The cut is the coordinate below which the
+// lower half's ranks have their share of the points: it is found in the ordered bits of the coordinates, as offsets
+// from the smallest, by counting how many points have each value of the next eight bits; so ties and extreme
+// coordinates are like any other. Where many points have the coordinate of the cut they all go to the side that is
+// nearer to its share. Doors: paradt_mpi__partition.
+
+typedef struct paradt_mpi__box {
+    int first, ranks;              // ranks that share the box
+    int64_t from[PARADT_MAX_DIM];  // the box: from <= ordered bits < to; INT64_MIN and INT64_MAX: unbounded
+    int64_t to[PARADT_MAX_DIM];    //
+    int64_t low[PARADT_MAX_DIM];   // around its points
+    int64_t high[PARADT_MAX_DIM];  //
+    int axis;                      // across which it is cut
+    uint64_t wanted, below, equal; // points for the lower half; below the cut, on it
+    uint64_t offset;               // of the cut from low[axis], its upper bits so far
+    int bits;                      // of the offset, that are not known yet
+    int64_t cut;                   // ordered bits of the first coordinate of the upper half
+    int upper;                     // index of the upper half's box, the lower one's is that of the box
+} paradt_mpi__box;
+
+typedef struct paradt_mpi__cutter {
+    double *rows; // [count][width]
+    size_t count, width;
+    uint32_t *inside;       // [count] box of each point
+    paradt_mpi__box *boxes; // [ranks]
+    int box_count;
+    uint64_t *counts; // [ranks][2^PARADT_MPI__DIGIT]
+    int64_t *bounds;  // [ranks][2 * dim]
+} paradt_mpi__cutter;
+
+// Bounding boxes of the points of all boxes.
+static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    size_t dim = (size_t)w->dim, i, j;
+    int b;
+    for (i = 0; i < (size_t)c->box_count * 2 * dim; i++) c->bounds[i] = INT64_MAX;
+    for (i = 0; i < c->count; i++) {
+        int64_t *bound = c->bounds + c->inside[i] * 2 * dim;
+        for (j = 0; j < dim; j++) {
+            int64_t x = paradt__ordered_bits(c->rows[i * c->width + j]);
+            if (x < bound[2 * j]) bound[2 * j] = x;
+            if (~x < bound[2 * j + 1]) bound[2 * j + 1] = ~x; // ~ turns the order and does not overflow
+        }
+    }
+    paradt_mpi__smallest(w, c->bounds, (int)((size_t)c->box_count * 2 * dim));
+    for (b = 0; b < c->box_count; b++) {
+        for (j = 0; j < dim; j++) {
+            c->boxes[b].low[j] = c->bounds[((size_t)b * dim + j) * 2];
+            c->boxes[b].high[j] = ~c->bounds[((size_t)b * dim + j) * 2 + 1];
+        }
+    }
+}
+
+// Points of each box.
+static void paradt_mpi__count_boxes(paradt_mpi__work *w, paradt_mpi__cutter *c, uint64_t *totals) {
+    size_t i;
+    memset(totals, 0, (size_t)c->box_count * sizeof *totals);
+    for (i = 0; i < c->count; i++) totals[c->inside[i]]++;
+    MPI_Allreduce(MPI_IN_PLACE, totals, c->box_count, MPI_UINT64_T, MPI_SUM, w->comm);
+}
+
+// Chooses the axis and how many points are wanted below the cut.
+static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total) {
+    uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
+    double longest = -1.0;
+    int axis;
+    box->wanted = total / all * lower + total % all * lower / all;
+    box->below = box->equal = box->offset = 0;
+    box->bits = box->axis = 0;
+    for (axis = 0; axis < w->dim && total; axis++) {
+        double side =
+            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
+        if (side > longest) {
+            longest = side;
+            box->axis = axis;
+        }
+    }
+    if (total) box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
+    box->equal = total;
+}
+
+// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box.
+static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
+    size_t i;
+    int b;
+    memset(c->counts, 0, (size_t)c->box_count * values * sizeof *c->counts);
+    for (i = 0; i < c->count; i++) {
+        const paradt_mpi__box *box = c->boxes + c->inside[i];
+        int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
+        uint64_t offset;
+        if (!box->bits) continue;
+        offset =
+            (uint64_t)paradt__ordered_bits(c->rows[i * c->width + (size_t)box->axis]) - (uint64_t)box->low[box->axis];
+        if (box->bits < 64 && offset >> box->bits != box->offset) continue;
+        c->counts[c->inside[i] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))]++;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * (int)values, MPI_UINT64_T, MPI_SUM, w->comm);
+    for (b = 0; b < c->box_count; b++) {
+        paradt_mpi__box *box = c->boxes + b;
+        const uint64_t *counts = c->counts + (size_t)b * values;
+        int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
+        uint64_t digit = 0;
+        if (!box->bits) continue;
+        while (digit + 1 < (uint64_t)1 << (box->bits - low) && box->below + counts[digit] <= box->wanted)
+            box->below += counts[digit++];
+        box->equal = counts[digit];
+        box->offset = box->offset << (box->bits - low) | digit;
+        box->bits = low;
+    }
+}
+
+// The cut of a box whose points below and on it are counted.
+static void paradt_mpi__cut(const paradt_mpi__work *w, paradt_mpi__box *box) {
+    uint64_t above = box->below + box->equal, missing = box->wanted - box->below;
+    int axis = box->axis;
+    box->cut = (int64_t)((uint64_t)box->low[axis] + box->offset);
+    if (w->options.local.partition == PARADT_UNIFORM) {
+        double part = (double)(box->ranks / 2) / (double)box->ranks;
+        box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[axis]) * (1.0 - part) +
+                                        paradt__from_ordered_bits(box->high[axis]) * part);
+    } else if (above - box->wanted < missing) {
+        box->cut++;
+    }
+}
+
+// Halves all boxes that have several ranks. 0: there are none left.
+static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    int b, boxes = c->box_count, several = 0, more = 1;
+    size_t i;
+    for (b = 0; b < boxes; b++) several |= c->boxes[b].ranks > 1;
+    if (!several) return 0;
+    paradt_mpi__bound(w, c);
+    paradt_mpi__count_boxes(w, c, c->counts);
+    for (b = 0; b < boxes; b++) {
+        paradt_mpi__aim(w, c->boxes + b, c->counts[b]);
+        if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
+    }
+    while (more) {
+        more = 0;
+        for (b = 0; b < boxes; b++) more |= c->boxes[b].bits;
+        if (more) paradt_mpi__next_digit(w, c);
+    }
+    for (b = 0; b < boxes; b++) {
+        paradt_mpi__box *box = c->boxes + b, *upper = c->boxes + c->box_count;
+        box->upper = -1;
+        if (box->ranks == 1) continue;
+        paradt_mpi__cut(w, box);
+        *upper = *box;
+        box->upper = c->box_count++;
+        upper->upper = -1;
+        upper->first += box->ranks / 2;
+        upper->ranks -= box->ranks / 2;
+        box->ranks /= 2;
+        upper->from[box->axis] = box->to[box->axis] = box->cut;
+    }
+    for (i = 0; i < c->count; i++) {
+        const paradt_mpi__box *box = c->boxes + c->inside[i];
+        if (box->upper >= 0 && paradt__ordered_bits(c->rows[i * c->width + (size_t)box->axis]) >= box->cut)
+            c->inside[i] = (uint32_t)box->upper;
+    }
+    return 1;
+}
+
+// The rows in the order of their ranks: counting sort, into `sorted`; fills w->to.
+static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter *c, double *sorted, size_t *places) {
+    size_t i, next = 0;
+    int r;
+    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+    for (i = 0; i < c->count; i++) w->to[c->boxes[c->inside[i]].first]++;
+    for (r = 0; r < w->ranks; r++) {
+        places[r] = next;
+        next += w->to[r];
+    }
+    for (i = 0; i < c->count; i++) {
+        size_t place = places[c->boxes[c->inside[i]].first]++;
+        memcpy(sorted + place * c->width, c->rows + i * c->width, c->width * sizeof *sorted);
+    }
+}
+
+static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *c) {
+    int b, axis;
+    for (b = 0; b < c->box_count; b++) {
+        const paradt_mpi__box *box = c->boxes + b;
+        if (box->first != w->rank) continue;
+        for (axis = 0; axis < w->dim; axis++) {
+            w->below[axis] = box->from[axis] == INT64_MIN ? -PARADT__FAR : paradt__from_ordered_bits(box->from[axis]);
+            w->above[axis] = box->to[axis] == INT64_MAX ? PARADT__FAR : paradt__from_ordered_bits(box->to[axis]);
+        }
+    }
+}
+
+// Sends the rows to the ranks whose boxes they are in. *rows: [count], replaced by those that this rank got, in the
+// order of their ids. *count: their number.
+static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, size_t *count) {
+    paradt_mpi__cutter c;
+    double *sorted;
+    size_t *places;
+    void *got = NULL;
+    size_t ranks = (size_t)w->ranks;
+    paradt_status status = PARADT_OK;
+    int axis;
+    c.rows = *rows;
+    c.count = *count;
+    c.width = (size_t)w->dim + (size_t)w->weighted + 1;
+    c.box_count = 1;
+    c.inside = (uint32_t *)paradt__alloc(&w->memory, c.count, sizeof *c.inside);
+    c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
+    c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks << PARADT_MPI__DIGIT, sizeof *c.counts);
+    c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
+    sorted = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *sorted);
+    places = (size_t *)paradt__alloc(&w->memory, ranks, sizeof *places);
+    if (!c.inside || !c.boxes || !c.counts || !c.bounds || !sorted || !places) status = PARADT_ERROR_MEMORY;
+    status = paradt_mpi__agree(w, status);
+    if (!status) {
+        memset(c.inside, 0, c.count * sizeof *c.inside);
+        memset(c.boxes, 0, sizeof *c.boxes);
+        c.boxes[0].ranks = w->ranks;
+        for (axis = 0; axis < w->dim; axis++) {
+            c.boxes[0].from[axis] = INT64_MIN;
+            c.boxes[0].to[axis] = INT64_MAX;
+        }
+        while (paradt_mpi__halve(w, &c)) continue;
+        paradt_mpi__keep_box(w, &c);
+        paradt_mpi__sort_rows(w, &c, sorted, places);
+        paradt__release(&w->memory, *rows);
+        *rows = NULL;
+    }
+    paradt__release(&w->memory, places);
+    paradt__release(&w->memory, c.bounds);
+    paradt__release(&w->memory, c.counts);
+    paradt__release(&w->memory, c.boxes);
+    paradt__release(&w->memory, c.inside);
+    if (!status) status = paradt_mpi__exchange(w, PARADT_OK, sorted, c.width * sizeof *sorted, &got, count);
+    paradt__release(&w->memory, sorted);
+    if (!status) *rows = (double *)got;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>home
+//
+// A rank's own points as a paradt__set: without duplicates, scaled, with axes, measure and reference sphere agreed on
+// by all ranks, so that the record of a point is the same everywhere and a search on any rank may be asked about cells
+// of any other. Records of other ranks' points stand behind the own ones. Doors: paradt_mpi__settle, paradt_mpi__learn.
+
+// What goes over the wire for a point: its record, its id, its place at home.
+static size_t paradt_mpi__wire_width(const paradt_mpi__work *w) {
+    return w->set.width + 2;
+}
+
+// Room for `more` points of other ranks.
+static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
+    size_t room = w->known + more;
+    void *array;
+    if (room > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
+    if (room <= w->room) return PARADT_OK;
+    array = w->set.records;
+    if (!paradt__grow(&w->memory, &array, w->known * w->set.width, room * w->set.width, sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    w->set.records = (double *)array;
+    array = w->home;
+    if (!paradt__grow(&w->memory, &array, w->known, room, sizeof *w->home)) return PARADT_ERROR_MEMORY;
+    w->home = (paradt_mpi__home *)array;
+    w->room = room;
+    return PARADT_OK;
+}
+
+// Adds a point of another rank, unless it is known. wire: its row. There is room for it.
+static size_t paradt_mpi__add_other(paradt_mpi__work *w, int rank, const double *wire) {
+    paradt_mpi__home *home = w->home + w->known;
+    paradt_index place = (paradt_index)paradt_mpi__bits_at(wire + w->set.width + 1);
+    if (paradt_mpi__table_put(&w->others, rank, place, (paradt_index)w->known)) return 0;
+    memcpy(w->set.records + w->known * w->set.width, wire, w->set.width * sizeof *wire);
+    home->id = paradt_mpi__bits_at(wire + w->set.width);
+    home->rank = rank;
+    home->place = place;
+    w->known++;
+    return 1;
+}
+
+static void paradt_mpi__put_wire(const paradt_mpi__work *w, double *wire, paradt_index point) {
+    memcpy(wire, paradt__record(&w->set, point), w->set.width * sizeof *wire);
+    paradt_mpi__put_bits(wire + w->set.width, w->home[point].id);
+    paradt_mpi__put_bits(wire + w->set.width + 1, (uint64_t)w->home[point].place);
+}
+
+// Sends the points of the list to their ranks and learns those that come. *news: how many of them were not known.
+static paradt_status paradt_mpi__learn(paradt_mpi__work *w, paradt_status status, const paradt_mpi__list *list,
+                                       size_t *news) {
+    size_t width = paradt_mpi__wire_width(w), i, count, row = 0;
+    double *rows = NULL;
+    void *got = NULL;
+    int r;
+    *news = 0;
+    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+    if (!status) rows = (double *)paradt__alloc(&w->memory, list->count, width * sizeof *rows);
+    if (!status && !rows) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < list->count && !status; i++) {
+        paradt_mpi__put_wire(w, rows + i * width, list->items[i].place);
+        w->to[list->items[i].rank]++;
+    }
+    status = paradt_mpi__exchange(w, status, rows, width * sizeof *rows, &got, &count);
+    paradt__release(&w->memory, rows);
+    if (!status) status = paradt_mpi__make_room(w, count);
+    if (!status) status = paradt_mpi__table_room(w, &w->others, count);
+    for (r = 0; r < w->ranks && !status; r++) {
+        for (i = 0; i < w->from[r]; i++) *news += paradt_mpi__add_other(w, r, (double *)got + row++ * width);
+    }
+    paradt__release(&w->memory, got);
+    return status;
+}
+
+// The set of the rows this rank got, without duplicates; not collective.
+static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, size_t count) {
+    paradt__set *set = &w->set;
+    size_t i, width = (size_t)w->dim + (size_t)w->weighted;
+    set->grade = w->weighted ? PARADT__WEIGHT : PARADT__UNGRADED;
+    set->width = width;
+    paradt__space_begin(&set->space, w->dim, w->dim, w->weighted);
+    if (count > (size_t)INT32_MAX / 2 && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
+    set->records = (double *)paradt__alloc(&w->memory, count, width * sizeof(double));
+    set->origin = (paradt_index *)paradt__alloc(&w->memory, count, sizeof *set->origin);
+    w->received = (uint64_t *)paradt__alloc(&w->memory, count, sizeof *w->received);
+    w->twin = (paradt_index *)paradt__alloc(&w->memory, count, sizeof *w->twin);
+    if (!set->records || !set->origin || !w->received || !w->twin) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) {
+        memcpy(set->records + i * width, rows + i * (width + 1), width * sizeof *rows);
+        w->received[i] = paradt_mpi__bits_at(rows + i * (width + 1) + width);
+        set->origin[i] = (paradt_index)i;
+    }
+    set->count = w->received_count = count;
+    return paradt__set_merge(set, &w->memory, w->twin); // ids ascend, so the smallest index is the smallest id
+}
+
+// Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that.
+static void paradt_mpi__scale(paradt_mpi__work *w) {
+    paradt__set *set = &w->set;
+    int64_t largest = 0, fine = 1;
+    size_t i, j;
+    int shift, exact = 1;
+    for (i = 0; i < set->count; i++) {
+        for (j = 0; j < (size_t)w->dim; j++) {
+            int64_t exponent = (int64_t)(paradt_mpi__bits_at(set->records + i * set->width + j) >> 52 & 2047);
+            if (-exponent < largest) largest = -exponent;
+        }
+    }
+    paradt_mpi__smallest(w, &largest, 1);
+    shift = 1023 + (int)largest;
+    if (shift >= -32 && shift <= 32) return;
+    for (i = 0; i < set->count * set->width && exact; i++)
+        paradt__scale(set->records[i], i % set->width < (size_t)w->dim ? shift : 2 * shift, &exact);
+    fine = exact;
+    paradt_mpi__smallest(w, &fine, 1);
+    if (!fine) return;
+    for (i = 0; i < set->count * set->width; i++)
+        set->records[i] = paradt__scale(set->records[i], i % set->width < (size_t)w->dim ? shift : 2 * shift, &exact);
+    w->shift = shift;
+}
+
+// Points that span all, and the axes in which they do. origins: of those that are this rank's, in the places they have
+// among them; the others are -1. Returns the affine dimension.
+static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *counts, paradt_index *origins) {
+    const double *basis[PARADT_MAX_DIM + 1];
+    double mine[(PARADT_MAX_DIM + 1) * (PARADT_MAX_DIM + 1)];
+    paradt_index own[PARADT_MAX_DIM + 1];
+    paradt__set *set = &w->set, all;
+    size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
+    uint64_t count = 0;
+    int axes[PARADT_MAX_DIM], dim, axis, taken, r;
+    if (set->count) {
+        basis[0] = set->records;
+        count = (uint64_t)paradt__span(set, basis, axes, 0, 0) + 1;
+    }
+    memset(mine, 0, sizeof mine);
+    for (i = 0; i < count; i++) {
+        memcpy(mine + i * width, basis[i], width * sizeof *mine);
+        own[i] = set->origin[(size_t)(basis[i] - set->records) / width];
+    }
+    MPI_Allgather(&count, (int)sizeof count, MPI_BYTE, counts, (int)sizeof count, MPI_BYTE, w->comm);
+    MPI_Allgather(mine, (int)(most * width), MPI_DOUBLE, gathered, (int)(most * width), MPI_DOUBLE, w->comm);
+    for (r = 0; r < w->ranks; r++) {
+        if (r < w->rank) before += counts[r];
+        memmove(gathered + total * width, gathered + (size_t)r * most * width, counts[r] * width * sizeof *mine);
+        total += counts[r];
+    }
+    all = *set;
+    all.records = gathered;
+    all.count = total;
+    dim = -1;
+    if (total) {
+        basis[0] = gathered;
+        dim = paradt__span(&all, basis, set->axes, 0, 0);
+    }
+    for (taken = 0; taken <= dim; taken++) {
+        size_t place = (size_t)(basis[taken] - gathered) / width;
+        origins[taken] = place >= before && place < before + count ? own[place - before] : -1;
+    }
+    taken = dim > 0 ? dim : 0;
+    for (axis = 0; axis < w->dim; axis++) {
+        int known = 0, j;
+        for (j = 0; j < taken; j++) known |= set->axes[j] == axis;
+        if (!known) set->axes[taken++] = axis;
+    }
+    return dim;
+}
+
+// Measures the points of all ranks.
+static void paradt_mpi__measure(paradt_mpi__work *w, int dim) {
+    paradt__space *space = &w->set.space;
+    int64_t facts[6 + 2 * PARADT_MAX_DIM];
+    paradt__range *ranges[2];
+    int j;
+    paradt__set_measure(&w->set, dim);
+    ranges[0] = &space->coordinates;
+    ranges[1] = &space->weights;
+    for (j = 0; j < 2; j++) {
+        facts[3 * j] = ranges[j]->unit;
+        facts[3 * j + 1] = ranges[j]->bottom;
+        facts[3 * j + 2] = -ranges[j]->top;
+    }
+    for (j = 0; j < w->dim; j++) {
+        facts[6 + 2 * j] = space->low[j];
+        facts[7 + 2 * j] = ~space->high[j];
+    }
+    paradt_mpi__smallest(w, facts, 6 + 2 * w->dim);
+    for (j = 0; j < 2; j++) {
+        ranges[j]->unit = (int)facts[3 * j];
+        ranges[j]->bottom = (int)facts[3 * j + 1];
+        ranges[j]->top = -(int)facts[3 * j + 2];
+    }
+    for (j = 0; j < w->dim; j++) {
+        space->low[j] = facts[6 + 2 * j];
+        space->high[j] = ~facts[7 + 2 * j];
+    }
+    if (dim > 0) paradt__space_end(space);
+}
+
+// A sample of all points: at most 64 of each rank, in `sample`, [ranks][64][dim], closed up. Returns their number.
+static size_t paradt_mpi__sample(paradt_mpi__work *w, double *sample, size_t *counts) {
+    const paradt__set *set = &w->set;
+    size_t width = set->width, i, total = 0;
+    uint64_t count = set->count < 64 ? set->count : 64;
+    double mine[64 * PARADT_MAX_DIM];
+    int r;
+    memset(mine, 0, sizeof mine);
+    for (i = 0; i < count; i++)
+        memcpy(mine + i * width, set->records + set->count / count * i * width, width * sizeof *mine);
+    MPI_Allgather(&count, (int)sizeof count, MPI_BYTE, counts, (int)sizeof count, MPI_BYTE, w->comm);
+    MPI_Allgather(mine, (int)(64 * width), MPI_DOUBLE, sample, (int)(64 * width), MPI_DOUBLE, w->comm);
+    for (r = 0; r < w->ranks; r++) {
+        memmove(sample + total * width, sample + (size_t)r * 64 * width, counts[r] * width * sizeof *mine);
+        total += counts[r];
+    }
+    return total;
+}
+
+// Takes the sagittas away again: the points of another rank are not near to the sphere.
+static void paradt_mpi__ungrade(paradt__set *set) {
+    size_t i;
+    set->width--;
+    set->grade = PARADT__UNGRADED;
+    for (i = 0; i < set->count; i++)
+        memmove(set->records + i * set->width, set->records + i * (set->width + 1), set->width * sizeof(double));
+}
+
+// Grades the points by one reference sphere, if those of all ranks are near it.
+static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
+    paradt__set *set = &w->set, all = *set;
+    double sphere[PARADT_MAX_DIM + 2] = {0.0}, limit; // centre, squared radius, whether there is one
+    double *sample;
+    size_t *counts;
+    int64_t all_near;
+    int near = 0, dim = w->dim;
+    paradt_status status = PARADT_OK;
+    if (set->grade || set->space.dim < dim || !set->space.filtered) return PARADT_OK;
+    sample = (double *)paradt__alloc(&w->memory, (size_t)w->ranks * 64 * set->width, sizeof *sample);
+    counts = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *counts);
+    if (!sample || !counts) status = PARADT_ERROR_MEMORY;
+    status = paradt_mpi__agree(w, status);
+    if (!status) {
+        all.records = sample;
+        all.count = paradt_mpi__sample(w, sample, counts);
+        if (w->rank == 0 && all.count >= 64) sphere[dim + 1] = paradt__fit_sphere(&all, sphere, sphere + dim);
+        MPI_Bcast(sphere, dim + 2, MPI_DOUBLE, 0, w->comm);
+    }
+    paradt__release(&w->memory, sample);
+    paradt__release(&w->memory, counts);
+    if (status || !(sphere[dim + 1] > 0.0)) return status;
+    status = paradt__remote_sphere(set, sphere, sphere[dim], &w->memory, &near);
+    all_near = near;
+    status = paradt_mpi__agree(w, status);
+    if (status) return status;
+    paradt_mpi__smallest(w, &all_near, 1);
+    if (near && !all_near) paradt_mpi__ungrade(set);
+    if (!all_near) return PARADT_OK;
+    MPI_Allreduce(&set->grade_limit, &limit, 1, MPI_DOUBLE, MPI_MAX, w->comm);
+    set->grade_limit = limit * 1.0000001;
+    set->grade_error += limit * paradt__power(-48);
+    return PARADT_OK;
+}
+
+// Sorts the own points into their grid; its room is this rank's box, where that is known on the axes that orient.
+static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
+    paradt__set *set = &w->set;
+    double *room;
+    int axis, bounded = w->shift != 0;
+    size_t i;
+    paradt_status status;
+    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, set->count, sizeof *w->home);
+    if (!w->home) return PARADT_ERROR_MEMORY;
+    w->known = w->room = set->count;
+    w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
+    if (w->ready) {
+        status = paradt__grid_build(&w->grid, set, &w->memory);
+        if (status) return status;
+        for (axis = set->space.dim; axis < w->dim; axis++)
+            bounded |= w->below[set->axes[axis]] > -PARADT__FAR || w->above[set->axes[axis]] < PARADT__FAR;
+        room = w->grid.rooms[w->grid.levels - 1];
+        for (axis = 0; axis < set->space.dim; axis++) {
+            room[2 * axis] = bounded ? PARADT__FAR : w->below[set->axes[axis]];
+            room[2 * axis + 1] = bounded ? -PARADT__FAR : w->above[set->axes[axis]];
+        }
+        paradt__search_begin(&w->search, set, &w->grid);
+    }
+    for (i = 0; i < set->count; i++) {
+        w->home[i].id = w->received[set->origin[i]];
+        w->home[i].rank = w->rank;
+        w->home[i].place = (paradt_index)i;
+    }
+    return PARADT_OK;
+}
+
+// Every rank learns the points that span all: so every local triangulation has the dimension of the whole.
+static paradt_status paradt_mpi__share_basis(paradt_mpi__work *w, const paradt_index *origins) {
+    paradt_mpi__list list;
+    size_t news, i;
+    int k, r;
+    paradt_status status = PARADT_OK;
+    memset(&list, 0, sizeof list);
+    for (r = 0; r < w->ranks; r++) {
+        for (k = 0; k <= w->set.space.dim; k++) {
+            if (r == w->rank || origins[k] < 0) continue;
+            for (i = 0; w->set.origin[i] != origins[k];) i++;
+            if (!status) status = paradt_mpi__table_room(w, &w->told, 1);
+            if (!status) status = paradt_mpi__list_add(w, &list, r, (paradt_index)i);
+            if (!status) paradt_mpi__table_put(&w->told, r, (paradt_index)i, 0);
+        }
+    }
+    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
+    paradt__release(&w->memory, list.items);
+    return status;
+}
+
+// Makes the rows this rank got its own points.
+static paradt_status paradt_mpi__settle(paradt_mpi__work *w, double *rows, size_t count) {
+    size_t most = (size_t)w->dim + 1;
+    double *gathered;
+    size_t *counts;
+    paradt_index origins[PARADT_MAX_DIM + 1];
+    int dim = -1;
+    paradt_status status = paradt_mpi__load(w, rows, count);
+    paradt__release(&w->memory, rows);
+    gathered = (double *)paradt__alloc(&w->memory, (size_t)w->ranks * most * most, sizeof *gathered);
+    counts = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *counts);
+    if (!status && (!gathered || !counts)) status = PARADT_ERROR_MEMORY;
+    status = paradt_mpi__agree(w, status);
+    if (!status) {
+        paradt_mpi__scale(w);
+        dim = paradt_mpi__span(w, gathered, counts, origins);
+    }
+    paradt__release(&w->memory, gathered);
+    paradt__release(&w->memory, counts);
+    if (status) return status;
+    paradt__set_permute(&w->set);
+    paradt_mpi__measure(w, dim);
+    w->out->dim = dim;
+    w->stats.points = w->set.count;
+    w->stats.duplicates = count - w->set.count;
+    if (dim > 0) status = paradt_mpi__grade(w);
+    if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort(w));
+    return status || dim <= 0 ? status : paradt_mpi__share_basis(w, origins);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>directory
+//
+// What every rank knows of all others: up to 64 boxes around their points, those of the finest level of their grid that
+// has no more, and one around them all. Only that decides whom to ask, on the safe side. The guess uses it too: it
+// sends a point to a rank that has a box nearer than the size of the grid cell it is in, which has eight points, so a
+// size that adapts to them. Doors: paradt_mpi__tell, paradt_mpi__guess, paradt_mpi__asked.
+
+// Of the guess, in sizes of a grid cell: about one layer of uniform points. Half as much leaves more than half of what
+// is needed to be asked for; twice as much sends and triangulates a quarter more in vain.
+#define PARADT_MPI__REACH 0.4
+
+// One box a rank, around its boxes.
+static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
+    paradt_mpi__directory *d = &w->directory;
+    size_t rows = d->width / PARADT__LANES, row;
+    int r, b;
+    for (r = 0; r < w->ranks; r++) {
+        const double *boxes = d->groups + (size_t)r * PARADT_MPI__GROUPS * d->width;
+        double *box = d->ranks + (size_t)(r / PARADT__LANES) * d->width + r % PARADT__LANES;
+        for (row = 0; row < rows && d->count[r]; row++) {
+            int lower = row < 2 * (size_t)w->dim && row % 2 == 0; // the last row is the largest grade
+            double *to = box + row * PARADT__LANES;
+            *to = boxes[row * PARADT__LANES];
+            for (b = 1; b < d->count[r]; b++) {
+                double x =
+                    boxes[(size_t)(b / PARADT__LANES) * d->width + row * PARADT__LANES + (size_t)(b % PARADT__LANES)];
+                if (lower ? x < *to : x > *to) *to = x;
+            }
+        }
+    }
+}
+
+static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
+    paradt_mpi__directory *d = &w->directory;
+    size_t ranks = (size_t)w->ranks, size, room;
+    double *mine;
+    int count = 0, level = 0;
+    paradt_status status = PARADT_OK;
+    d->width = (size_t)(2 * w->dim + (w->set.grade != PARADT__UNGRADED)) * PARADT__LANES;
+    size = PARADT_MPI__GROUPS * d->width;
+    room = (ranks + PARADT__LANES - 1) / PARADT__LANES * d->width;
+    d->groups = (double *)paradt__alloc(&w->memory, ranks * size, sizeof *d->groups);
+    d->count = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->count);
+    d->ranks = (double *)paradt__alloc(&w->memory, room, sizeof *d->ranks);
+    mine = (double *)paradt__alloc(&w->memory, size, sizeof *mine);
+    if (!d->groups || !d->count || !d->ranks || !mine) status = PARADT_ERROR_MEMORY;
+    status = paradt_mpi__agree(w, status);
+    if (!status) {
+        memset(mine, 0, size * sizeof *mine);
+        if (w->ready) {
+            while (w->grid.box_count[level] > PARADT_MPI__GROUPS * PARADT__LANES) level++;
+            count = (int)w->grid.box_count[level];
+            size = ((size_t)count + PARADT__LANES - 1) / PARADT__LANES * d->width;
+            memcpy(mine, w->grid.boxes[level], size * sizeof *mine);
+        }
+        size = PARADT_MPI__GROUPS * d->width;
+        MPI_Allgather(mine, (int)size, MPI_DOUBLE, d->groups, (int)size, MPI_DOUBLE, w->comm);
+        MPI_Allgather(&count, 1, MPI_INT, d->count, 1, MPI_INT, w->comm);
+        memset(d->ranks, 0, room * sizeof *d->ranks);
+        paradt_mpi__bound_ranks(w);
+    }
+    paradt__release(&w->memory, mine);
+    return status;
+}
+
+// Squared distance of the box low..high from box `lane` of a group. low and high may be the same point.
+static double paradt_mpi__distance(const double *group, int lane, const double *low, const double *high, int dim) {
+    double sum = 0.0;
+    int j;
+    for (j = 0; j < dim; j++) {
+        double below = group[2 * j * PARADT__LANES + lane] - high[j];
+        double above = low[j] - group[(2 * j + 1) * PARADT__LANES + lane];
+        double away = below > above ? below : above;
+        if (away > 0.0) sum += away * away;
+    }
+    return sum;
+}
+
+// Has the rank a box that is nearer?
+static int paradt_mpi__near(const paradt_mpi__work *w, int rank, const double *low, const double *high, double reach) {
+    const paradt_mpi__directory *d = &w->directory;
+    const double *groups = d->groups + (size_t)rank * PARADT_MPI__GROUPS * d->width;
+    int b;
+    if (paradt_mpi__distance(d->ranks + (size_t)(rank / PARADT__LANES) * d->width, rank % PARADT__LANES, low, high,
+                             w->dim) >= reach * reach)
+        return 0;
+    for (b = 0; b < d->count[rank]; b++) {
+        if (paradt_mpi__distance(groups + (size_t)(b / PARADT__LANES) * d->width, b % PARADT__LANES, low, high,
+                                 w->dim) < reach * reach)
+            return 1;
+    }
+    return 0;
+}
+
+// A bit more than the smallest distance of the first point of a grid cell from its others: in a lattice, the step.
+static double paradt_mpi__step(const paradt_mpi__work *w, size_t box) {
+    const double *first = w->set.records + box * PARADT__LANES * w->set.width;
+    double least = PARADT__FAR;
+    size_t i;
+    int j;
+    for (i = 1; i < PARADT__LANES && box * PARADT__LANES + i < w->set.count; i++) {
+        double sum = 0.0;
+        for (j = 0; j < w->dim; j++) {
+            double away = first[i * w->set.width + (size_t)j] - first[j];
+            sum += away * away;
+        }
+        if (sum < least) least = sum;
+    }
+    return least < PARADT__FAR ? 1.01 * sqrt(least) : 0.0;
+}
+
+// Lists the points for a rank that are in one box of the grid.
+static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level,
+                                           size_t box) {
+    const double *group = w->grid.boxes[level] + box / PARADT__LANES * w->grid.group_width + box % PARADT__LANES;
+    size_t i, end = (box + 1) * PARADT__LANES, below = level ? w->grid.box_count[level - 1] : w->set.count;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], side = 0.0, reach;
+    paradt_status status = PARADT_OK;
+    int j;
+    for (j = 0; j < w->dim; j++) {
+        low[j] = group[2 * j * PARADT__LANES];
+        high[j] = group[(2 * j + 1) * PARADT__LANES];
+        side = paradt__larger(side, high[j] - low[j]);
+    }
+    reach = side * PARADT_MPI__REACH;
+    if (!level) reach = paradt__larger(reach, paradt_mpi__step(w, box));
+    if (!paradt_mpi__near(w, rank, low, high, reach)) return PARADT_OK;
+    for (i = box * PARADT__LANES; i < end && i < below && !status; i++) {
+        const double *x = w->set.records + i * w->set.width;
+        if (level) {
+            status = paradt_mpi__guess_box(w, list, rank, level - 1, i);
+        } else if (paradt_mpi__near(w, rank, x, x, reach)) {
+            status = paradt_mpi__table_room(w, &w->told, 1);
+            if (!status && !paradt_mpi__table_put(&w->told, rank, (paradt_index)i, 0))
+                status = paradt_mpi__list_add(w, list, rank, (paradt_index)i);
+        }
+    }
+    return status;
+}
+
+static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
+    paradt_mpi__list list;
+    paradt_status status = PARADT_OK;
+    size_t news, box;
+    int r, top = w->grid.levels - 1;
+    memset(&list, 0, sizeof list);
+    for (r = 0; r < w->ranks && w->ready; r++) {
+        if (r == w->rank || !w->directory.count[r]) continue;
+        for (box = 0; box < w->grid.box_count[top] && !status; box++)
+            status = paradt_mpi__guess_box(w, &list, r, top, box);
+    }
+    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
+    w->stats.points_guessed = news;
+    paradt__release(&w->memory, list.items);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>questions
+//
+// Steps 2 to 4. Doors: paradt_mpi__rounds.
+
+// What a vertex of a cell in question is to the rank that is asked: a place among its own points, or that of a point it
+// may want to keep, or neither.
+enum { PARADT_MPI__STRANGER = -1 }; // below it: an own point of the asking rank, STRANGER - 1 - place
+
+typedef struct paradt_mpi__questions {
+    size_t count, capacity;
+    paradt_mpi__question *items;
+} paradt_mpi__questions;
+
+static int paradt_mpi__progress(void *user, double fraction) {
+    paradt_mpi__work *w = (paradt_mpi__work *)user;
+    return w->options.local.progress(w->options.local.user, w->progress_begin + fraction * w->progress_length);
+}
+
+// A paradt_parallel_for takes the same user pointer as the progress callback; so this one hands on the caller's.
+static void paradt_mpi__parallel_for(void *user, size_t count, void (*task)(void *context, size_t index),
+                                     void *context) {
+    paradt_mpi__work *w = (paradt_mpi__work *)user;
+    w->options.local.parallel_for(w->options.local.user, count, task, context);
+}
+
+// Asks for the caller's wish between steps: the engines ask only now and then. Not collective.
+static paradt_status paradt_mpi__go_on(paradt_mpi__work *w, double fraction) {
+    return w->options.local.progress && paradt_mpi__progress(w, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
+}
+
+// The options of a triangulation on this rank alone.
+static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
+    paradt_options options = w->options.local;
+    if (options.progress) options.progress = paradt_mpi__progress;
+    if (options.parallel_for) options.parallel_for = paradt_mpi__parallel_for;
+    options.user = w;
+    options.flags = 0; // hull facets are known by their neighbours
+    if (options.memory_limit) {
+        size_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
+        options.memory_limit = left ? left : 1;
+    }
+    return options;
+}
+
+// The local triangulation has an account of its own: its peak and what it goes on to hold are added to the rank's.
+static void paradt_mpi__account(paradt_mpi__work *w) {
+    const paradt_triangulation *t = &w->local;
+    size_t peak = w->memory.held + (size_t)t->stats.peak_bytes;
+    if (peak > w->memory.peak) w->memory.peak = peak;
+    w->local_bytes = sizeof *t + (2 * t->cell_count * (size_t)(t->dim + 1) + t->point_count) * sizeof(paradt_index);
+    w->memory.held += w->local_bytes;
+}
+
+static void paradt_mpi__forget(paradt_mpi__work *w) {
+    if (w->local_bytes) {
+        paradt_free(&w->local);
+    } else {
+        paradt__release(&w->memory, w->local.cells);
+        paradt__release(&w->memory, w->local.neighbors);
+        memset(&w->local, 0, sizeof w->local);
+    }
+    w->memory.held -= w->local_bytes;
+    w->local_bytes = 0;
+}
+
+// Triangulates all that this rank knows by any method, from the beginning.
+static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
+    paradt_points points;
+    paradt_options options;
+    double *weights = NULL;
+    size_t i;
+    paradt_status status;
+    paradt_mpi__forget(w);
+    memset(&points, 0, sizeof points);
+    if (w->weighted) {
+        weights = (double *)paradt__alloc(&w->memory, w->known, sizeof *weights);
+        if (!weights) return PARADT_ERROR_MEMORY;
+        for (i = 0; i < w->known; i++) weights[i] = w->set.records[i * w->set.width + (size_t)w->dim];
+    }
+    points.data = w->set.records;
+    points.count = w->known;
+    points.dim = w->dim;
+    points.stride = w->set.width * sizeof(double);
+    points.weights = weights;
+    options = paradt_mpi__local_options(w);
+    status = paradt_triangulate(&w->local, &points, &options);
+    if (!status) paradt_mpi__account(w);
+    paradt__release(&w->memory, weights);
+    return status;
+}
+
+// Inserts what this rank knows and has not inserted yet.
+static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
+    paradt__set all = w->set;
+    paradt__progress progress;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    all.count = w->known;
+    progress.call = w->options.local.progress ? paradt_mpi__progress : NULL;
+    progress.user = w;
+    progress.begin = 0.0;
+    progress.length = 1.0;
+    if (!w->inserting) {
+        w->inserting = 1;
+        return paradt__remote_engine_begin(&w->engine, &all, &w->memory, &progress);
+    }
+    for (i = w->engine.sorted.count; i < w->known && !status; i++)
+        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)i);
+    return status;
+}
+
+// Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
+static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
+    paradt_method method = w->options.local.method;
+    return (method == PARADT_AUTO || method == PARADT_BOWYER_WATSON) && w->options.local.regions <= 1 &&
+           w->set.space.dim > 0 && w->set.grade != PARADT__SAGITTA;
+}
+
+// The local engine: triangulates all that this rank knows. Not collective.
+static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
+    double begun = paradt__now();
+    paradt_status status = paradt_mpi__go_on(w, 0.0);
+    if (status || !w->set.count) return status;
+    status = paradt_mpi__can_insert(w) ? paradt_mpi__insert(w) : paradt_mpi__triangulate_anew(w);
+    w->stats.triangulations++;
+    w->stats.seconds_build += paradt__now() - begun;
+    return status;
+}
+
+// No more points come: the cells are in w->local.
+static void paradt_mpi__settle_cells(paradt_mpi__work *w) {
+    paradt__cells cells;
+    double begun = paradt__now();
+    if (!w->inserting) return;
+    w->inserting = 0;
+    paradt__remote_engine_end(&w->engine, &cells, &w->memory);
+    w->local.dim = w->set.space.dim;
+    w->local.cell_count = cells.count;
+    w->local.cells = cells.vertices;
+    w->local.neighbors = cells.neighbors;
+    w->stats.seconds_build += paradt__now() - begun;
+}
+
+// Places of cells, for paradt_mpi__cell.
+static size_t paradt_mpi__places(paradt_mpi__work *w) {
+    if (!w->inserting) return w->local.cell_count;
+    paradt__remote_engine_mark(&w->engine);
+    return w->engine.bw.cells.count;
+}
+
+// The vertices of the cell at a place, and which of its facets are on the hull. 0: there is none.
+static int paradt_mpi__cell(const paradt_mpi__work *w, size_t place, paradt_index *cell, unsigned *hull) {
+    size_t k = (size_t)w->set.space.dim + 1, j;
+    if (w->inserting) return paradt__remote_engine_cell(&w->engine, place, cell, hull);
+    *hull = 0;
+    for (j = 0; j < k; j++) {
+        cell[j] = w->local.cells[place * k + j];
+        *hull |= (unsigned)(w->local.neighbors[place * k + j] < 0) << j;
+    }
+    return 1;
+}
+
+// The records of a cell's vertices, and which of them are own points.
+static int paradt_mpi__corners(const paradt_mpi__work *w, const paradt_index *cell, const double **corners,
+                               paradt_index *own) {
+    int dim = w->set.space.dim, i, count = 0;
+    for (i = 0; i <= dim; i++) {
+        corners[i] = paradt__record(&w->set, cell[i]);
+        own[i] = (size_t)cell[i] < w->set.count ? cell[i] : (paradt_index)PARADT__OPEN;
+        count += own[i] >= 0;
+    }
+    return count;
+}
+
+static paradt_status paradt_mpi__ask(paradt_mpi__work *w, paradt_mpi__questions *q, int rank, paradt_index cell,
+                                     int opposite) {
+    if (q->count == q->capacity) {
+        void *array = q->items;
+        size_t capacity = q->capacity * 2 + 64;
+        if (!paradt__grow(&w->memory, &array, q->count, capacity, sizeof *q->items)) return PARADT_ERROR_MEMORY;
+        q->items = (paradt_mpi__question *)array;
+        q->capacity = capacity;
+    }
+    q->items[q->count].rank = rank;
+    q->items[q->count].cell = cell;
+    q->items[q->count++].opposite = opposite;
+    return PARADT_OK;
+}
+
+// Does the rank know all own vertices of the cell already? Without weights, it need not be asked then.
+static int paradt_mpi__is_told(const paradt_mpi__work *w, int rank, const paradt_index *cell) {
+    int i;
+    if (w->weighted || !w->told.size) return 0;
+    for (i = 0; i <= w->set.space.dim; i++) {
+        if ((size_t)cell[i] < w->set.count && paradt_mpi__find(&w->told, rank, cell[i])->rank < 0) return 0;
+    }
+    return 1;
+}
+
+static int paradt_mpi__has_vertex_of(const paradt_mpi__work *w, int rank, const paradt_index *cell) {
+    int i;
+    for (i = 0; i <= w->set.space.dim; i++) {
+        if (w->home[cell[i]].rank == rank) return 1;
+    }
+    return 0;
+}
+
+static int paradt_mpi__boxes_hit(const paradt_mpi__work *w, int rank) {
+    const paradt_mpi__directory *d = &w->directory;
+    const double *groups = d->groups + (size_t)rank * PARADT_MPI__GROUPS * d->width;
+    int left;
+    for (left = d->count[rank]; left > 0; left -= PARADT__LANES, groups += d->width) {
+        unsigned valid = left < PARADT__LANES ? (1u << left) - 1 : 255u;
+        if (paradt__remote_boxes(&w->search, groups) & valid) return 1;
+    }
+    return 0;
+}
+
+// Lists the ranks to be asked the question that the search is set to.
+static paradt_status paradt_mpi__ask_ranks(paradt_mpi__work *w, paradt_mpi__questions *q, const paradt_index *cell,
+                                           paradt_index place, int opposite) {
+    paradt_status status = PARADT_OK;
+    int group, lane;
+    for (group = 0; group * PARADT__LANES < w->ranks; group++) {
+        unsigned mask = paradt__remote_boxes(&w->search, w->directory.ranks + (size_t)group * w->directory.width);
+        for (lane = 0; lane < PARADT__LANES && !status; lane++) {
+            int r = group * PARADT__LANES + lane;
+            if (!(mask >> lane & 1) || r >= w->ranks || r == w->rank || !w->directory.count[r]) continue;
+            if (paradt_mpi__is_told(w, r, cell)) continue;
+            if ((opposite < 0 && paradt_mpi__has_vertex_of(w, r, cell)) || paradt_mpi__boxes_hit(w, r))
+                status = paradt_mpi__ask(w, q, r, place, opposite);
+        }
+    }
+    return status;
+}
+
+// Is the sphere of an own tetrahedron surely inside of this rank's box? With the edges a, b, c from one vertex, m the
+// largest size of their components and u = 2^-52, the centre is N / (2 det) from there, N = |a|^2 b x c + ... Computed
+// in any order, fused or not, det is wrong by less than 64 u m^3, N by less than 512 u m^4. Where |det| > 2^-20 m^3 the
+// centre so is wrong by less than 2^-24 m and 2^-25 of its distance; 2^-20 of both leaves room for the rest.
+static int paradt_mpi__surely_inside3(const double *room, const double *const *p) {
+    double e[3][3], square[3], n[3], cross[3], det, m = 0.0, radius, nearest = PARADT__FAR, far = 0.0;
+    int i, j;
+    for (i = 0; i < 3; i++) {
+        for (j = 0; j < 3; j++) {
+            e[i][j] = p[i + 1][j] - p[0][j];
+            m = paradt__larger(m, paradt__abs(e[i][j]));
+        }
+        square[i] = e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
+    }
+    for (j = 0; j < 3; j++) {
+        int k = j == 2 ? 0 : j + 1, l = j == 0 ? 2 : j - 1;
+        cross[j] = e[1][k] * e[2][l] - e[1][l] * e[2][k];
+        n[j] = square[0] * cross[j] + square[1] * (e[2][k] * e[0][l] - e[2][l] * e[0][k]) +
+               square[2] * (e[0][k] * e[1][l] - e[0][l] * e[1][k]);
+    }
+    det = e[0][0] * cross[0] + e[0][1] * cross[1] + e[0][2] * cross[2];
+    if (!(paradt__abs(det) > 9.5367431640625e-07 * m * m * m)) return 0;
+    for (j = 0; j < 3; j++) {
+        double low, high;
+        n[j] *= 0.5 / det;
+        low = (p[0][j] - room[2 * j]) + n[j];
+        high = (room[2 * j + 1] - p[0][j]) - n[j];
+        nearest = low < nearest ? low : nearest;
+        nearest = high < nearest ? high : nearest;
+        far = paradt__larger(far, paradt__abs(p[0][j]));
+    }
+    radius = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return nearest - radius > 9.5367431640625e-07 * (m + radius) + 1e-15 * far;
+}
+
+// Can no point of another rank be inside of the sphere of a cell? The search is set to the cell if that is not so.
+static int paradt_mpi__confined(paradt_mpi__work *w, const double **corners, const paradt_index *own, int count) {
+    const double *room = w->grid.rooms[w->grid.levels - 1];
+    if (count == 4 && w->search.plain3 && w->set.space.filtered && paradt_mpi__surely_inside3(room, corners)) return 1;
+    paradt__remote_cell(&w->search, corners, own);
+    return count == w->set.space.dim + 1 && paradt__remote_confined(&w->search);
+}
+
+// Lists all questions: cells around own points, and their facets on the hull.
+static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
+    size_t places = w->ready ? paradt_mpi__places(w) : 0, place;
+    const double *corners[PARADT_MAX_DIM + 1];
+    paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
+    paradt_status status = PARADT_OK;
+    unsigned hull;
+    int j;
+    for (place = 0; place < places && !status; place++) {
+        int count = paradt_mpi__cell(w, place, cell, &hull) ? paradt_mpi__corners(w, cell, corners, own) : 0;
+        if (!count) continue;
+        if (!paradt_mpi__confined(w, corners, own, count))
+            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1);
+        for (j = 0; j <= w->set.space.dim && !status; j++) {
+            if (!(hull >> j & 1) || count == (own[j] >= 0)) continue;
+            paradt__remote_facet(&w->search, corners, own, j);
+            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, j);
+        }
+    }
+    return status;
+}
+
+// The questions in the order of ranks, counted in w->to.
+static paradt_status paradt_mpi__sort_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
+    paradt_mpi__question *sorted;
+    size_t *places, i, next = 0;
+    int r;
+    sorted = (paradt_mpi__question *)paradt__alloc(&w->memory, q->count, sizeof *sorted);
+    places = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *places);
+    if (sorted && places) {
+        memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+        for (i = 0; i < q->count; i++) w->to[q->items[i].rank]++;
+        for (r = 0; r < w->ranks; r++) {
+            places[r] = next;
+            next += w->to[r];
+        }
+        for (i = 0; i < q->count; i++) sorted[places[q->items[i].rank]++] = q->items[i];
+        paradt__release(&w->memory, q->items);
+        q->items = sorted;
+        q->capacity = q->count;
+        sorted = NULL;
+    }
+    i = places != NULL && !sorted;
+    paradt__release(&w->memory, sorted);
+    paradt__release(&w->memory, places);
+    return i ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// What the questions to all ranks, or those from them, look like on the wire: the vertices, each once a rank; and for
+// each cell dim + 1 positions among the vertices of the same rank, and the vertex opposite its facet or -1.
+typedef struct paradt_mpi__mail {
+    double *points;
+    int32_t *cells;
+    size_t *point_count; // [ranks]
+    size_t *cell_count;  // [ranks]
+} paradt_mpi__mail;
+
+// Packs the questions to rank r. place: [known], of each point that r is sent its position; reset at the end. Returns
+// how many points.
+static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__question *q, size_t count, int r,
+                                   int32_t *place, double *points, int32_t *cells) {
+    size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), used = 0, i, j;
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    unsigned hull;
+    for (i = 0; i < count; i++) {
+        paradt_mpi__cell(w, (size_t)q[i].cell, cell, &hull);
+        for (j = 0; j < k; j++) {
+            const paradt_mpi__home *home = w->home + cell[j];
+            if (place[cell[j]] < 0) {
+                double *wire = points + used * width;
+                int64_t role = home->rank == r         ? (int64_t)home->place
+                               : home->rank == w->rank ? PARADT_MPI__STRANGER - 1 - (int64_t)home->place
+                                                       : (int64_t)PARADT_MPI__STRANGER;
+                paradt_mpi__put_wire(w, wire, cell[j]);
+                paradt_mpi__put_bits(wire + w->set.width + 1, (uint64_t)role);
+                place[cell[j]] = (int32_t)used++;
+            }
+            *cells++ = place[cell[j]];
+        }
+        *cells++ = q[i].opposite;
+    }
+    for (i = 0; i < count; i++) {
+        paradt_mpi__cell(w, (size_t)q[i].cell, cell, &hull);
+        for (j = 0; j < k; j++) place[cell[j]] = -1;
+    }
+    return used;
+}
+
+static void paradt_mpi__mail_free(paradt_mpi__work *w, paradt_mpi__mail *mail) {
+    paradt__release(&w->memory, mail->points);
+    paradt__release(&w->memory, mail->cells);
+    paradt__release(&w->memory, mail->point_count);
+    paradt__release(&w->memory, mail->cell_count);
+    memset(mail, 0, sizeof *mail);
+}
+
+// Packs the sorted questions; not collective.
+static paradt_status paradt_mpi__pack(paradt_mpi__work *w, const paradt_mpi__questions *q, paradt_mpi__mail *mail) {
+    size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), ranks = (size_t)w->ranks;
+    size_t i, points = 0, cells = 0, room = 0;
+    int32_t *place = (int32_t *)paradt__alloc(&w->memory, w->known, sizeof *place);
+    int r;
+    for (r = 0; r < w->ranks; r++) room += w->to[r] * k < w->known ? w->to[r] * k : w->known;
+    mail->points = (double *)paradt__alloc(&w->memory, room, width * sizeof *mail->points);
+    mail->cells = (int32_t *)paradt__alloc(&w->memory, q->count, (k + 1) * sizeof *mail->cells);
+    mail->point_count = (size_t *)paradt__alloc(&w->memory, ranks, sizeof *mail->point_count);
+    mail->cell_count = (size_t *)paradt__alloc(&w->memory, ranks, sizeof *mail->cell_count);
+    if (place && mail->points && mail->cells && mail->point_count && mail->cell_count) {
+        for (i = 0; i < w->known; i++) place[i] = -1;
+        for (r = 0; r < w->ranks; r++) {
+            mail->cell_count[r] = w->to[r];
+            mail->point_count[r] = paradt_mpi__pack_for(w, q->items + cells, w->to[r], r, place,
+                                                        mail->points + points * width, mail->cells + cells * (k + 1));
+            cells += w->to[r];
+            points += mail->point_count[r];
+        }
+    }
+    i = place && mail->points && mail->cells && mail->point_count && mail->cell_count;
+    paradt__release(&w->memory, place);
+    return i ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Exchanges the questions: *mail becomes those for this rank.
+static paradt_status paradt_mpi__post(paradt_mpi__work *w, paradt_status status, paradt_mpi__mail *mail) {
+    size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), bytes, count;
+    size_t counts = (size_t)w->ranks * sizeof *w->to;
+    void *points = NULL, *cells = NULL;
+    bytes = width * sizeof *mail->points;
+    if (!status) memcpy(w->to, mail->point_count, counts);
+    status = paradt_mpi__exchange(w, status, mail->points, bytes, &points, &count);
+    if (!status) {
+        memcpy(w->to, mail->cell_count, counts);
+        memcpy(mail->point_count, w->from, counts);
+    }
+    paradt__release(&w->memory, mail->points);
+    mail->points = (double *)points;
+    if (!status) status = paradt_mpi__exchange(w, status, mail->cells, (k + 1) * sizeof *mail->cells, &cells, &count);
+    if (!status) memcpy(mail->cell_count, w->from, counts);
+    paradt__release(&w->memory, mail->cells);
+    mail->cells = (int32_t *)cells;
+    return status;
+}
+
+// Is an own point in conflict with the cell, or beyond its facet? Which one: *found; PARADT__OPEN: an own point is a
+// vertex, so that the cell matters in any case.
+static int paradt_mpi__matters(paradt_mpi__work *w, const double *points, const int32_t *cell, paradt_index *found) {
+    size_t width = paradt_mpi__wire_width(w);
+    const double *corners[PARADT_MAX_DIM + 1];
+    paradt_index own[PARADT_MAX_DIM + 1];
+    int dim = w->set.space.dim, i, shared = 0;
+    for (i = 0; i <= dim; i++) {
+        int64_t role = (int64_t)paradt_mpi__bits_at(points + (size_t)cell[i] * width + w->set.width + 1);
+        corners[i] = points + (size_t)cell[i] * width;
+        own[i] = role >= 0 ? (paradt_index)role : (paradt_index)PARADT__OPEN;
+        shared |= role >= 0;
+    }
+    *found = PARADT__OPEN;
+    if (shared && !w->weighted) return 1;
+    if (cell[dim + 1] < 0) paradt__remote_cell(&w->search, corners, own);
+    else paradt__remote_facet(&w->search, corners, own, cell[dim + 1]);
+    *found = paradt__remote_any(&w->search);
+    return shared || *found >= 0;
+}
+
+// Answers the questions of rank r: keeps vertices of cells that matter, and lists what is to be answered. There is room
+// for all the points. Returns how many were not known.
+static size_t paradt_mpi__answer_rank(paradt_mpi__work *w, int r, double *points, const int32_t *cells, size_t count,
+                                      paradt_mpi__list *answers, paradt_status *status) {
+    size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), i, j, news = 0;
+    for (i = 0; i < count; i++, cells += k + 1) {
+        paradt_index found;
+        if (!paradt_mpi__matters(w, points, cells, &found)) continue;
+        if (found >= 0 && w->weighted && !*status) *status = paradt_mpi__list_add(w, answers, r, found);
+        for (j = 0; j < k; j++) {
+            double *wire = points + (size_t)cells[j] * width, *role = wire + w->set.width + 1;
+            int64_t value = (int64_t)paradt_mpi__bits_at(role);
+            if (value >= PARADT_MPI__STRANGER) continue;
+            paradt_mpi__put_bits(role, (uint64_t)(PARADT_MPI__STRANGER - 1 - value));
+            news += paradt_mpi__add_other(w, r, wire);
+            paradt_mpi__put_bits(role, (uint64_t)(int64_t)PARADT_MPI__STRANGER);
+        }
+    }
+    return news;
+}
+
+static paradt_status paradt_mpi__answer(paradt_mpi__work *w, paradt_mpi__mail *mail, paradt_mpi__list *answers,
+                                        size_t *news) {
+    size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), points = 0, cells = 0;
+    paradt_status status;
+    int r;
+    for (r = 0; r < w->ranks; r++) points += mail->point_count[r];
+    status = paradt_mpi__make_room(w, points);
+    if (!status) status = paradt_mpi__table_room(w, &w->others, points);
+    points = *news = 0;
+    for (r = 0; r < w->ranks && !status && w->ready; r++) {
+        *news += paradt_mpi__answer_rank(w, r, mail->points + points * width, mail->cells + cells * (k + 1),
+                                         mail->cell_count[r], answers, &status);
+        points += mail->point_count[r];
+        cells += mail->cell_count[r];
+    }
+    return status;
+}
+
+// One round of questions and answers. *news: how many points of others this rank learned.
+static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
+    paradt_mpi__questions questions;
+    paradt_mpi__mail mail;
+    paradt_mpi__list answers;
+    size_t answered = 0;
+    double begun = paradt__now();
+    paradt_status status;
+    memset(&questions, 0, sizeof questions);
+    memset(&mail, 0, sizeof mail);
+    memset(&answers, 0, sizeof answers);
+    *news = 0;
+    status = paradt_mpi__collect(w, &questions);
+    w->stats.cells_asked += questions.count;
+    w->stats.rounds++;
+    if (!status) status = paradt_mpi__sort_questions(w, &questions);
+    if (!status) status = paradt_mpi__pack(w, &questions, &mail);
+    paradt__release(&w->memory, questions.items);
+    status = paradt_mpi__post(w, status, &mail);
+    if (!status) status = paradt_mpi__answer(w, &mail, &answers, news);
+    paradt_mpi__mail_free(w, &mail);
+    status = paradt_mpi__agree(w, status);
+    if (!status && w->weighted) status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &answers, &answered));
+    *news += answered;
+    w->stats.points_asked += *news;
+    paradt__release(&w->memory, answers.items);
+    w->stats.seconds_ask += paradt__now() - begun;
+    return status;
+}
+
+// Triangulates until the cells around own points are final.
+static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
+    uint64_t news_of_all = 1;
+    size_t news;
+    paradt_status status = paradt_mpi__agree(w, paradt_mpi__triangulate_known(w));
+    while (!status && w->set.space.dim > 0 && w->ranks > 1 && news_of_all) {
+        status = paradt_mpi__round(w, &news);
+        if (status) break;
+        news_of_all = w->weighted ? paradt_mpi__sum(w, news) : 0;
+        w->progress_begin += 0.5 * w->progress_length;
+        w->progress_length *= 0.5;
+        status = paradt_mpi__agree(w, news ? paradt_mpi__triangulate_known(w) : PARADT_OK);
+    }
+    if (!status) paradt_mpi__settle_cells(w);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>result
+//
+// From the last local triangulation to the arrays that are handed out: the own cells get numbers that run through all
+// ranks; a facet whose other cell is not an own one is sent, with the ids of its vertices, to the rank that their hash
+// names, where it meets its twin; one that meets none is on the hull. Representatives that are not the point itself are
+// sent to the rank that handed the point in. Doors: paradt_mpi__deliver.
+
+typedef struct paradt_mpi__facets { // that look for the cell on their other side
+    size_t count;
+    size_t width;    // words: the ids of the vertices in ascending order, the number of the cell
+    uint64_t *rows;  // [count][width], in the order of the ranks they are sent to
+    size_t *handles; // [count] place in the neighbors
+} paradt_mpi__facets;
+
+// The vertex that decides who owns a cell: the lexicographically smallest.
+static int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell) {
+    int k = w->set.space.dim + 1, i, own = 0;
+    if (w->options.flags & PARADT_MPI_REPLICATED) return 1;
+    for (i = 0; i < k; i++) own += (size_t)cell[i] < w->set.count;
+    if (own == 0 || own == k) return own != 0;
+    return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
+}
+
+// Numbers the own cells. place: [local.cell_count] the number within this rank, or PARADT__OPEN.
+static void paradt_mpi__number_cells(paradt_mpi__work *w, paradt_index *place) {
+    size_t k = (size_t)w->out->dim + 1, c;
+    uint64_t mine, before = 0;
+    w->out->cell_count = 0;
+    for (c = 0; c < w->local.cell_count; c++) {
+        int own = paradt_mpi__owns(w, w->local.cells + c * k);
+        place[c] = own ? (paradt_index)w->out->cell_count++ : (paradt_index)PARADT__OPEN;
+    }
+    mine = w->out->cell_count;
+    MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
+    w->out->first_cell = w->rank ? before : 0;
+    w->out->cell_total = paradt_mpi__sum(w, mine);
+    w->stats.cells = mine;
+    w->stats.cells_recomputed += w->local.cell_count - mine;
+}
+
+// What the last local triangulation makes of a point
+enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
+
+// Writes the own cells over the local ones, and their neighbours where these are own cells or known to be none. The
+// others become PARADT__OPEN; returns how many. mark: [known], gets what becomes of each point. Not collective.
+static size_t paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *place, paradt_index *mark) {
+    size_t k = (size_t)w->out->dim + 1, c, j, open = 0;
+    int replicated = (w->options.flags & PARADT_MPI_REPLICATED) != 0;
+    for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
+    for (c = 0; c < w->local.cell_count; c++) {
+        size_t to = (size_t)place[c] * k;
+        for (j = 0; j < k; j++) {
+            paradt_index *vertex = mark + w->local.cells[c * k + j];
+            if (place[c] >= 0) *vertex = PARADT_MPI__VERTEX_OF_OWN_CELL;
+            else if (*vertex == PARADT_MPI__NO_VERTEX) *vertex = PARADT_MPI__VERTEX;
+        }
+        if (place[c] < 0) continue;
+        for (j = 0; j < k; j++) {
+            paradt_index neighbor = w->local.neighbors[c * k + j];
+            int64_t number = PARADT__OPEN;
+            if (neighbor >= 0 && place[neighbor] >= 0) number = (int64_t)w->out->first_cell + place[neighbor];
+            if (k == 1 || (replicated && neighbor == PARADT__HULL)) number = PARADT__HULL;
+            open += number == PARADT__OPEN;
+            w->local.cells[to + j] = w->local.cells[c * k + j]; // to <= c * k
+            if (w->out->neighbors) w->out->neighbors[to + j] = number;
+        }
+    }
+    w->local.cell_count = w->out->cell_count;
+    return open;
+}
+
+// The row of a facet: returns the rank that it is sent to.
+static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint64_t *row) {
+    size_t k = (size_t)w->out->dim + 1, base = handle / k * k, i, j, count = 0;
+    uint64_t h = 0;
+    for (i = 0; i < k; i++) {
+        uint64_t id;
+        if (base + i == handle) continue;
+        id = w->home[w->local.cells[base + i]].id;
+        for (j = count++; j > 0 && row[j - 1] > id; j--) row[j] = row[j - 1];
+        row[j] = id;
+    }
+    row[count] = w->out->first_cell + handle / k;
+    for (i = 0; i < count; i++) h = paradt__mix(h + row[i]) + UINT64_C(0x9e3779b97f4a7c15);
+    return (int)(h % (uint64_t)w->ranks);
+}
+
+// The open facets in the order of ranks; fills w->to. Not collective.
+static paradt_status paradt_mpi__collect_facets(paradt_mpi__work *w, paradt_mpi__facets *f, size_t open) {
+    size_t k = (size_t)w->out->dim + 1, handle, *places, next = 0;
+    uint64_t row[PARADT_MAX_DIM + 1];
+    int r;
+    f->width = k;
+    f->count = open;
+    f->rows = (uint64_t *)paradt__alloc(&w->memory, open, f->width * sizeof *f->rows);
+    f->handles = (size_t *)paradt__alloc(&w->memory, open, sizeof *f->handles);
+    places = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *places);
+    if (f->rows && f->handles && places) {
+        memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+        for (handle = 0; handle < w->out->cell_count * k; handle++) {
+            if (w->out->neighbors[handle] == PARADT__OPEN) w->to[paradt_mpi__facet_row(w, handle, row)]++;
+        }
+        for (r = 0; r < w->ranks; r++) {
+            places[r] = next;
+            next += w->to[r];
+        }
+        for (handle = 0; handle < w->out->cell_count * k; handle++) {
+            if (w->out->neighbors[handle] != PARADT__OPEN) continue;
+            r = paradt_mpi__facet_row(w, handle, row);
+            memcpy(f->rows + places[r] * f->width, row, f->width * sizeof *row);
+            f->handles[places[r]++] = handle;
+        }
+    }
+    handle = f->rows && f->handles && places;
+    paradt__release(&w->memory, places);
+    return handle ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// The facets that met here: twins[i] gets the number of the cell that row i has on its other side, or PARADT__HULL.
+static paradt_status paradt_mpi__match(paradt_mpi__work *w, const uint64_t *rows, size_t count, size_t width,
+                                       int64_t *twins) {
+    size_t slots = 16, i, bytes = (width - 1) * sizeof *rows, *table;
+    while (slots < count * 2) slots *= 2;
+    table = (size_t *)paradt__alloc(&w->memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    memset(table, 0xff, slots * sizeof *table);
+    for (i = 0; i < count; i++) {
+        const uint64_t *row = rows + i * width;
+        uint64_t h = 0;
+        size_t slot, j;
+        for (j = 0; j + 1 < width; j++) h = paradt__mix(h ^ row[j]) + row[j];
+        twins[i] = PARADT__HULL;
+        for (slot = (size_t)paradt__mix(h) & (slots - 1); table[slot] != SIZE_MAX; slot = (slot + 1) & (slots - 1)) {
+            const uint64_t *other = rows + table[slot] * width;
+            if (memcmp(other, row, bytes)) continue;
+            twins[i] = (int64_t)other[width - 1];
+            twins[table[slot]] = (int64_t)row[width - 1];
+            break;
+        }
+        if (twins[i] < 0) table[slot] = i;
+    }
+    paradt__release(&w->memory, table);
+    return PARADT_OK;
+}
+
+// Finds the neighbours on other ranks.
+static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status, size_t open) {
+    paradt_mpi__facets f;
+    void *rows = NULL, *answers = NULL;
+    int64_t *twins = NULL;
+    size_t count = 0, back, i;
+    memset(&f, 0, sizeof f);
+    if (!status) status = paradt_mpi__collect_facets(w, &f, open);
+    status = paradt_mpi__exchange(w, status, f.rows, f.width * sizeof *f.rows, &rows, &count);
+    if (!status) {
+        twins = (int64_t *)paradt__alloc(&w->memory, count, sizeof *twins);
+        status = twins ? paradt_mpi__match(w, (const uint64_t *)rows, count, f.width, twins) : PARADT_ERROR_MEMORY;
+        memcpy(w->to, w->from, (size_t)w->ranks * sizeof *w->to); // the answers go back where the rows came from
+        status = paradt_mpi__exchange(w, status, twins, sizeof *twins, &answers, &back);
+    }
+    for (i = 0; i < f.count && !status; i++) w->out->neighbors[f.handles[i]] = ((const int64_t *)answers)[i];
+    paradt__release(&w->memory, answers);
+    paradt__release(&w->memory, twins);
+    paradt__release(&w->memory, rows);
+    paradt__release(&w->memory, f.handles);
+    paradt__release(&w->memory, f.rows);
+    return status;
+}
+
+// The table of vertices. number: [known], the marks of the points; becomes their places in it. Not collective.
+static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index *number) {
+    paradt_mpi_triangulation *out = w->out;
+    size_t i, count = 0, ambient = (size_t)w->dim;
+    int axis, exact = 1;
+    for (i = 0; i < w->known; i++) {
+        number[i] = number[i] == PARADT_MPI__VERTEX_OF_OWN_CELL ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
+        if (i + 1 == w->set.count) out->vertex_own = count;
+    }
+    out->vertex_count = count;
+    out->vertices = (int64_t *)paradt__alloc(&w->memory, count, sizeof *out->vertices);
+    out->coordinates = (double *)paradt__alloc(&w->memory, count, ambient * sizeof *out->coordinates);
+    if (!out->vertices || !out->coordinates) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < w->known; i++) {
+        double *to = out->coordinates + (size_t)number[i] * ambient;
+        if (number[i] < 0) continue;
+        out->vertices[number[i]] = (int64_t)w->home[i].id;
+        for (axis = 0; axis < w->dim; axis++)
+            to[w->set.axes[axis]] = paradt__scale(paradt__record(&w->set, (paradt_index)i)[axis], -w->shift, &exact);
+    }
+    return PARADT_OK;
+}
+
+// The rank that handed in a point.
+static int paradt_mpi__origin_of(const paradt_mpi__work *w, uint64_t id) {
+    int low = 0, high = w->ranks;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (w->first[middle] <= id) low = middle;
+        else high = middle;
+    }
+    return low;
+}
+
+// What is not represented by itself: rows of two ids, the point's and its representative's, in the order of ranks;
+// fills w->to. twin, received: of the points of this rank's box. Not collective.
+static paradt_status paradt_mpi__exceptions(paradt_mpi__work *w, const uint8_t *used, int64_t **rows) {
+    size_t i, count = 0, pass;
+    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+    for (pass = 0; pass < 2; pass++) {
+        for (i = 0; i < w->received_count; i++) { // ids ascend, and so do the ranks
+            size_t twin = (size_t)w->twin[i];
+            if (twin == i && used[twin]) continue;
+            if (pass) {
+                (*rows)[2 * count] = (int64_t)w->received[i];
+                (*rows)[2 * count + 1] = used[twin] ? (int64_t)w->received[twin] : -1;
+            } else {
+                w->to[paradt_mpi__origin_of(w, w->received[i])]++;
+                w->stats.hidden += twin == i;
+            }
+            count++;
+        }
+        if (pass) break;
+        *rows = (int64_t *)paradt__alloc(&w->memory, count, 2 * sizeof **rows);
+        if (!*rows) return PARADT_ERROR_MEMORY;
+        count = 0;
+    }
+    return PARADT_OK;
+}
+
+// Sends the representatives to those who handed the points in. A point of this rank's box is a vertex of T(P) if it is
+// one of the last local triangulation. mark: [known]
+static paradt_status paradt_mpi__represent(paradt_mpi__work *w, paradt_status status, const paradt_index *mark) {
+    uint8_t *used = NULL;
+    int64_t *rows = NULL;
+    void *got = NULL;
+    size_t count = 0, i;
+    if (!status) {
+        used = (uint8_t *)paradt__alloc(&w->memory, w->received_count, 1);
+        if (!used) status = PARADT_ERROR_MEMORY;
+    }
+    if (!status) {
+        memset(used, 0, w->received_count);
+        for (i = 0; i < w->set.count; i++) used[w->set.origin[i]] = mark[i] != PARADT_MPI__NO_VERTEX;
+        status = paradt_mpi__exceptions(w, used, &rows);
+    }
+    status = paradt_mpi__exchange(w, status, rows, 2 * sizeof *rows, &got, &count);
+    for (i = 0; i < count && !status; i++) {
+        const int64_t *row = (const int64_t *)got + 2 * i;
+        w->out->representative[(uint64_t)row[0] - w->out->first_point] = row[1];
+    }
+    paradt__release(&w->memory, got);
+    paradt__release(&w->memory, rows);
+    paradt__release(&w->memory, used);
+    return status;
+}
+
+// Reduces the statistics.
+static void paradt_mpi__reduce_stats(paradt_mpi__work *w) {
+    enum { FIELDS = 24 };
+    uint64_t counts[FIELDS], count_sum[FIELDS], count_most[FIELDS];
+    double times[FIELDS], time_sum[FIELDS], time_most[FIELDS];
+    paradt_mpi_triangulation *out = w->out;
+    int c = 0, t = 0;
+    out->stats = w->stats;
+#define PARADT_MPI__TAKE_COUNT(name, about) counts[c++] = w->stats.name;
+#define PARADT_MPI__TAKE_TIME(name, about)  times[t++] = w->stats.name;
+    PARADT_MPI_COUNTERS(PARADT_MPI__TAKE_COUNT)
+    PARADT_MPI_TIMERS(PARADT_MPI__TAKE_TIME)
+    MPI_Allreduce(counts, count_sum, c, MPI_UINT64_T, MPI_SUM, w->comm);
+    MPI_Allreduce(counts, count_most, c, MPI_UINT64_T, MPI_MAX, w->comm);
+    MPI_Allreduce(times, time_sum, t, MPI_DOUBLE, MPI_SUM, w->comm);
+    MPI_Allreduce(times, time_most, t, MPI_DOUBLE, MPI_MAX, w->comm);
+    c = t = 0;
+#define PARADT_MPI__GIVE_COUNT(name, about) out->sum.name = count_sum[c], out->largest.name = count_most[c++];
+#define PARADT_MPI__GIVE_TIME(name, about)  out->sum.name = time_sum[t], out->largest.name = time_most[t++];
+    PARADT_MPI_COUNTERS(PARADT_MPI__GIVE_COUNT)
+    PARADT_MPI_TIMERS(PARADT_MPI__GIVE_TIME)
+}
+
+// Moves the own cells into the result, in the array that they are in; not collective.
+static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *number) {
+    size_t values = w->out->cell_count * (size_t)(w->out->dim + 1), i;
+    paradt_status status = paradt_mpi__list_vertices(w, number);
+    if (status) return status;
+    for (i = 0; i < values; i++) w->local.cells[i] = number[w->local.cells[i]];
+    for (i = 0; w->out->neighbors && w->out->dim > 0 && i < values; i++)
+        w->stats.hull_facets += w->out->neighbors[i] == PARADT__HULL;
+    w->out->cells = w->local.cells;
+    w->local.cells = NULL;
+    return PARADT_OK;
+}
+
+// Makes the result of the last local triangulation.
+static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
+    paradt_mpi_triangulation *out = w->out;
+    paradt_index *place, *number;
+    size_t open = 0, i;
+    int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
+    double begun = paradt__now();
+    paradt_status status = PARADT_OK;
+    place = (paradt_index *)paradt__alloc(&w->memory, w->local.cell_count, sizeof *place);
+    number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
+    out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
+    if (!place || !number || !out->representative) status = PARADT_ERROR_MEMORY;
+    status = paradt_mpi__agree(w, status);
+    if (!status) {
+        size_t k = (size_t)(out->dim + 1);
+        for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
+        paradt_mpi__number_cells(w, place);
+        if (wanted) out->neighbors = (int64_t *)paradt__alloc(&w->memory, out->cell_count, k * sizeof *out->neighbors);
+        if (wanted && !out->neighbors) status = PARADT_ERROR_MEMORY;
+        if (!status) open = paradt_mpi__close_cells(w, place, number);
+        status = paradt_mpi__represent(w, status, number);
+    }
+    paradt__release(&w->memory, place);
+    if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, PARADT_OK, open);
+    if (!status) status = paradt_mpi__agree(w, paradt_mpi__hand_over(w, number));
+    paradt__release(&w->memory, number);
+    w->stats.seconds_finish = paradt__now() - begun;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>replicated
+//
+// Every rank has all points and builds its region of them. Doors: paradt_mpi__replicated.
+
+// Are the points the same on all ranks?
+static paradt_status paradt_mpi__compare_points(paradt_mpi__work *w, const double *rows) {
+    size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
+    uint64_t h = 0, first;
+    for (i = 0; i < w->out->point_count; i++)
+        h = paradt__mix(h ^ paradt__hash_coordinates(rows + i * width, (int)width - 1));
+    first = h;
+    MPI_Bcast(&first, 1, MPI_UINT64_T, 0, w->comm);
+    return paradt_mpi__agree(w, h == first ? PARADT_OK : PARADT_ERROR_ARGUMENT);
+}
+
+// Marks the vertices of all ranks' cells: used, [count].
+static void paradt_mpi__unite(paradt_mpi__work *w, uint8_t *used, size_t count) {
+    size_t i;
+    for (i = 0; i < w->out->vertex_count; i++) used[w->out->vertices[i]] = 1;
+    for (i = 0; i < count; i += (size_t)1 << 30) {
+        size_t part = count - i < (size_t)1 << 30 ? count - i : (size_t)1 << 30;
+        MPI_Allreduce(MPI_IN_PLACE, used + i, (int)part, MPI_UINT8_T, MPI_MAX, w->comm);
+    }
+}
+
+// Builds this rank's region; not collective. `rows` becomes the records.
+static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
+    size_t count = w->out->point_count, width = (size_t)w->dim + (size_t)w->weighted + 1, i;
+    paradt_options options = paradt_mpi__local_options(w);
+    paradt_points points;
+    double *weights = NULL;
+    paradt_status status;
+    double begun = paradt__now();
+    int axis;
+    w->set.records = rows;
+    w->set.width = width;
+    w->set.count = w->known = count;
+    for (axis = 0; axis < w->dim; axis++) w->set.axes[axis] = axis;
+    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, count, sizeof *w->home);
+    if (!w->home) return PARADT_ERROR_MEMORY;
+    status = paradt_mpi__go_on(w, 0.0);
+    if (status) return status;
+    if (w->weighted) {
+        weights = (double *)paradt__alloc(&w->memory, count, sizeof *weights);
+        if (!weights) return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < count; i++) {
+        w->home[i].id = i;
+        if (weights) weights[i] = rows[i * width + (size_t)w->dim];
+    }
+    memset(&points, 0, sizeof points);
+    points.data = rows;
+    points.count = count;
+    points.dim = w->dim;
+    points.stride = width * sizeof *rows;
+    points.weights = weights;
+    options.regions = (size_t)w->ranks;
+    options.parallel_for = NULL;
+    status = paradt__remote_region(&w->local, &points, &options, (size_t)w->rank);
+    paradt_mpi__account(w);
+    paradt__release(&w->memory, weights);
+    w->stats.triangulations = 1;
+    w->stats.points = count - (size_t)w->local.stats.duplicates;
+    w->stats.cells_recomputed = w->local.stats.cells_recomputed;
+    w->stats.seconds_build = paradt__now() - begun;
+    return status;
+}
+
+// The representatives, which are known everywhere but for hidden points.
+static paradt_status paradt_mpi__represent_replicated(paradt_mpi__work *w) {
+    size_t count = w->out->point_count, i;
+    uint8_t *used = (uint8_t *)paradt__alloc(&w->memory, count, 1);
+    paradt_status status = paradt_mpi__agree(w, used ? PARADT_OK : PARADT_ERROR_MEMORY);
+    if (!status) {
+        memset(used, !w->weighted, count);
+        if (w->weighted) paradt_mpi__unite(w, used, count);
+        for (i = 0; i < count; i++) {
+            size_t twin = (size_t)w->local.representative[i];
+            w->out->representative[i] = used[twin] ? (int64_t)twin : -1;
+            if (w->rank) continue;
+            w->stats.hidden += twin == i && !used[i];
+            w->stats.duplicates += twin != i;
+        }
+    }
+    paradt__release(&w->memory, used);
+    return status;
+}
+
+static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
+    paradt_status status = paradt_mpi__compare_points(w, rows);
+    if (status) {
+        paradt__release(&w->memory, rows);
+        return status;
+    }
+    status = paradt_mpi__agree(w, paradt_mpi__region(w, rows));
+    if (status) return status;
+    w->out->dim = w->local.dim;
+    w->out->point_total = w->out->point_count;
+    w->set.count = 0; // none are this rank's own: representatives are known without asking
+    status = paradt_mpi__deliver(w);
+    return status ? status : paradt_mpi__represent_replicated(w);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+
+PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!t) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = t->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, t->cells);
+    paradt__release(&memory, t->neighbors);
+    paradt__release(&memory, t->vertices);
+    paradt__release(&memory, t->coordinates);
+    paradt__release(&memory, t->representative);
+    memset(t, 0, sizeof *t);
+}
+
+// Gives back all that a call holds beside the result.
+static void paradt_mpi__end(paradt_mpi__work *w) {
+    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    paradt_mpi__forget(w);
+    if (w->grid.levels) paradt__grid_free(&w->grid, &w->memory);
+    paradt__set_free(&w->set, &w->memory);
+    paradt__release(&w->memory, w->home);
+    paradt__release(&w->memory, w->others.slots);
+    paradt__release(&w->memory, w->told.slots);
+    paradt__release(&w->memory, w->twin);
+    paradt__release(&w->memory, w->received);
+    paradt__release(&w->memory, w->directory.groups);
+    paradt__release(&w->memory, w->directory.count);
+    paradt__release(&w->memory, w->directory.ranks);
+    paradt__release(&w->memory, w->first);
+    paradt__release(&w->memory, w->from);
+    paradt__release(&w->memory, w->to);
+    MPI_Comm_free(&w->comm);
+}
+
+// The points of all ranks, each in its box.
+static paradt_status paradt_mpi__distributed(paradt_mpi__work *w, double *rows) {
+    size_t count = w->out->point_count;
+    double begun = paradt__now(), begun_grid;
+    paradt_status status = paradt_mpi__partition(w, &rows, &count);
+    if (status) {
+        paradt__release(&w->memory, rows);
+        return status;
+    }
+    begun_grid = paradt__now();
+    w->stats.seconds_partition += begun_grid - begun;
+    status = paradt_mpi__settle(w, rows, count);
+    if (!status && w->out->dim > 0) status = paradt_mpi__tell(w);
+    if (!status && w->out->dim > 0 && w->ranks > 1) status = paradt_mpi__guess(w);
+    w->stats.seconds_grid = paradt__now() - begun_grid;
+    if (!status) status = paradt_mpi__rounds(w);
+    return status ? status : paradt_mpi__deliver(w);
+}
+
+static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *local, paradt_status status) {
+    double *rows = NULL, begun = paradt__now();
+    status = paradt_mpi__check(w, local, status);
+    if (status) return status;
+    w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
+    w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
+    w->first = (uint64_t *)paradt__alloc(&w->memory, (size_t)w->ranks + 1, sizeof *w->first);
+    status = paradt_mpi__agree(w, w->to && w->from && w->first ? PARADT_OK : PARADT_ERROR_MEMORY);
+    if (status) return status;
+    paradt_mpi__number(w, local->count);
+    w->out->ambient = w->dim;
+    w->out->point_count = local->count;
+    w->out->point_total = w->first[w->ranks];
+    w->out->first_point = w->options.flags & PARADT_MPI_REPLICATED ? 0 : w->first[w->rank];
+    status = paradt_mpi__agree(w, paradt_mpi__read(w, local, &rows));
+    if (status) {
+        paradt__release(&w->memory, rows);
+        return status;
+    }
+    w->stats.seconds_partition = paradt__now() - begun;
+    return w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
+                                                    : paradt_mpi__distributed(w, rows);
+}
+
+PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
+                                                const paradt_points *local, const paradt_mpi_options *options) {
+    paradt_mpi__work w;
+    paradt_mpi_triangulation nowhere; // a rank without an `out` takes part, so that the others need not wait for it
+    paradt_status status = out ? PARADT_OK : PARADT_ERROR_ARGUMENT;
+    double begun = paradt__now();
+    if (!out) out = &nowhere;
+    memset(out, 0, sizeof *out);
+    memset(&w, 0, sizeof w);
+    if (options) w.options = *options;
+    w.out = out;
+    w.progress_length = 1.0;
+    paradt__memory_begin(&w.memory, &w.options.local);
+    MPI_Comm_dup(comm, &w.comm);
+    MPI_Comm_rank(w.comm, &w.rank);
+    MPI_Comm_size(w.comm, &w.ranks);
+    status = paradt_mpi__run(&w, local, status);
+    out->allocator = w.memory.allocator;
+    if (status) {
+        int rank = out->error_rank;
+        size_t point = out->error_point;
+        paradt_mpi_free(out);
+        out->error_rank = rank;
+        out->error_point = point;
+    } else {
+        w.stats.peak_bytes = w.memory.peak;
+        w.stats.seconds = paradt__now() - begun;
+        paradt_mpi__reduce_stats(&w);
+    }
+    paradt_mpi__end(&w);
+    return status;
+}
+
+PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *t, MPI_Comm comm) {
+    uint64_t sum = 0, vertices[PARADT_MAX_DIM + 1];
+    size_t k = (size_t)t->dim + 1, i, j;
+    for (i = 0; i < t->cell_count; i++) {
+        for (j = 0; j < k; j++) vertices[j] = (uint64_t)t->vertices[t->cells[i * k + j]];
+        sum += paradt_hash_cell(vertices, (int)k);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm);
+    return sum;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>gather
+
+// Sends `count` elements of `size` bytes to the root; there *all gets those of all ranks, in their order.
+static paradt_status paradt_mpi__collect_at(paradt_mpi__work *w, paradt_status status, int root, const void *part,
+                                            size_t count, size_t size, void **all, size_t *total) {
+    if (!status) {
+        memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+        w->to[root] = count;
+    }
+    return paradt_mpi__exchange(w, status, part, size, all, total);
+}
+
+// The global ids of the vertices of all own cells.
+static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, int64_t **ids) {
+    size_t values = t->cell_count * (size_t)(t->dim + 1), i;
+    *ids = (int64_t *)paradt__alloc(&w->memory, values, sizeof **ids);
+    if (!*ids) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < values; i++) (*ids)[i] = t->vertices[t->cells[i]];
+    return PARADT_OK;
+}
+
+// 64-bit numbers as an array of indices.
+static paradt_status paradt_mpi__narrow(paradt_mpi__work *w, const void *from, size_t count, paradt_index **to) {
+    size_t i;
+    *to = (paradt_index *)paradt__alloc(&w->memory, count, sizeof **to);
+    if (!*to) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) (*to)[i] = (paradt_index)((const int64_t *)from)[i];
+    return PARADT_OK;
+}
+
+static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulation *out,
+                                        const paradt_mpi_triangulation *t, int root) {
+    size_t k = t->dim < 0 ? 1 : (size_t)t->dim + 1, values = t->cell_count * k, cells = 0, neighbors = 0, points = 0,
+           handed;
+    void *all_cells = NULL, *all_neighbors = NULL, *all_points = NULL;
+    int64_t *ids = NULL;
+    const uint64_t most = sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX;
+    const uint64_t handed_in = paradt_mpi__sum(w, t->point_count); // more than there are if replicated: one rank's do
+    paradt_status status;
+    w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
+    w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
+    status = w->to && w->from ? paradt_mpi__name_cells(w, t, &ids) : PARADT_ERROR_MEMORY;
+    if (t->cell_total > most / k || t->point_total > most) status = PARADT_ERROR_TOO_LARGE;
+    handed = handed_in > t->point_total && w->rank != root ? 0 : t->point_count;
+    status = paradt_mpi__agree(w, status);
+    if (!status) status = paradt_mpi__collect_at(w, status, root, ids, values, sizeof *ids, &all_cells, &cells);
+    if (!status)
+        status = paradt_mpi__collect_at(w, status, root, t->neighbors, t->neighbors ? values : 0, sizeof *t->neighbors,
+                                        &all_neighbors, &neighbors);
+    if (!status)
+        status = paradt_mpi__collect_at(w, status, root, t->representative, handed, sizeof *t->representative,
+                                        &all_points, &points);
+    if (!status && w->rank == root) {
+        out->dim = t->dim;
+        out->cell_count = cells / k;
+        out->point_count = points;
+        status = paradt_mpi__narrow(w, all_cells, cells, &out->cells);
+        if (!status && neighbors) status = paradt_mpi__narrow(w, all_neighbors, neighbors, &out->neighbors);
+        if (!status) status = paradt_mpi__narrow(w, all_points, points, &out->representative);
+        out->stats.cells = t->sum.cells;
+        out->stats.duplicates = t->sum.duplicates;
+        out->stats.hidden = t->sum.hidden;
+        out->stats.hull_facets = t->sum.hull_facets;
+    }
+    status = paradt_mpi__agree(w, status);
+    paradt__release(&w->memory, all_cells);
+    paradt__release(&w->memory, all_neighbors);
+    paradt__release(&w->memory, all_points);
+    paradt__release(&w->memory, ids);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm, const paradt_mpi_triangulation *t,
+                                           int root) {
+    paradt_mpi__work w;
+    paradt_mpi_triangulation errors; // agreeing notes the rank there
+    paradt_triangulation nowhere;
+    paradt_status status;
+    if (!out) out = &nowhere;
+    memset(out, 0, sizeof *out);
+    memset(&w, 0, sizeof w);
+    memset(&errors, 0, sizeof errors);
+    w.out = &errors;
+    w.options.local.allocator = t->allocator;
+    paradt__memory_begin(&w.memory, &w.options.local);
+    MPI_Comm_dup(comm, &w.comm);
+    MPI_Comm_rank(w.comm, &w.rank);
+    MPI_Comm_size(w.comm, &w.ranks);
+    status = paradt_mpi__agree(&w, out == &nowhere || root < 0 || root >= w.ranks ? PARADT_ERROR_ARGUMENT : PARADT_OK);
+    if (!status) status = paradt_mpi__gather(&w, out, t, root);
+    out->allocator = w.memory.allocator;
+    if (status) paradt_free(out);
+    paradt_mpi__end(&w);
+    return status;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif // PARADT_MPI__IMPLEMENTED
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ParaDT is available under two licences: choose whichever you prefer.
+//
+// ------------------------------------------------------------------------------
+// ALTERNATIVE A - MIT No Attribution (MIT-0)
+//
+// Copyright (c) The ParaDT authors
+//
+// Permission is hereby granted, free of charge, to any person obtaining a copy of
+// this software and associated documentation files (the "Software"), to deal in
+// the Software without restriction, including without limitation the rights to
+// use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies
+// of the Software, and to permit persons to whom the Software is furnished to do
+// so.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+// IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+// FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+// AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+// LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+// OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+// SOFTWARE.
+//
+// ------------------------------------------------------------------------------
+// ALTERNATIVE B - Public Domain (Unlicense, www.unlicense.org)
+//
+// This is free and unencumbered software released into the public domain.
+//
+// Anyone is free to copy, modify, publish, use, compile, sell, or distribute this
+// software, either in source code form or as a compiled binary, for any purpose,
+// commercial or non-commercial, and by any means.
+//
+// In jurisdictions that recognize copyright laws, the author or authors of this
+// software dedicate any and all copyright interest in the software to the public
+// domain. We make this dedication for the benefit of the public at large and to
+// the detriment of our heirs and successors. We intend this dedication to be an
+// overt act of relinquishment in perpetuity of all present and future rights to
+// this software under copyright law.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+// IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+// FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+// AUTHORS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN
+// ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION
+// WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.

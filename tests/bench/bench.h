@@ -1,0 +1,265 @@
+// What every program of the benchmark shares: its arguments, the point file, the clocks, the peak of the resident set,
+// the way back from coordinates to point indices, and the line of JSON that it prints. Linux only, for the resident
+// set.
+//
+//     PROGRAM [options] POINTS
+//         --name NAME      what the line calls the program
+//         --jobs J         threads (programs that have them)
+//         --calls K        cut the points into K sets of equal size and triangulate one after the other: the time of
+//         small
+//                          sets; cells and hash are the last set's
+//         --hash           add the hash of the cells; it costs time after the measurement
+//         --method NAME, --regions K, --no-neighbors (paradt alone)
+//
+// A point file is a header of 32 bytes - "paradtp1", count and dimension and number of weights as little-endian 64-bit
+// integers - then the coordinates, point by point, then the weights, as little-endian doubles.
+#ifndef BENCH_H
+#define BENCH_H
+
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "paradt.h"
+
+#define BENCH_MAGIC_BYTES                                                                                              \
+    { 'p', 'a', 'r', 'a', 'd', 't', 'p', '1' }
+
+typedef struct bench_header {
+    char magic[8];
+    uint64_t count;
+    uint64_t dim;
+    uint64_t weight_count; // 0 or count
+} bench_header;
+
+typedef struct bench_points {
+    size_t count;
+    int dim;
+    const double *coordinates; // [count][dim]
+    const double *weights;     // [count] or NULL
+} bench_points;
+
+typedef struct bench_arguments {
+    const char *name;
+    const char *path;
+    const char *method;
+    size_t regions;
+    size_t jobs;
+    size_t calls;
+    int hash;
+    int no_neighbors;
+} bench_arguments;
+
+typedef struct bench_clock {
+    double seconds;
+    double cpu_seconds;  // of all threads
+    uint64_t rss_before; // bytes resident just before the work, the input among them
+    uint64_t rss_peak;   // most bytes resident during the work
+} bench_clock;
+
+static inline void bench_fail(const char *what, const char *detail) {
+    fprintf(stderr, "%s: %s\n", what, detail);
+    exit(1);
+}
+
+static inline bench_arguments bench_parse(int argc, char **argv) {
+    bench_arguments a;
+    memset(&a, 0, sizeof a);
+    a.name = argv[0];
+    a.method = "auto";
+    a.jobs = 1;
+    a.calls = 1;
+    for (int i = 1; i < argc; i++) {
+        const char *value = i + 1 < argc ? argv[i + 1] : "";
+        if (!strcmp(argv[i], "--hash")) {
+            a.hash = 1;
+        } else if (!strcmp(argv[i], "--no-neighbors")) {
+            a.no_neighbors = 1;
+        } else if (strncmp(argv[i], "--", 2)) {
+            a.path = argv[i];
+        } else {
+            i++;
+            if (!strcmp(argv[i - 1], "--name"))
+                a.name = value;
+            else if (!strcmp(argv[i - 1], "--method"))
+                a.method = value;
+            else if (!strcmp(argv[i - 1], "--jobs"))
+                a.jobs = (size_t)strtoull(value, NULL, 10);
+            else if (!strcmp(argv[i - 1], "--calls"))
+                a.calls = (size_t)strtoull(value, NULL, 10);
+            else if (!strcmp(argv[i - 1], "--regions"))
+                a.regions = (size_t)strtoull(value, NULL, 10);
+            else
+                bench_fail(argv[i - 1], "no such option");
+        }
+    }
+    if (!a.path || !a.jobs || !a.calls)
+        bench_fail(argv[0], "usage: [options] POINTS");
+    return a;
+}
+
+// The file stays mapped for good, so it is no memory of the process that is measured.
+static inline bench_points bench_read(const char *path) {
+    int file = open(path, O_RDONLY);
+    struct stat status;
+    if (file < 0 || fstat(file, &status))
+        bench_fail(path, "can't be read");
+    size_t bytes = (size_t)status.st_size;
+    void *map = bytes ? mmap(NULL, bytes, PROT_READ, MAP_PRIVATE, file, 0) : MAP_FAILED;
+    close(file);
+    static const char magic[8] = BENCH_MAGIC_BYTES;
+    bench_header header;
+    if (map == MAP_FAILED || bytes < sizeof header)
+        bench_fail(path, "is not a point file");
+    memcpy(&header, map, sizeof header);
+    if (memcmp(header.magic, magic, sizeof magic) || header.dim < 1 || header.dim > PARADT_MAX_DIM ||
+        bytes != sizeof header + (header.count * header.dim + header.weight_count) * sizeof(double))
+        bench_fail(path, "is not a point file");
+    bench_points points;
+    points.count = (size_t)header.count;
+    points.dim = (int)header.dim;
+    points.coordinates = (const double *)map + sizeof header / sizeof(double);
+    points.weights = header.weight_count ? points.coordinates + header.count * header.dim : NULL;
+    return points;
+}
+
+// Set number i of the arguments' calls.
+static inline bench_points bench_set(const bench_points *points, size_t calls, size_t i) {
+    bench_points set = *points;
+    set.count = points->count / calls;
+    set.coordinates += i * set.count * (size_t)points->dim;
+    if (set.weights)
+        set.weights += i * set.count;
+    return set;
+}
+
+static inline double bench_now(clockid_t clock) {
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+// A line of /proc/self/status, in bytes.
+static inline uint64_t bench_memory(const char *field) {
+    FILE *file = fopen("/proc/self/status", "r");
+    char line[256];
+    unsigned long long kilobytes = 0;
+    while (file && fgets(line, sizeof line, file))
+        if (!strncmp(line, field, strlen(field)))
+            kilobytes = strtoull(line + strlen(field), NULL, 10);
+    if (file)
+        fclose(file);
+    return (uint64_t)kilobytes * 1024;
+}
+
+// The work is what stands between start and stop. Start touches the mapped points first: reading the file is nobody's
+// work.
+static inline bench_clock bench_start(const bench_points *points) {
+    bench_clock clock;
+    volatile double touched = 0;
+    for (size_t i = 0; i < points->count * (size_t)points->dim; i += 256)
+        touched = touched + points->coordinates[i];
+    FILE *file = fopen("/proc/self/clear_refs", "w");
+    if (file) {
+        fputs("5", file); // the peak begins anew
+        fclose(file);
+    }
+    clock.rss_before = bench_memory("VmRSS:");
+    clock.rss_peak = 0;
+    clock.cpu_seconds = -bench_now(CLOCK_PROCESS_CPUTIME_ID);
+    clock.seconds = -bench_now(CLOCK_MONOTONIC);
+    return clock;
+}
+
+static inline void bench_stop(bench_clock *clock) {
+    clock->seconds += bench_now(CLOCK_MONOTONIC);
+    clock->cpu_seconds += bench_now(CLOCK_PROCESS_CPUTIME_ID);
+    clock->rss_peak = bench_memory("VmHWM:");
+}
+
+// --- from coordinates to point indices -------------------------------------------------------------------------------
+// Libraries that sort, merge or number points themselves are asked for coordinates alone. The index is the point that
+// stands for all with these coordinates: the largest weight, then the smallest index.
+
+typedef struct bench_index {
+    const bench_points *points;
+    size_t *slots; // open addressing; point + 1, 0: empty
+    size_t mask;
+} bench_index;
+
+static inline uint64_t bench_mix(const double *x, int dim) {
+    uint64_t h = 0;
+    for (int i = 0; i < dim; i++) {
+        double value = x[i] + 0.0; // -0.0 becomes 0.0
+        uint64_t bits;
+        memcpy(&bits, &value, sizeof bits);
+        h = (h ^ bits) * UINT64_C(0x9e3779b97f4a7c15);
+        h ^= h >> 29;
+    }
+    return h;
+}
+
+static inline size_t *bench_slot(const bench_index *index, const double *x) {
+    int dim = index->points->dim;
+    size_t slot = (size_t)bench_mix(x, dim) & index->mask;
+    for (; index->slots[slot]; slot = (slot + 1) & index->mask) {
+        const double *y = index->points->coordinates + (index->slots[slot] - 1) * (size_t)dim;
+        int k = 0;
+        while (k < dim && x[k] == y[k])
+            k++;
+        if (k == dim)
+            break;
+    }
+    return &index->slots[slot];
+}
+
+static inline bench_index bench_index_make(const bench_points *points) {
+    bench_index index;
+    index.points = points;
+    index.mask = 15;
+    while (index.mask < 2 * points->count)
+        index.mask = 2 * index.mask + 1;
+    index.slots = (size_t *)calloc(index.mask + 1, sizeof *index.slots);
+    if (!index.slots)
+        bench_fail("index", "no memory");
+    for (size_t i = 0; i < points->count; i++) {
+        size_t *slot = bench_slot(&index, points->coordinates + i * (size_t)points->dim);
+        if (!*slot || (points->weights && points->weights[i] > points->weights[*slot - 1]))
+            *slot = i + 1;
+    }
+    return index;
+}
+
+static inline uint64_t bench_index_of(const bench_index *index, const double *x) {
+    size_t slot = *bench_slot(index, x);
+    if (!slot)
+        bench_fail("hash", "a vertex is not one of the points");
+    return (uint64_t)(slot - 1);
+}
+
+static inline void bench_index_free(bench_index *index) {
+    free(index->slots);
+}
+
+// --- the line --------------------------------------------------------------------------------------------------------
+
+// hash: NULL when it was not wanted; extra: "" or further fields, each after a comma.
+static inline void bench_print(const bench_arguments *a, const bench_points *points, const bench_clock *clock,
+                               uint64_t cells, const uint64_t *hash, const char *extra) {
+    printf("{\"name\":\"%s\",\"n\":%zu,\"d\":%d,\"jobs\":%zu,\"calls\":%zu,\"cells\":%" PRIu64 ",\"seconds\":%.6f,"
+           "\"cpu_seconds\":%.6f,\"peak_rss_bytes\":%" PRIu64 ",\"rss_before_bytes\":%" PRIu64,
+           a->name, points->count / a->calls, points->dim, a->jobs, a->calls, cells, clock->seconds, clock->cpu_seconds,
+           clock->rss_peak, clock->rss_before);
+    if (hash)
+        printf(",\"hash\":\"%016" PRIx64 "\"", *hash);
+    printf("%s}\n", extra);
+}
+
+#endif

@@ -1,0 +1,65 @@
+# Builds the benchmark's programs: make -f tests/bench/bench.mk -k programs PEERS="cgal tetgen ..." (run.sh calls it).
+
+B     := build/bench
+CC    ?= cc
+CXX   ?= c++
+PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull hxt
+# Not every compiler knows -march=native.
+NATIVE := $(shell echo 'int one;' | $(CC) -march=native -x c -c -o /dev/null - 2>/dev/null && echo yes)
+
+WARNINGS  := -Wall -Wextra -Wshadow
+FLAGS     := -O3 $(WARNINGS) -I. -Itests/bench
+# CGAL's interval arithmetic asks for -frounding-math; NDEBUG takes its assertions out.
+CGALFLAGS := -std=c++17 $(FLAGS) -DNDEBUG -frounding-math
+DEPENDS    = -MMD -MP -MT $@ -MF $@.d
+SOURCES    = $(filter %.c %.cpp %.o,$^)
+
+.PHONY: programs
+.DELETE_ON_ERROR:
+
+programs: $(addprefix $(B)/,points paradt $(if $(NATIVE),paradt-native) predicates $(PEERS))
+
+$(B)/library.o: tests/bench/library.c paradt.h
+	@mkdir -p $(@D)
+	$(CC) $(FLAGS) $(DEPENDS) -c -o $@ $<
+
+$(B)/library-native.o: tests/bench/library.c paradt.h
+	@mkdir -p $(@D)
+	$(CC) $(FLAGS) -march=native $(DEPENDS) -c -o $@ $<
+
+$(B)/points: tests/bench/points.c
+	@mkdir -p $(@D)
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $<
+
+$(B)/predicates: tests/bench/predicates_bench.c paradt.h
+	@mkdir -p $(@D)
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $< -lm
+
+$(B)/paradt: tests/bench/paradt_driver.c $(B)/library.o
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -pthread -lm
+
+$(B)/paradt-native: tests/bench/paradt_driver.c $(B)/library-native.o
+	$(CC) $(FLAGS) -march=native $(DEPENDS) -o $@ $(SOURCES) -pthread -lm
+
+$(B)/cgal: tests/bench/cgal3.cpp $(B)/library.o
+	$(CXX) $(CGALFLAGS) $(DEPENDS) -o $@ $(SOURCES) -lmpfr -lgmp -lm
+
+$(B)/cgal-tbb: tests/bench/cgal3.cpp $(B)/library.o
+	$(CXX) $(CGALFLAGS) -DCGAL_LINKED_WITH_TBB $(DEPENDS) -o $@ $(SOURCES) -ltbb -ltbbmalloc -lmpfr -lgmp -lm
+
+$(B)/cgal-regular: tests/bench/cgal_regular.cpp $(B)/library.o
+	$(CXX) $(CGALFLAGS) $(DEPENDS) -o $@ $(SOURCES) -lmpfr -lgmp -lm
+
+$(B)/cgal-dd: tests/bench/cgal_dd.cpp $(B)/library.o
+	$(CXX) $(CGALFLAGS) -isystem /usr/include/eigen3 $(DEPENDS) -o $@ $(SOURCES) -lmpfr -lgmp -lm
+
+$(B)/tetgen: tests/bench/tetgen.cpp $(B)/library.o
+	$(CXX) $(FLAGS) -DTETLIBRARY $(DEPENDS) -o $@ $(SOURCES) -ltet -lm
+
+$(B)/qhull: tests/bench/qhull.c $(B)/library.o
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
+
+$(B)/hxt: tests/bench/hxt.c $(B)/library.o
+	$(CC) $(FLAGS) -fopenmp $(DEPENDS) -o $@ $(SOURCES) -lgmsh -lm
+
+-include $(wildcard $(B)/*.d)

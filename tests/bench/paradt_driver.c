@@ -1,0 +1,99 @@
+// ParaDT: --method NAME, --regions K, --jobs J threads of a parallel_for, --no-neighbors; the statistics are in the
+// line.
+#include <pthread.h>
+
+#include "bench.h"
+
+// --- a parallel_for over threads made for the call -------------------------------------------------------------------
+
+typedef struct team {
+    pthread_mutex_t lock;
+    size_t next, count;
+    void (*task)(void *context, size_t index);
+    void *context;
+} team;
+
+static void *team_member(void *argument) {
+    team *t = argument;
+    for (;;) {
+        pthread_mutex_lock(&t->lock);
+        size_t index = t->next++;
+        pthread_mutex_unlock(&t->lock);
+        if (index >= t->count)
+            return NULL;
+        t->task(t->context, index);
+    }
+}
+
+enum { MAX_JOBS = 256 };
+
+static void team_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    size_t jobs = *(const size_t *)user, started = 0;
+    pthread_t threads[MAX_JOBS];
+    team t = {PTHREAD_MUTEX_INITIALIZER, 0, count, task, context};
+    while (started + 1 < jobs && started + 1 < count && !pthread_create(&threads[started], NULL, team_member, &t))
+        started++;
+    team_member(&t);
+    while (started)
+        pthread_join(threads[--started], NULL);
+    pthread_mutex_destroy(&t.lock);
+}
+
+// --- the measurement -------------------------------------------------------------------------------------------------
+
+static paradt_method method_named(const char *name) {
+    for (int m = 0; m < (int)PARADT_METHOD_COUNT; m++)
+        if (!strcmp(paradt_method_string((paradt_method)m), name))
+            return (paradt_method)m;
+    bench_fail(name, "no such method");
+    return PARADT_AUTO;
+}
+
+static void describe(char *text, size_t size, const paradt_triangulation *t, const bench_arguments *a) {
+    const paradt_stats *s = &t->stats;
+    snprintf(text, size,
+             ",\"method\":\"%s\",\"regions\":%zu,\"dim\":%d,\"hull_facets\":%" PRIu64 ",\"duplicates\":%" PRIu64
+             ",\"hidden\":%" PRIu64 ",\"distance_evaluations\":%" PRIu64 ",\"grid_cells_visited\":%" PRIu64
+             ",\"active_peak\":%" PRIu64 ",\"orient_calls\":%" PRIu64 ",\"insphere_calls\":%" PRIu64
+             ",\"exact_small\":%" PRIu64 ",\"exact_fixed\":%" PRIu64 ",\"exact_general\":%" PRIu64
+             ",\"perturbed\":%" PRIu64 ",\"cells_recomputed\":%" PRIu64 ",\"peak_bytes\":%" PRIu64
+             ",\"seconds_points\":%.6f,\"seconds_grid\":%.6f,\"seconds_build\":%.6f,\"seconds_finish\":%.6f",
+             a->method, a->regions, t->dim, s->hull_facets, s->duplicates, s->hidden, s->distance_evaluations,
+             s->grid_cells_visited, s->active_peak, s->orient_calls, s->insphere_calls, s->exact_small, s->exact_fixed,
+             s->exact_general, s->perturbed, s->cells_recomputed, s->peak_bytes, s->seconds_points, s->seconds_grid,
+             s->seconds_build, s->seconds_finish);
+}
+
+int main(int argc, char **argv) {
+    bench_arguments arguments = bench_parse(argc, argv);
+    bench_points points = bench_read(arguments.path);
+    paradt_options options;
+    memset(&options, 0, sizeof options);
+    options.method = method_named(arguments.method);
+    options.regions = arguments.regions;
+    options.flags = arguments.no_neighbors ? PARADT_NO_NEIGHBORS : 0;
+    if (arguments.jobs > MAX_JOBS)
+        bench_fail("--jobs", "too many");
+    if (arguments.jobs > 1) {
+        options.parallel_for = team_for;
+        options.user = &arguments.jobs;
+    }
+    paradt_triangulation result;
+    memset(&result, 0, sizeof result);
+    bench_clock clock = bench_start(&points);
+    for (size_t i = 0; i < arguments.calls; i++) {
+        bench_points set = bench_set(&points, arguments.calls, i);
+        paradt_points input = {set.coordinates, set.count, set.dim, 0, PARADT_F64, set.weights};
+        paradt_free(&result); // of the set before; that is in the time too
+        paradt_status status = paradt_triangulate(&result, &input, &options);
+        if (status != PARADT_OK)
+            bench_fail(arguments.path, paradt_status_string(status));
+    }
+    bench_stop(&clock);
+    char extra[1024];
+    uint64_t hash = arguments.hash ? paradt_hash(&result) : 0;
+    describe(extra, sizeof extra, &result, &arguments);
+    bench_print(&arguments, &points, &clock, result.cell_count, arguments.hash ? &hash : NULL, extra);
+    paradt_free(&result);
+    return 0;
+}

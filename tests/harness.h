@@ -1,0 +1,159 @@
+// What the cmocka programs share: the library's implementation, one way to run it on a sample and to say what went wrong.
+#ifndef HARNESS_H
+#define HARNESS_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#define PARADT_IMPLEMENTATION
+#include "paradt.h"
+
+#include "families.h"
+#include "oracle.h"
+#include "verify.h"
+
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+#ifndef SANITIZED
+#define SANITIZED 0 // 1: this program is several times slower, and tests take fewer seeds
+#endif
+
+static inline paradt_points points_of(const sample *s) {
+    paradt_points points = {0};
+    points.data = s->x;
+    points.count = (size_t)s->count;
+    points.dim = s->dim;
+    points.weights = s->w;
+    return points;
+}
+
+// The cells as a sorted set. original: what to call each vertex, or NULL for its own index.
+static inline cell_set cells_of(const paradt_triangulation *t, const int *original) {
+    cell_set set = {0};
+    int n = t->dim + 1, vertices[CELLS_MAX_DIM + 1];
+    for (size_t c = 0; c < t->cell_count; c++) {
+        for (int i = 0; i < n; i++) {
+            int v = (int)t->cells[c * (size_t)n + (size_t)i];
+            vertices[i] = original ? original[v] : v;
+        }
+        cells_add(&set, cell_make(vertices, n));
+    }
+    cells_sort(&set);
+    return set;
+}
+
+// Leaves the sample where it can be looked at.
+static inline void report_sample(const sample *s, const char *what) {
+    static int written;
+    char path[64];
+    mkdir("build", 0777);
+    mkdir("build/tests", 0777);
+    mkdir("build/tests/failures", 0777);
+    snprintf(path, sizeof path, "build/tests/failures/%d-%d.txt", (int)getpid(), written++);
+    FILE *file = fopen(path, "w");
+    if (file) {
+        sample_print(file, s);
+        fprintf(file, "# %s\n", what);
+        fclose(file);
+    }
+    print_message("# %s: %s (points in %s)\n", s->name, what, path);
+}
+
+static inline void fail_on_sample(const sample *s, const char *what) {
+    report_sample(s, what);
+    fail();
+}
+
+// A run that does not end fails with its points written down, instead of being stopped from outside without a trace.
+static const sample *watched;
+
+static inline void watch_ended(int number) {
+    (void)number;
+    report_sample(watched, "does not end");
+    fflush(stdout);
+    _exit(1);
+}
+
+static inline void watch(const sample *s, unsigned seconds) {
+    watched = s;
+    signal(SIGALRM, watch_ended);
+    alarm(seconds);
+}
+
+static inline void fail_if_different(const sample *s, const char *how, const cell_set *expected, const cell_set *found) {
+    size_t different = cells_difference(expected, "# missing", found, "# too many", NULL);
+    if (different) {
+        char text[256];
+        cells_difference(expected, "# missing", found, "# too many", stdout);
+        snprintf(text, sizeof text, "%s: %u cells differ", how, (unsigned)different);
+        fail_on_sample(s, text);
+    }
+}
+
+// Runs, and fails the test on any status but success or any fault that verify.h or paradt_check finds. Free the result.
+static inline paradt_triangulation triangulate_and_verify(const sample *s, const paradt_options *options,
+                                                          const char *how) {
+    paradt_points points = points_of(s);
+    paradt_triangulation t;
+    paradt_fault fault;
+    const char *wrong = NULL;
+    char text[256];
+    watch(s, 60);
+    paradt_status status = paradt_triangulate(&t, &points, options);
+    if (status)
+        wrong = paradt_status_string(status);
+    if (!wrong)
+        wrong = verify_triangulation(&t, s);
+    if (!wrong && paradt_check(&t, &points, options, &fault) != PARADT_OK)
+        wrong = fault.reason ? fault.reason : "paradt_check refuses it without a reason";
+    watch(NULL, 0);
+    if (wrong) {
+        snprintf(text, sizeof text, "%s: %s", how, wrong);
+        fail_on_sample(s, text);
+    }
+    return t;
+}
+
+// What a run is called in a failure's message.
+static inline const char *how_text(const paradt_options *options) {
+    static char text[96];
+    snprintf(text, sizeof text, "%s, %u %s regions", paradt_method_string(options->method),
+             (unsigned)(options->regions ? options->regions : 1),
+             options->partition == PARADT_UNIFORM ? "uniform" : "bisection");
+    return text;
+}
+
+// Tests are rows "name_on_family": names are made, not written, and each gets a number to know its row by.
+static inline struct CMUnitTest named_test(CMUnitTestFunction run, void *row, const char *format, ...) {
+    struct CMUnitTest test = {NULL, run, NULL, NULL, row};
+    char *name = (char *)need(1, 128);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(name, 128, format, arguments);
+    va_end(arguments);
+    for (char *c = name; *c; c++)
+        if (*c == ' ' || *c == '-')
+            *c = '_';
+    test.name = name;
+    return test;
+}
+
+// cmocka's macro wants an array of known size; the names last as long as the program.
+static inline int run_named_tests(const char *group, const struct CMUnitTest *tests, size_t count) {
+    return _cmocka_run_group_tests(group, tests, count, NULL, NULL);
+}
+
+#endif

@@ -1,0 +1,88 @@
+#!/bin/sh
+# The header compiles without a warning as each language it promises, with each compiler that is here, in each of its
+# configurations, and the program built gives the same result everywhere. Prints TAP.
+work=build/tests/header
+rm -rf "$work"
+mkdir -p "$work"
+smallest=tests/programs/smallest.c
+common="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
+c="$common -Wstrict-prototypes -x c"
+number=0
+
+report() { # ok|not ok, name, log
+    number=$((number + 1))
+    echo "$1 $number - $2"
+    [ "$1" = ok ] || sed 's/^/# /' "$3" | head -20
+}
+skip() {
+    number=$((number + 1))
+    echo "ok $number - $1 # SKIP $2"
+}
+has() { command -v "$1" >/dev/null 2>&1; }
+
+# builds NAME SHELL-COMMAND: the command must succeed, print nothing, and leave $work/NAME, which must print what all others
+# print. The first one's output is the expectation; paradt_check inside the program certifies it.
+expected=
+builds() {
+    name=$1
+    log=$work/$name.log
+    if sh -c "$2" >"$log" 2>&1 && [ ! -s "$log" ] && "$work/$name" >"$log" 2>&1 &&
+        { [ -n "$expected" ] || expected=$(head -1 "$log"); } && [ "$(sort -u "$log")" = "$expected" ]; then
+        report ok "$name"
+    else
+        report "not ok" "$name" "$log"
+    fi
+}
+
+for family in gcc clang; do
+    if [ $family = gcc ]; then cxx=g++; else cxx=clang++; fi
+    if ! has $family || ! has $cxx; then
+        skip "header_builds_with_$family" "$family or $cxx is not installed"
+        continue
+    fi
+    for standard in c99 c11; do
+        builds "${family}_$standard" "$family -std=$standard -O2 $c $smallest -o $work/${family}_$standard -lm"
+    done
+    for standard in c++11 c++20; do
+        builds "${family}_$standard" "$cxx -std=$standard -O2 $common -x c++ $smallest -o $work/${family}_$standard -lm"
+    done
+    # Other warnings appear at other levels of optimisation.
+    builds "${family}_O0" "$family -std=c99 -O0 $c $smallest -o $work/${family}_O0 -lm"
+    builds "${family}_O3_ndebug" "$family -std=c99 -O3 -DNDEBUG $c $smallest -o $work/${family}_O3_ndebug -lm"
+    builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
+    builds "${family}_index64_cxx" \
+        "$cxx -std=c++11 -DPARADT_INDEX64 $common -x c++ $smallest -o $work/${family}_index64_cxx -lm"
+    builds "${family}_two_files" "
+        $family -std=c99 $c -DCALL_SECOND_FILE -c $smallest -o $work/${family}_1.o &&
+        $family -std=c99 $c -DUSE_ONLY -DSECOND_FILE -c $smallest -o $work/${family}_2.o &&
+        $family $work/${family}_1.o $work/${family}_2.o -o $work/${family}_two_files -lm"
+    builds "${family}_cxx_calls_c" "
+        $family -std=c99 $c -DSECOND_FILE -c $smallest -o $work/${family}_3.o &&
+        $cxx -std=c++11 $common -DUSE_ONLY -DCALL_SECOND_FILE -x c++ -c $smallest -o $work/${family}_4.o &&
+        $cxx $work/${family}_3.o $work/${family}_4.o -o $work/${family}_cxx_calls_c -lm"
+    builds "${family}_static_in_two_files" "
+        $family -std=c99 $c -DPARADT_STATIC -DCALL_SECOND_FILE -c $smallest -o $work/${family}_5.o &&
+        $family -std=c99 $c -DPARADT_STATIC -DSECOND_FILE -c $smallest -o $work/${family}_6.o &&
+        $family $work/${family}_5.o $work/${family}_6.o -o $work/${family}_static_in_two_files -lm"
+    builds "${family}_static_cxx" \
+        "$cxx -std=c++11 -DPARADT_STATIC $common -x c++ $smallest -o $work/${family}_static_cxx -lm"
+    if echo 'int main(void) { return 0; }' | $family -m32 -x c - -o "$work/probe" 2>/dev/null && "$work/probe"; then
+        builds "${family}_m32" "$family -std=c99 -m32 $c $smallest -o $work/${family}_m32 -lm"
+    else
+        skip "${family}_m32" "$family has no 32-bit libraries here (gcc-multilib)"
+    fi
+    if echo 'int main(void) { return 0; }' | $family -fsanitize=undefined -x c - -o "$work/probe" 2>/dev/null; then
+        builds "${family}_undefined_behaviour" "$family -std=c99 -O1 -fsanitize=undefined \
+            -fno-sanitize-recover=all $c $smallest -o $work/${family}_undefined_behaviour -lm"
+    else
+        skip "${family}_undefined_behaviour" "$family has no -fsanitize=undefined here"
+    fi
+done
+
+if has tcc; then
+    builds tcc "tcc -Wall -Werror -I. $smallest -o $work/tcc -lm"
+    builds tcc_index64 "tcc -Wall -Werror -DPARADT_INDEX64 -I. $smallest -o $work/tcc_index64 -lm"
+else
+    skip tcc "tcc is not installed"
+fi
+echo "1..$number"

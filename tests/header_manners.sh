@@ -1,0 +1,56 @@
+#!/bin/sh
+# What the compiled implementation may not have: mutable globals, foreign names, calls that print, end the process or touch the
+# floating-point environment. Read off the object file's symbols. Prints TAP.
+work=build/tests/manners
+rm -rf "$work"
+mkdir -p "$work"
+CC=${CC:-cc}
+number=0
+report() { # name, file that holds what should not be there
+    number=$((number + 1))
+    if [ -s "$2" ]; then
+        echo "not ok $number - $1"
+        sed 's/^/# /' "$2" | head -20
+    else
+        echo "ok $number - $1"
+    fi
+}
+printf '#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/all.c"
+printf '#include "paradt.h"\n' >"$work/none.c"
+printf '#define PARADT_STATIC\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/static.c"
+for kind in all none static; do
+    # The symbol table of unoptimised code shows every function and object that the source defines or calls.
+    $CC -O0 -DNDEBUG -I. -c "$work/$kind.c" -o "$work/$kind.o" 2>"$work/$kind.errors" || {
+        cp "$work/$kind.errors" "$work/failed"
+        report "the_header_compiles_alone_($kind)" "$work/failed"
+        echo "1..$number"
+        exit 1
+    }
+    nm "$work/$kind.o" >"$work/$kind.symbols"
+done
+
+# Without -fno-pic a constant table of pointers is relocated by the loader, and nm calls its section d.
+$CC -O0 -DNDEBUG -fno-pic -fno-pie -I. -c "$work/all.c" -o "$work/fixed.o" 2>/dev/null && nm "$work/fixed.o" |
+    awk '$2 ~ /^[BbDdCGgSs]$/ { print $3 }' >"$work/mutable"
+report no_mutable_global_state "$work/mutable"
+
+awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $2 != "U" && $3 !~ /^paradt_[a-z]/ { print $3 }' "$work/all.symbols" >"$work/foreign"
+report every_public_symbol_begins_with_paradt "$work/foreign"
+
+sed -n 's/^PARADT_DEF.*[ *]\(paradt_[a-z0-9_]*\)(.*/\1/p' paradt.h | sort -u >"$work/declared"
+awk 'NF == 3 && $2 == "T" { print $3 }' "$work/all.symbols" | sort -u >"$work/defined"
+comm -3 "$work/declared" "$work/defined" >"$work/difference"
+report every_declared_function_is_defined_and_no_other "$work/difference"
+
+awk '$1 == "U" || $2 == "U" { print $NF }' "$work/none.symbols" >"$work/from_declarations"
+awk 'NF == 3 { print $3 }' "$work/none.symbols" >>"$work/from_declarations"
+report the_declarations_alone_define_and_need_nothing "$work/from_declarations"
+
+awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $2 != "U" { print $3 }' "$work/static.symbols" >"$work/exported"
+report paradt_static_exports_nothing "$work/exported"
+
+nm -u "$work/all.o" | awk '{ print $NF }' | sed 's/@.*//' |
+    grep -E '^_*(exit|_Exit|quick_exit|abort|.*printf.*|puts|putchar|fputs|fwrite|perror|fe[sg]et.*|longjmp|signal|raise|rand|srand|random|pthread.*|__assert.*|getenv|setlocale|strtok|atexit|system)$' \
+    >"$work/calls"
+report no_exit_no_printing_no_global_state_of_the_c_library "$work/calls"
+echo "1..$number"

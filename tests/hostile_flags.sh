@@ -1,0 +1,95 @@
+#!/bin/sh
+# Flags and modes that break careless floating-point code change no cell: one program that hashes every family by every method
+# prints the same, certificates included, however it is built and in whatever mode it runs. Prints TAP.
+work=build/tests/hostile
+rm -rf "$work"
+mkdir -p "$work"
+points=$work/points
+source=tests/programs/hashes.c
+number=0
+report() { # ok|not ok, name, log
+    number=$((number + 1))
+    echo "$1 $number - $2"
+    [ "$1" = ok ] || head -12 "$3" | cut -c1-200 | sed 's/^/# /'
+}
+skip() {
+    number=$((number + 1))
+    echo "ok $number - $1 # SKIP $2"
+}
+has() { command -v "$1" >/dev/null 2>&1; }
+can() { # compiler flags...: builds and runs here
+    echo 'int main(void) { return 0; }' >"$work/probe.c"
+    "$@" "$work/probe.c" -o "$work/probe" >"$work/probe.log" 2>&1 && "$work/probe"
+}
+
+# same NAME "MODES" COMPILER FLAGS...: one build, run once plainly and once in each mode ("+" joins modes).
+same() {
+    name=$1 modes=$2
+    shift 2
+    if ! has "$1"; then
+        skip "$name" "$1 is not installed"
+        return
+    fi
+    if ! can "$@"; then
+        skip "$name" "$1 can't build and run with these flags here"
+        return
+    fi
+    if ! "$@" -I. $source -o "$work/$name" -lm >"$work/$name.log" 2>&1; then
+        report "not ok" "$name" "$work/$name.log"
+        return
+    fi
+    for mode in plain $modes; do
+        test=${name}_$(echo "$mode" | tr + _)
+        if [ "$mode" = plain ]; then arguments=; else arguments=$(echo "$mode" | tr + ' '); fi
+        # shellcheck disable=SC2086
+        timeout 200 "$work/$name" "$points" $arguments >"$work/$test.out" 2>"$work/$test.log"
+        status=$?
+        if [ $status != 0 ]; then
+            { echo "ended with status $status after:" && tail -n 1 "$work/$test.out"; } >>"$work/$test.log"
+            report "not ok" "$test" "$work/$test.log"
+        elif [ ! -e "$work/expected" ]; then
+            # The first build sets the expectation; its certificates say that it is right.
+            mv "$work/$test.out" "$work/expected"
+            grep -v 'certificate: done$' "$work/expected" >"$work/$test.log"
+            if [ -s "$work/expected" ] && [ ! -s "$work/$test.log" ]; then
+                report ok "$test" ""
+            else
+                report "not ok" "$test" "$work/$test.log"
+            fi
+        elif cmp -s "$work/expected" "$work/$test.out"; then
+            report ok "$test" ""
+        else
+            diff "$work/expected" "$work/$test.out" >"$work/$test.log"
+            report "not ok" "$test" "$work/$test.log"
+        fi
+    done
+}
+
+if ! build/tests/families "$points"; then
+    echo "not ok 1 - the_points_are_written"
+    exit 1
+fi
+reference=cc
+has gcc && reference=gcc
+same reference "up down zero" $reference -O2
+if [ ! -s "$work/expected" ]; then
+    echo "1..$number"
+    exit 1
+fi
+case $(uname -m) in
+x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
+*) sse= x87= ;;
+esac
+same gcc_O0 "" gcc -O0
+same gcc_Ofast "up $sse" gcc -Ofast
+same gcc_fast_math "$sse" gcc -O2 -ffast-math
+same gcc_native "zero $sse" gcc -O3 -march=native
+same gcc_native_fast_math "up $sse" gcc -O3 -march=native -ffast-math -ffp-contract=fast
+same gcc_x87 "up $x87" gcc -O2 -m32 -mfpmath=387 -mno-sse
+same gcc_x87_Ofast "single" gcc -Ofast -m32 -mfpmath=387 -mno-sse
+same gcc_m32_sse "$sse" gcc -O2 -m32 -msse2 -mfpmath=sse
+same clang_O2 "down" clang -O2
+same clang_native_fast "up $sse" clang -Ofast -march=native -w
+same clang_x87 "double+down" clang -O2 -m32 -mno-sse
+same tcc "up" tcc
+echo "1..$number"

@@ -1,0 +1,304 @@
+// On sets too large for trying all subsets: every method, every number of regions, both partitions, any input order and any way of
+// running the regions give one set of cells, which paradt_check certifies.
+#include "harness.h"
+
+#include <pthread.h>
+
+enum { LARGEST_DIM = SANITIZED ? 4 : 8, MOST_REGIONS = 9 };
+static const int points_in[] = {0, 0, 300, 250, 45, 20, 16, 14, 13};
+static const int few_points_in[] = {0, 0, 60, 40, 14, 9}; // where nearly all predicates take thousands of bits
+
+// The undivided InCoDe's cells, verified and certified.
+typedef struct reference {
+    sample s;
+    cell_set cells;
+    uint64_t hash;
+    int dim;
+} reference;
+
+static reference reference_make(int f, int w, int dim, int count) {
+    reference r;
+    paradt_options options = {0};
+    options.method = PARADT_INCODE;
+    r.s = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(1 + f + 100 * w));
+    paradt_triangulation t = triangulate_and_verify(&r.s, &options, how_text(&options));
+    r.cells = cells_of(&t, NULL);
+    r.hash = paradt_hash(&t);
+    r.dim = t.dim;
+    if (t.stats.cells_recomputed)
+        fail_on_sample(&r.s, "an undivided run says that it recomputed cells");
+    paradt_free(&t);
+    return r;
+}
+
+static void reference_free(reference *r) {
+    cells_free(&r->cells);
+    sample_free(&r->s);
+}
+
+static void expect_reference(const reference *r, const paradt_options *options, const char *how) {
+    paradt_points points = points_of(&r->s);
+    paradt_triangulation t;
+    watch(&r->s, 20);
+    paradt_status status = paradt_triangulate(&t, &points, options);
+    watch(NULL, 0);
+    if (status)
+        fail_on_sample(&r->s, paradt_status_string(status));
+    const char *wrong = t.dim != r->dim ? "another affine dimension" : verify_records(&t, &r->s);
+    if (!wrong)
+        wrong = verify_neighbors(&t);
+    if (!wrong && (t.stats.regions < 1 || t.stats.regions > (options->regions ? options->regions : 1)))
+        wrong = "stats.regions is more than was asked for";
+    cell_set found = cells_of(&t, NULL);
+    fail_if_different(&r->s, how, &r->cells, &found);
+    if (!wrong && paradt_hash(&t) != r->hash)
+        wrong = "equal cells have different hashes";
+    if (wrong) {
+        char text[256];
+        snprintf(text, sizeof text, "%s: %s", how, wrong);
+        fail_on_sample(&r->s, text);
+    }
+    cells_free(&found);
+    paradt_free(&t);
+}
+
+static void expect_reference_from_shuffled(const reference *r, const paradt_options *options) {
+    int *order = (int *)need((size_t)r->s.count, sizeof(int)), *leader = (int *)need((size_t)r->s.count, sizeof(int));
+    uint64_t seed = 5;
+    paradt_triangulation t;
+    sample_leaders(&r->s, leader, NULL);
+    shuffle(order, r->s.count, &seed);
+    sample shuffled = sample_pick(&r->s, order, r->s.count);
+    for (int i = 0; i < r->s.count; i++)
+        order[i] = leader[order[i]];
+    paradt_points points = points_of(&shuffled);
+    watch(&r->s, 20);
+    assert_int_equal(paradt_triangulate(&t, &points, options), PARADT_OK);
+    watch(NULL, 0);
+    cell_set found = cells_of(&t, order);
+    fail_if_different(&r->s, "shuffled input", &r->cells, &found);
+    cells_free(&found);
+    paradt_free(&t);
+    sample_free(&shuffled);
+    free(leader);
+    free(order);
+}
+
+// state: family
+static void methods_and_regions_agree(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= LARGEST_DIM; dim++)
+        for (int turn = 0; turn < 2; turn++) {
+            int w = turn ? 1 + (f + dim) % (WEIGHTING_COUNT - 1) : 0;
+            if ((families[f].extremes || weightings[w].extremes) && dim > 5)
+                continue;
+            int extremes = families[f].extremes || weightings[w].extremes;
+            reference r = reference_make(f, w, dim, extremes ? few_points_in[dim] : points_in[dim]);
+            for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
+                paradt_options options = {0};
+                options.method = (paradt_method)method;
+                expect_reference(&r, &options, how_text(&options));
+                expect_reference_from_shuffled(&r, &options);
+                for (int partition = 0; partition < 2; partition++)
+                    for (options.regions = 2; options.regions <= MOST_REGIONS; options.regions++) {
+                        options.partition = (paradt_partition)partition;
+                        if (dim <= 3 || (options.regions + (size_t)(dim + f)) % 4 == 0)
+                            expect_reference(&r, &options, how_text(&options));
+                    }
+            }
+            reference_free(&r);
+        }
+}
+
+static void more_regions_than_points_agree(void **state) {
+    static const int counts[] = {1, 2, 5, 40};
+    (void)state;
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++)
+        for (int f = 0; f < FAMILY_COUNT; f++) {
+            reference r = reference_make(f, 0, 3, counts[i]);
+            paradt_options options = {0};
+            options.regions = 64;
+            expect_reference(&r, &options, "64 bisection regions");
+            options.partition = PARADT_UNIFORM;
+            expect_reference(&r, &options, "64 uniform regions");
+            reference_free(&r);
+        }
+}
+
+// --- ways of running the regions
+
+typedef struct job {
+    void (*task)(void *context, size_t index);
+    void *context;
+    size_t next, count;
+    pthread_mutex_t lock;
+} job;
+
+static void *run_job(void *argument) {
+    job *j = (job *)argument;
+    for (;;) {
+        pthread_mutex_lock(&j->lock);
+        size_t index = j->next++;
+        pthread_mutex_unlock(&j->lock);
+        if (index >= j->count)
+            return NULL;
+        j->task(j->context, index);
+    }
+}
+
+static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    enum { THREADS = 4 };
+    pthread_t threads[THREADS];
+    job j = {task, context, 0, count, PTHREAD_MUTEX_INITIALIZER};
+    ++*(int *)user;
+    for (int i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, run_job, &j), 0);
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(threads[i], NULL);
+}
+
+static void run_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    ++*(int *)user;
+    while (count-- > 0)
+        task(context, count);
+}
+
+static void regions_may_run_in_any_order_and_on_threads(void **state) {
+    static const paradt_parallel_for runners[] = {run_on_threads, run_backwards};
+    (void)state;
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        for (int dim = 2; dim <= 4; dim++) {
+            reference r = reference_make(f, f % 2, dim, families[f].extremes ? few_points_in[dim] : points_in[dim]);
+            for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+                for (int runner = 0; runner < 2; runner++) {
+                    int calls = 0;
+                    paradt_options options = {0};
+                    options.method = (paradt_method)method;
+                    options.regions = 7;
+                    options.partition = (paradt_partition)(f % 2);
+                    options.parallel_for = runners[runner];
+                    options.user = &calls;
+                    expect_reference(&r, &options, runner ? "regions run backwards" : "regions run on threads");
+                    if (r.dim > 0 && r.cells.count > 100)
+                        assert_true(calls > 0);
+                }
+            reference_free(&r);
+        }
+}
+
+static void large_sets_agree(void **state) {
+    static const char *const chosen[] = {"uniform", "sphere", "clusters", "lattice", "near plane", "duplicates"};
+    (void)state;
+    for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++) {
+        int f = 0, calls = 0;
+        while (strcmp(families[f].name, chosen[i]) != 0)
+            f++;
+        reference r = reference_make(f, (int)i % 2, 3, SANITIZED ? 1000 : 5000);
+        for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
+            paradt_options options = {0};
+            options.method = (paradt_method)method;
+            expect_reference(&r, &options, how_text(&options));
+            options.parallel_for = run_on_threads;
+            options.user = &calls;
+            options.regions = 5;
+            expect_reference(&r, &options, how_text(&options));
+            options.partition = PARADT_UNIFORM;
+            options.regions = 30;
+            expect_reference(&r, &options, how_text(&options));
+        }
+        reference_free(&r);
+    }
+}
+
+// Several calls at once from several threads, each with its own points and method.
+typedef struct caller {
+    pthread_t thread;
+    sample s;
+    paradt_options options;
+    uint64_t alone;
+    int failures;
+} caller;
+
+static void *call_often(void *argument) {
+    caller *c = (caller *)argument;
+    paradt_points points = points_of(&c->s);
+    for (int i = 0; i < 5; i++) {
+        paradt_triangulation t;
+        paradt_fault fault;
+        if (paradt_triangulate(&t, &points, &c->options) != PARADT_OK || paradt_hash(&t) != c->alone ||
+            paradt_check(&t, &points, NULL, &fault) != PARADT_OK)
+            c->failures++;
+        paradt_free(&t);
+    }
+    return NULL;
+}
+
+static void many_calls_at_once_do_not_disturb_each_other(void **state) {
+    enum { CALLERS = 8 };
+    static caller callers[CALLERS];
+    (void)state;
+    for (int i = 0; i < CALLERS; i++) {
+        caller *c = &callers[i];
+        c->s = family_make(&families[i % 2 ? 5 : i], &weightings[i % 3], 2 + i % 3, points_in[2 + i % 3], 3);
+        c->options.method = (paradt_method)(i % PARADT_METHOD_COUNT);
+        c->options.regions = (size_t)(i % 4);
+        paradt_points points = points_of(&c->s);
+        paradt_triangulation t;
+        assert_int_equal(paradt_triangulate(&t, &points, &c->options), PARADT_OK);
+        c->alone = paradt_hash(&t);
+        paradt_free(&t);
+    }
+    for (int i = 0; i < CALLERS; i++)
+        assert_int_equal(pthread_create(&callers[i].thread, NULL, call_often, &callers[i]), 0);
+    for (int i = 0; i < CALLERS; i++)
+        pthread_join(callers[i].thread, NULL);
+    for (int i = 0; i < CALLERS; i++) {
+        assert_int_equal(callers[i].failures, 0);
+        sample_free(&callers[i].s);
+    }
+}
+
+// The hash is the sum of the cells' hashes, each the same for any order of its vertices, and tells sets apart.
+static void the_hash_is_one_of_a_set(void **state) {
+    sample s = family_make(&families[0], NULL, 3, 100, 9);
+    paradt_points points = points_of(&s);
+    paradt_triangulation t;
+    uint64_t sum = 0, whole;
+    (void)state;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    whole = paradt_hash(&t);
+    for (size_t c = 0; c < t.cell_count; c++) {
+        uint64_t v[4], turned[4];
+        for (size_t i = 0; i < 4; i++) {
+            v[i] = (uint64_t)t.cells[4 * c + i];
+            turned[(i + c + 1) % 4] = v[i];
+        }
+        uint64_t one = paradt_hash_cell(v, 4);
+        assert_true(one == paradt_hash_cell(turned, 4));
+        sum += one;
+        v[c % 4] += 1000;
+        assert_true(one != paradt_hash_cell(v, 4));
+    }
+    assert_true(sum == whole);
+    t.cell_count--;
+    assert_true(paradt_hash(&t) != whole);
+    t.cell_count++;
+    paradt_free(&t);
+    sample_free(&s);
+}
+
+int main(void) {
+    static struct CMUnitTest tests[FAMILY_COUNT + 5];
+    size_t count = 0;
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
+                                    families[f].name);
+    tests[count++] = named_test(more_regions_than_points_agree, NULL, "more_regions_than_points_agree");
+    tests[count++] = named_test(regions_may_run_in_any_order_and_on_threads, NULL,
+                                "regions_may_run_in_any_order_and_on_threads");
+    tests[count++] = named_test(large_sets_agree, NULL, "large_sets_agree");
+    tests[count++] = named_test(many_calls_at_once_do_not_disturb_each_other, NULL,
+                                "many_calls_at_once_do_not_disturb_each_other");
+    tests[count++] = named_test(the_hash_is_one_of_a_set, NULL, "the_hash_is_one_of_a_set");
+    return run_named_tests("methods_agree", tests, count);
+}

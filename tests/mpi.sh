@@ -1,0 +1,146 @@
+#!/bin/sh
+# paradt_mpi.h: the header builds without a warning, the distributed cells are the serial ones, errors are agreed on, and
+# the tool reads, writes and hashes as `paradt` does. All ranks share this machine's processors. A run that does not end
+# is stopped and fails. Prints TAP.
+work=$PWD/build/tests/mpi
+rm -rf "$work"
+mkdir -p "$work"
+for program in mpicc mpicxx mpiexec; do
+    command -v $program >/dev/null 2>&1 && continue
+    echo "ok 1 - mpi # SKIP needs mpich libmpich-dev"
+    echo "1..1"
+    exit 0
+done
+CC=${CC:-cc}
+number=0
+report() { # 0 when it holds, name, log
+    number=$((number + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $number - $2"
+    else
+        echo "not ok $number - $2"
+        [ -z "$3" ] || tail -n 12 "$3" | cut -c 1-300 | sed 's/^/# /'
+    fi
+}
+# Open MPI wants to be told that more ranks than processors are meant, and that root may run them.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+on() { # ranks, command...
+    ranks=$1
+    shift
+    timeout -k 5 200 mpiexec -n "$ranks" "$@"
+}
+
+# --- the header
+
+printf '#define PARADT_MPI_IMPLEMENTATION\n#include "paradt_mpi.h"\nint main(void) { return 0; }\n' >"$work/header.c"
+cp "$work/header.c" "$work/header.cc"
+printf '#include "paradt_mpi.h"\nint main(void) { paradt_mpi_free(0); return 0; }\n' >"$work/user.c"
+printf '#define PARADT_STATIC\n' | cat - "$work/header.c" >"$work/static.c"
+warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
+mpicc -std=c99 $warnings -Wstrict-prototypes -O2 -o "$work/header" "$work/header.c" -lm 2>"$work/log"
+report $? header_builds_as_c99 "$work/log"
+mpicxx -std=c++11 $warnings -O2 -o "$work/header" "$work/header.cc" -lm 2>"$work/log"
+report $? header_builds_as_cxx11 "$work/log"
+mpicc -std=c99 $warnings -DPARADT_INDEX64 -O2 -o "$work/header" "$work/header.c" -lm 2>"$work/log"
+report $? header_builds_with_64_bit_indices "$work/log"
+mpicc -std=c99 $warnings -O1 -o "$work/static" "$work/static.c" -lm 2>"$work/log"
+report $? header_builds_static "$work/log"
+mpicc -std=c99 $warnings -O1 -c -o "$work/user.o" "$work/user.c" 2>"$work/log" &&
+    mpicc -std=c99 $warnings -O1 -fno-pic -Dmain=other -c -o "$work/header.o" "$work/header.c" 2>>"$work/log" &&
+    mpicc -no-pie -o "$work/user" "$work/user.o" "$work/header.o" -lm 2>>"$work/log"
+report $? declarations_alone_link_with_the_implementation "$work/log"
+if command -v nm >/dev/null 2>&1; then
+    nm "$work/header.o" | grep -E ' [BbDdC] ' >"$work/log"
+    [ ! -s "$work/log" ]
+    report $? header_has_no_global_state "$work/log"
+fi
+
+# --- the tool
+
+mpicc -O2 -Wall -Wextra -Wshadow -Werror -I. -o "$work/paradt_mpi" examples/paradt_mpi.c -pthread -lm 2>"$work/log" &&
+    $CC -O2 -I. -o "$work/paradt" examples/paradt.c -pthread -lm 2>>"$work/log"
+report $? tool_builds "$work/log"
+tool=$work/paradt_mpi
+same() { # name, arguments: the same hash as the serial tool's, certified
+    name=$1
+    shift
+    serial=$("$work/paradt" --quiet --hash "$@" 2>&1)
+    found=$(on 3 "$tool" --quiet --hash --check "$@" 2>&1)
+    [ -n "$serial" ] && [ "$serial" = "$found" ]
+    report $? "$name"
+}
+ends() { # name, status, pattern of standard error, arguments
+    name=$1 due=$2 pattern=$3
+    shift 3
+    on 2 "$tool" "$@" >"$work/out" 2>"$work/err"
+    [ $? -eq "$due" ] && [ "$(grep -c . "$work/err")" -eq 1 ] && grep -q -- "$pattern" "$work/err"
+    report $? "$name" "$work/err"
+}
+if command -v python3 >/dev/null 2>&1; then
+    python3 - "$work" <<'END'
+import random, struct, sys
+random.seed(1)
+points = [[random.random() for _ in range(4)] for _ in range(1000)]
+def npy(name, columns, code, kind, rows):
+    head = "{'descr': '<%s', 'fortran_order': False, 'shape': (%d, %d), }" % (kind, len(rows), columns)
+    head += ' ' * (63 - (10 + len(head)) % 64) + '\n'
+    with open(sys.argv[1] + '/' + name, 'wb') as file:
+        file.write(b'\x93NUMPY\x01\x00' + struct.pack('<H', len(head)) + head.encode())
+        for row in rows: file.write(struct.pack('<%d%s' % (columns, code), *row[:columns]))
+npy('doubles.npy', 3, 'd', 'f8', points)
+npy('floats.npy', 4, 'f', 'f4', points)
+npy('nan.npy', 3, 'd', 'f8', points[:700] + [[0, float('nan'), 0]])
+with open(sys.argv[1] + '/scan.ply', 'wb') as file:
+    file.write(b'ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\n'
+               b'property float z\nproperty uchar red\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n')
+    for row in points: file.write(struct.pack('<fffB', *row[:3], 1))
+END
+    same reads_npy_in_parts "$work/doubles.npy"
+    same reads_npy_of_floats "$work/floats.npy"
+    same reads_npy_with_weights --weights "$work/floats.npy"
+    same reads_npy_in_the_plane --dim 2 "$work/doubles.npy"
+    same reads_binary_ply_in_parts "$work/scan.ply"
+    ends nan_is_an_input_error 3 'not finite' "$work/nan.npy"
+fi
+printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1.5\n' >"$work/few.xyz"
+same reads_text_on_rank_0 "$work/few.xyz"
+same makes_points_in_parts gen:plummer:3000:7
+same makes_points_with_weights --weights --dim 2 gen:uniform:1000:7
+printf '0 0 0\n1 x 0\n' >"$work/bad.xyz"
+ends bad_input_is_named_with_its_line 3 'bad.xyz:2' "$work/bad.xyz"
+ends missing_input_is_an_input_error 3 missing.xyz "$work/missing.xyz"
+ends unknown_option_is_a_usage_error 2 no-such --no-such "$work/few.xyz"
+ends unknown_output_is_a_usage_error 2 out.what -o "$work/out.what" "$work/few.xyz"
+on 3 "$tool" --quiet -o "$work/cloud.pvtu" -o "$work/cloud.ele" gen:uniform:2000:1 2>"$work/log" &&
+    [ "$(grep -c '<Piece' "$work/cloud.pvtu")" = 3 ] && [ -s "$work/cloud_0.vtu" ] && [ -s "$work/cloud_2.vtu" ] &&
+    "$work/paradt" --quiet -o "$work/serial.ele" gen:uniform:2000:1 &&
+    [ "$(head -n 1 "$work/cloud.ele")" = "$(head -n 1 "$work/serial.ele")" ]
+report $? writes_a_piece_for_each_rank "$work/log"
+[ "$(grep -ao 'NumberOfCells="[0-9]*"' "$work"/cloud_?.vtu | tr -dc '0-9"\n' | tr '"' ' ' |
+    awk '{ sum += $NF } END { print sum }')" = "$(awk 'NR == 1 { print $1 }' "$work/serial.ele")" ]
+report $? pieces_have_every_cell_once
+
+echo "1..$number"
+
+# --- the cells: a program of its own, whose plan and lines follow
+
+run() { # name of a group, compiler flags
+    group=$1
+    shift
+    if mpicc "$@" -g -Wall -Wextra -Wshadow -I. -Itests -Itests/programs -o "$work/$group" tests/programs/mpi.c -lm \
+        >"$work/log" 2>&1; then
+        ASAN_OPTIONS=detect_leaks=0 on 8 "$work/$group" "$group" || echo "# $group ended with status $?"
+    else
+        echo "1..1"
+        echo "not ok 1 - $group builds"
+        sed 's/^/# /' "$work/log"
+    fi
+}
+run families -O2
+run many -O2
+run weights -O2
+if mpicc -fsanitize=address,undefined "$work/header.c" -I. -o "$work/header" -lm 2>/dev/null; then
+    run errors -O1 -fsanitize=address,undefined -fno-sanitize-recover=all
+else
+    run errors -O2
+fi

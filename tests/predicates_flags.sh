@@ -1,0 +1,69 @@
+#!/bin/sh
+# The predicates give the same signs under every compiler, set of flags, rounding mode and flushing mode: built with
+# PREDICATES_HASH, tests/predicates.c prints one hash of all signs. Prints TAP.
+work=build/tests/predicates_flags
+rm -rf "$work"
+mkdir -p "$work"
+number=0
+expected=
+
+skip() {
+    number=$((number + 1))
+    echo "ok $number - $1 # SKIP $2"
+}
+
+# same NAME MODES COMPILER...: built so, all modes print what the first build printed.
+same() {
+    name=$1
+    modes=$2
+    shift 2
+    log=$work/$name.log
+    result="not ok"
+    if "$@" -w -DPREDICATES_HASH -o "$work/$name" tests/predicates.c -lm >"$log" 2>&1; then
+        result=ok
+        for mode in $modes; do
+            hash=$("$work/$name" "$mode" 2>&1)
+            echo "$mode $hash" >>"$log"
+            expected=${expected:-$hash}
+            [ -n "$hash" ] && [ "$hash" = "$expected" ] || result="not ok"
+        done
+    fi
+    number=$((number + 1))
+    echo "$result $number - signs_with_$name"
+    [ "$result" = ok ] || { echo "expected $expected" | cat - "$log" | sed 's/^/# /' | head -20; }
+}
+
+rounding="nearest up down zero"
+for compiler in gcc clang; do
+    if ! command -v $compiler >/dev/null 2>&1; then
+        skip "signs_with_$compiler" "$compiler is not installed"
+        continue
+    fi
+    flush=
+    echo 'int main(void) { return sizeof(__SSE2__) == 0; }' >"$work/probe.c"
+    if $compiler "$work/probe.c" -o "$work/probe" 2>/dev/null; then flush=flush; fi
+    same ${compiler}_O2 "$rounding $flush" $compiler -O2
+    same ${compiler}_O0 nearest $compiler -O0
+    same ${compiler}_without_int128 nearest $compiler -O2 -U__SIZEOF_INT128__
+    same ${compiler}_Ofast "$rounding $flush" $compiler -Ofast
+    if echo 'int main(void) { return 0; }' | $compiler -march=native -x c - -o "$work/probe" 2>/dev/null; then
+        same ${compiler}_O3_native "$rounding" $compiler -O3 -march=native -ffp-contract=fast
+        same ${compiler}_Ofast_native "nearest up $flush" $compiler -Ofast -march=native
+    else
+        skip "signs_with_${compiler}_native" "$compiler has no -march=native here"
+    fi
+done
+printf '#include <stdlib.h>\nint main(void) { return 0; }\n' >"$work/probe.c"
+if gcc -m32 -mfpmath=387 "$work/probe.c" -o "$work/probe" 2>/dev/null; then
+    same gcc_m32_387_O2 "nearest up" gcc -m32 -mfpmath=387 -O2
+    same gcc_m32_387_Ofast nearest gcc -m32 -mfpmath=387 -Ofast
+    same gcc_m32_sse_Ofast "nearest flush" gcc -m32 -msse2 -mfpmath=sse -Ofast
+else
+    skip signs_with_gcc_m32 "gcc can't build for -m32 with x87 here"
+fi
+if command -v tcc >/dev/null 2>&1; then
+    same tcc "nearest up" tcc
+else
+    skip signs_with_tcc "tcc is not installed"
+fi
+echo "1..$number"

@@ -1,0 +1,102 @@
+// Prints, for every sample in a file, the hash of its triangulation by every method and the certificate's verdict. Built with flags that
+// break careless floating-point code, and run in modes that do, it has to print the same. Usage: hashes FILE [MODE...]
+//   up, down, zero   the rounding mode
+//   ftz              subnormal results and operands are zeros (SSE)
+//   single, double   the precision of x87 registers
+#define PARADT_IMPLEMENTATION
+#include "paradt.h"
+
+#include <fenv.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#if defined(__SSE__) && !defined(__TINYC__)
+#include <xmmintrin.h>
+#endif
+
+static void enter(const char *mode) {
+    if (!strcmp(mode, "up"))
+        fesetround(FE_UPWARD);
+    else if (!strcmp(mode, "down"))
+        fesetround(FE_DOWNWARD);
+    else if (!strcmp(mode, "zero"))
+        fesetround(FE_TOWARDZERO);
+#if defined(__SSE__) && !defined(__TINYC__)
+    else if (!strcmp(mode, "ftz"))
+        _mm_setcsr(_mm_getcsr() | 0x8040u);
+#endif
+#if defined(__i386__) && !defined(__TINYC__)
+    else if (!strcmp(mode, "single") || !strcmp(mode, "double")) {
+        unsigned short control;
+        __asm__ volatile("fnstcw %0" : "=m"(control));
+        control = (unsigned short)((control & ~0x300u) | (mode[0] == 'd' ? 0x200u : 0u));
+        __asm__ volatile("fldcw %0" : : "m"(control));
+    }
+#endif
+    else {
+        fprintf(stderr, "hashes: this build has no mode %s\n", mode);
+        exit(2);
+    }
+}
+
+static void *get(FILE *file, size_t size) {
+    void *memory = malloc(size ? size : 1);
+    if (!memory || (size && fread(memory, size, 1, file) != 1)) {
+        fprintf(stderr, "hashes: the file ends early\n");
+        exit(1);
+    }
+    return memory;
+}
+
+static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
+    paradt_options options = {PARADT_AUTO};
+    paradt_triangulation t;
+    paradt_fault fault;
+    paradt_status status;
+    options.method = (paradt_method)method;
+    options.regions = (size_t)regions;
+    status = paradt_triangulate(&t, points, &options);
+    printf("%s, %s, %d regions: %s", name, paradt_method_string(options.method), regions, paradt_status_string(status));
+    if (status == PARADT_OK) {
+        uint64_t hash = paradt_hash(&t);
+        status = paradt_check(&t, points, &options, &fault);
+        printf(", dim %d, %lu cells, hash %08lx%08lx, certificate: %s", t.dim, (unsigned long)t.cell_count,
+               (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu), paradt_status_string(status));
+        paradt_free(&t);
+    }
+    printf("\n");
+}
+
+int main(int argc, char **argv) {
+    int32_t head[4];
+    FILE *file = argc > 1 ? fopen(argv[1], "rb") : NULL;
+    int i;
+    if (!file) {
+        fprintf(stderr, "usage: hashes FILE [MODE...]\n");
+        return 2;
+    }
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // a run that is stopped shows where it was
+    for (i = 2; i < argc; i++)
+        enter(argv[i]);
+    while (fread(head, sizeof head, 1, file) == 1) {
+        paradt_points points = {0};
+        char *name = (char *)get(file, 96);
+        size_t count = (size_t)head[1];
+        void *data = get(file, count * (size_t)head[0] * (head[3] ? sizeof(float) : sizeof(double)));
+        double *weights = head[2] ? (double *)get(file, count * sizeof(double)) : NULL;
+        points.data = data;
+        points.count = count;
+        points.dim = head[0];
+        points.scalar = head[3] ? PARADT_F32 : PARADT_F64;
+        points.weights = weights;
+        for (i = 0; i < PARADT_METHOD_COUNT; i++) {
+            print_hash(name, &points, i, 0);
+            print_hash(name, &points, i, 3);
+        }
+        free(weights);
+        free(data);
+        free(name);
+    }
+    fclose(file);
+    return 0;
+}

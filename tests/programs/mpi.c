@@ -1,0 +1,441 @@
+// Runs under mpiexec: the distributed triangulation against the serial one, on the families of the serial tests, for
+// several numbers of ranks. Prints TAP on rank 0.
+//
+//     mpiexec -n 8 mpi [families | many | weights | errors]
+//
+// Every rank makes the whole sample, which is small, and hands in a share of it.
+
+#define PARADT_MPI_PIECE ((size_t)1000) // so that messages come in pieces
+#define PARADT_MPI_IMPLEMENTATION
+#include "paradt_mpi.h"
+
+#include "families.h"
+#include "mpi_polite.h"
+
+#include <stdarg.h>
+#include <unistd.h>
+
+static int rank, ranks; // of MPI_COMM_WORLD
+static int tests, failures;
+
+// --- reporting
+
+static void report(int good, const char *format, ...) {
+    char text[300];
+    va_list arguments;
+    int all = good;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    MPI_Allreduce(&good, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    tests++;
+    failures += !all;
+    if (rank == 0) {
+        printf("%s %d - %s\n", all ? "ok" : "not ok", tests, text);
+        fflush(stdout);
+    }
+    if (!good) {
+        printf("# rank %d: %s\n", rank, text);
+        fflush(stdout);
+    }
+}
+
+// --- sharing out
+
+typedef enum sharing { BLOCKS, DEALT, ALL_ON_LAST, SOME_EMPTY, SHARINGS } sharing;
+static const char *const sharing_names[] = {"in blocks", "dealt out", "all on the last rank", "every other rank empty"};
+
+static int holder(sharing how, int point, int count, int size) {
+    switch (how) {
+    case BLOCKS: return (int)((long long)point * size / count);
+    case DEALT: return point % size;
+    case ALL_ON_LAST: return size - 1;
+    default: return point % ((size + 1) / 2) * 2;
+    }
+}
+
+// The points of one rank in the order of the sample, and the sample's number of each of them. order: [count], global
+// id to number in the sample.
+static sample share_of(const sample *s, sharing how, int mine, int size, int *order) {
+    int *picked = (int *)need((size_t)s->count, sizeof *picked), count = 0, next = 0, r, i;
+    sample share;
+    for (r = 0; r < size; r++) {
+        for (i = 0; i < s->count; i++) {
+            if (holder(how, i, s->count, size) != r) continue;
+            if (r == mine) picked[count++] = i;
+            order[next++] = i;
+        }
+    }
+    share = sample_pick(s, picked, count);
+    free(picked);
+    return share;
+}
+
+static paradt_points points_of(const sample *s) {
+    paradt_points points;
+    memset(&points, 0, sizeof points);
+    points.data = s->x;
+    points.count = (size_t)s->count;
+    points.dim = s->dim;
+    points.weights = s->w;
+    return points;
+}
+
+// --- comparing
+
+// The sample in the order of global ids, triangulated serially.
+static paradt_triangulation serial(const sample *s, const int *order) {
+    sample all = sample_pick(s, order, s->count);
+    paradt_points points = points_of(&all);
+    paradt_triangulation t;
+    if (paradt_triangulate(&t, &points, NULL) != PARADT_OK) {
+        printf("# the serial triangulation failed: %s\n", s->name);
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+    sample_free(&all);
+    return t;
+}
+
+// NULL, or what is wrong with the distributed result.
+static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, const sample *s, const int *order,
+                           const paradt_triangulation *expected) {
+    sample all = sample_pick(s, order, s->count);
+    paradt_points points = points_of(&all);
+    paradt_triangulation gathered;
+    paradt_fault fault;
+    size_t i;
+    int j, me;
+    uint64_t hash = paradt_mpi_hash(t, comm);
+    const char *wrong = NULL;
+    MPI_Comm_rank(comm, &me);
+    if (t->dim != expected->dim) wrong = "dim";
+    else if (t->cell_total != expected->cell_count) wrong = "number of cells";
+    else if (hash != paradt_hash(expected)) wrong = "cells";
+    for (i = 0; i < t->vertex_count && !wrong; i++) {
+        for (j = 0; j < s->dim; j++)
+            if (t->coordinates[i * (size_t)s->dim + (size_t)j] !=
+                all.x[(size_t)t->vertices[i] * (size_t)s->dim + (size_t)j])
+                wrong = "coordinates";
+    }
+    for (i = 0; i < t->point_count && !wrong; i++) {
+        if (t->representative[i] != expected->representative[t->first_point + i]) wrong = "representatives";
+    }
+    if (!wrong && t->sum.hull_facets != expected->stats.hull_facets) wrong = "hull facets";
+    if (!wrong && t->sum.hidden != expected->stats.hidden) wrong = "hidden";
+    if (!wrong && t->sum.duplicates != expected->stats.duplicates) wrong = "duplicates";
+    if (paradt_mpi_gather(&gathered, comm, t, 0) != PARADT_OK) wrong = "gathering fails";
+    if (!wrong && me == 0 && paradt_check(&gathered, &points, NULL, &fault) != PARADT_OK)
+        wrong = fault.reason ? fault.reason : "the check fails";
+    paradt_free(&gathered);
+    sample_free(&all);
+    return wrong;
+}
+
+static char failure[300]; // of this rank's part in the current test
+
+static void note(const sample *s, int size, sharing how, const char *wrong) {
+    if (!failure[0])
+        snprintf(failure, sizeof failure, "%s on %d ranks, %s: %s", s->name, size, sharing_names[how], wrong);
+}
+
+// One sample on one number of ranks; others do nothing.
+static void check_sample(const sample *s, MPI_Comm comm, sharing how, const paradt_mpi_options *options) {
+    int size, me, *order;
+    sample share;
+    paradt_points points;
+    paradt_mpi_triangulation t;
+    paradt_triangulation expected;
+    paradt_status status;
+    const char *wrong;
+    if (comm == MPI_COMM_NULL) return;
+    MPI_Comm_size(comm, &size);
+    MPI_Comm_rank(comm, &me);
+    order = (int *)need((size_t)s->count, sizeof *order);
+    share = share_of(s, how, me, size, order);
+    if (options && options->flags & PARADT_MPI_REPLICATED) {
+        sample_free(&share);
+        share = sample_pick(s, order, s->count);
+    }
+    points = points_of(&share);
+    expected = serial(s, order);
+    status = paradt_mpi_triangulate(&t, comm, &points, options);
+    wrong = status ? paradt_status_string(status) : compare(&t, comm, s, order, &expected);
+    if (wrong) note(s, size, how, wrong);
+    paradt_mpi_free(&t);
+    paradt_free(&expected);
+    sample_free(&share);
+    free(order);
+}
+
+static void finish_test(const char *format, ...) {
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (failure[0]) printf("# %s\n", failure);
+    report(!failure[0], "%s", text);
+    failure[0] = 0;
+}
+
+// --- the tests
+
+static const int sizes[] = {1, 2, 3, 4, 5, 7, 8};
+enum { SIZES = sizeof sizes / sizeof *sizes };
+static MPI_Comm comms[SIZES]; // of the first sizes[i] ranks; MPI_COMM_NULL on others
+
+static void make_comms(void) {
+    for (int i = 0; i < SIZES; i++)
+        MPI_Comm_split(MPI_COMM_WORLD, rank < sizes[i] && sizes[i] <= ranks ? 0 : MPI_UNDEFINED, rank, &comms[i]);
+}
+
+// On every `step`th of the numbers of ranks, beginning with another one for each seed.
+static void same_cells_on_family(const family *f, const weighting *w, int dim, int count, uint64_t seed, int step) {
+    sample s = family_make(f, w, dim, count, seed);
+    for (int i = (int)(seed + (uint64_t)dim) % step; i < SIZES; i += step)
+        check_sample(&s, comms[i], (sharing)((i + (int)seed) % SHARINGS), NULL);
+    sample_free(&s);
+}
+
+static const family *family_named(const char *name) {
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        if (strcmp(families[f].name, name) == 0) return &families[f];
+    return NULL;
+}
+
+static void same_cells_on_families(void) {
+    static const int counts[] = {0, 0, 250, 200, 60, 25};
+    for (int dim = 2; dim <= 5; dim++) {
+        for (int f = 0; f < FAMILY_COUNT; f++) {
+            same_cells_on_family(&families[f], NULL, dim, counts[dim], (uint64_t)f, 3);
+            finish_test("same cells: %s, d = %d", families[f].name, dim);
+        }
+    }
+}
+
+static void same_cells_with_weights(void) {
+    static const char *const names[] = {"uniform",    "clusters",         "lattice",    "sphere",   "line",
+                                        "hyperplane", "mixed magnitudes", "duplicates", "all equal"};
+    static const int counts[] = {0, 0, 300, 200, 50};
+    for (int dim = 2; dim <= 4; dim++) {
+        for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
+            for (int v = 1; v < WEIGHTING_COUNT; v++)
+                same_cells_on_family(family_named(names[i]), &weightings[v], dim, counts[dim], (uint64_t)(v + i), 4);
+            finish_test("same cells with weights: %s, d = %d", names[i], dim);
+        }
+    }
+}
+
+// Regions that have an inside, and surfaces whose spheres reach all ranks.
+static void same_cells_of_many_points(void) {
+    static const char *const names[] = {"uniform", "clusters",     "plummer",    "lattice",    "sphere",
+                                        "fcc",     "cube surface", "near plane", "duplicates", "cylinder"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
+        for (int dim = 2; dim <= 3; dim++) {
+            sample s = family_make(family_named(names[i]), NULL, dim, 4000, (uint64_t)i);
+            for (int j = 1; j < SIZES; j += 2) check_sample(&s, comms[j], (sharing)(j % SHARINGS), NULL);
+            check_sample(&s, comms[SIZES - 1], DEALT, NULL);
+            sample_free(&s);
+        }
+        finish_test("same cells of 4,000 points: %s", names[i]);
+    }
+}
+
+static void same_cells_of_few_points(void) {
+    for (int count = 0; count <= 9; count++) {
+        for (int dim = 2; dim <= 4; dim++) {
+            for (int seed = 0; seed < 3; seed++) {
+                const family *f = family_named(seed ? "lattice" : "uniform");
+                sample s = family_make(f, NULL, dim, count, (uint64_t)seed);
+                check_sample(&s, comms[SIZES - 1], (sharing)(seed + 1), NULL);
+                check_sample(&s, comms[2], (sharing)seed, NULL);
+                sample_free(&s);
+            }
+        }
+        finish_test("same cells of %d points", count);
+    }
+}
+
+static void same_cells_of_replicated_points(void) {
+    static const char *const names[] = {"uniform", "lattice", "hyperplane", "all equal", "duplicates", "line"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
+        for (int v = 0; v < 4; v += 3) {
+            for (int j = 0; j < SIZES; j++) {
+                paradt_mpi_options options;
+                sample s = family_make(family_named(names[i]), &weightings[v], 2 + j % 3, 200, (uint64_t)i);
+                memset(&options, 0, sizeof options);
+                options.flags = PARADT_MPI_REPLICATED;
+                options.local.method = j % 2 ? PARADT_DEWALL : PARADT_INCODE;
+                options.local.partition = j % 4 < 2 ? PARADT_BISECTION : PARADT_UNIFORM;
+                check_sample(&s, comms[j], BLOCKS, &options);
+                sample_free(&s);
+            }
+        }
+        finish_test("same cells of replicated points: %s", names[i]);
+    }
+}
+
+static void same_cells_by_other_options(void) {
+    for (int m = 0; m < PARADT_METHOD_COUNT; m++) {
+        paradt_mpi_options options;
+        sample s = family_make(family_named("lattice off by ulps"), NULL, 3, 500, 1);
+        memset(&options, 0, sizeof options);
+        options.local.method = (paradt_method)m;
+        options.local.partition = m % 2 ? PARADT_UNIFORM : PARADT_BISECTION;
+        options.local.regions = (size_t)m;
+        check_sample(&s, comms[3], DEALT, &options);
+        sample_free(&s);
+        finish_test("same cells by %s", paradt_method_string((paradt_method)m));
+    }
+}
+
+// --- errors: the same status on all ranks, and who is to blame
+
+typedef struct meter { // an allocator that fails after so many calls, and counts what is not given back
+    long left, held;
+} meter;
+
+static void *meter_alloc(void *user, size_t size) {
+    meter *m = (meter *)user;
+    if (m->left-- <= 0) return NULL;
+    m->held++;
+    return malloc(size);
+}
+
+static void meter_free(void *user, void *memory) {
+    ((meter *)user)->held--;
+    free(memory);
+}
+
+static int cancels_at_once(void *user, double fraction) {
+    (void)fraction;
+    return *(int *)user;
+}
+
+// Runs with something wrong on the rank `culprit` of the four; returns 1 when all is as it should be.
+static int agreed(paradt_mpi_triangulation *t, const paradt_points *points, const paradt_mpi_options *options,
+                  paradt_status expected, int culprit, size_t point) {
+    paradt_status status = paradt_mpi_triangulate(t, comms[3], points, options);
+    int good = status == expected && (!status || (t->error_rank == culprit && t->error_point == point && !t->cells));
+    paradt_mpi_free(t);
+    return good;
+}
+
+static void errors_are_agreed_on(void) {
+    paradt_mpi_triangulation t;
+    for (int culprit = 0; culprit < 4; culprit++) {
+        int order[400], good = 1, cancel = rank == culprit;
+        sample s = family_make(family_named("uniform"), NULL, 3, 400, 5),
+               share = share_of(&s, BLOCKS, rank % 4, 4, order);
+        paradt_points points = points_of(&share), wrong = points;
+        paradt_mpi_options options;
+        memset(&options, 0, sizeof options);
+        if (comms[3] != MPI_COMM_NULL) {
+            double kept = share.x[3 * 17 + 1];
+            if (rank == culprit) share.x[3 * 17 + 1] = NAN;
+            good &= agreed(&t, &points, NULL, PARADT_ERROR_NOT_FINITE, culprit, 17);
+            if (rank == culprit) share.x[3 * 17 + 1] = -INFINITY;
+            good &= agreed(&t, &points, NULL, PARADT_ERROR_NOT_FINITE, culprit, 17);
+            share.x[3 * 17 + 1] = kept;
+        }
+        if (!good) note(&s, 4, BLOCKS, "a point that is not finite");
+        if (comms[3] != MPI_COMM_NULL) {
+            if (rank == culprit) wrong.dim = 2;
+            good &=
+                agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit ? culprit : 1, 0); // others differ from rank 0
+            if (rank == culprit) wrong.dim = 99;
+            good &= agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
+            wrong.dim = 3;
+            if (rank == culprit) wrong.data = NULL;
+            good &= agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
+            good &= agreed(&t, rank == culprit ? NULL : &points, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
+        }
+        if (!good) note(&s, 4, BLOCKS, "a wrong argument");
+        if (comms[3] != MPI_COMM_NULL) {
+            options.local.progress = cancels_at_once;
+            options.local.user = &cancel;
+            good &= agreed(&t, &points, &options, PARADT_ERROR_CANCELLED, culprit, 0);
+        }
+        if (!good) note(&s, 4, BLOCKS, "cancelled");
+        sample_free(&share);
+        sample_free(&s);
+        finish_test("rank %d errs, all return the same status", culprit);
+    }
+}
+
+// Every allocation of one rank fails once; nothing is kept, nobody waits for ever.
+static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
+    sample s = family_make(family_named("uniform"), &weightings[weighted], 3, 120, 5);
+    int order[120], culprit = 1;
+    sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
+    paradt_points points = flags ? points_of(&s) : points_of(&share);
+    long allowed;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    for (allowed = 0; status && comms[2] != MPI_COMM_NULL; allowed++) {
+        paradt_mpi_triangulation t;
+        paradt_mpi_options options;
+        meter m;
+        memset(&options, 0, sizeof options);
+        m.held = 0;
+        m.left = rank == culprit ? allowed : LONG_MAX;
+        options.flags = flags;
+        options.local.allocator.alloc = meter_alloc;
+        options.local.allocator.free = meter_free;
+        options.local.allocator.user = &m;
+        status = paradt_mpi_triangulate(&t, comms[2], &points, &options);
+        if (status && (status != PARADT_ERROR_MEMORY || t.error_rank != culprit))
+            note(&s, 3, BLOCKS, "another status or rank");
+        paradt_mpi_free(&t);
+        if (m.held) note(&s, 3, BLOCKS, "memory is kept");
+    }
+    sample_free(&share);
+    sample_free(&s);
+    finish_test("each allocation of a rank fails%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
+}
+
+static void empty_communicator_of_one(void) {
+    sample s = family_make(family_named("uniform"), NULL, 2, 50, 1);
+    check_sample(&s, MPI_COMM_SELF, BLOCKS, NULL);
+    sample_free(&s);
+    finish_test("all ranks alone at once");
+}
+
+// --- all of them
+
+static void weights_and_replicas(void) {
+    same_cells_with_weights();
+    same_cells_of_replicated_points();
+}
+
+static void options_and_errors(void) {
+    same_cells_of_few_points();
+    same_cells_by_other_options();
+    empty_communicator_of_one();
+    errors_are_agreed_on();
+    failing_allocations_are_agreed_on(0, 0);
+    failing_allocations_are_agreed_on(1, 0);
+    failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
+}
+
+static const struct {
+    const char *name;
+    void (*run)(void);
+} groups[] = {
+    {"families", same_cells_on_families},
+    {"many", same_cells_of_many_points},
+    {"weights", weights_and_replicas},
+    {"errors", options_and_errors},
+};
+
+int main(int argc, char **argv) {
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    alarm(600); // a rank that waits for ever ends the run
+    make_comms();
+    for (size_t g = 0; g < sizeof groups / sizeof *groups; g++)
+        if (argc < 2 || strcmp(argv[1], groups[g].name) == 0) groups[g].run();
+    if (rank == 0) printf("1..%d\n", tests);
+    MPI_Finalize();
+    return failures != 0;
+}

@@ -1,0 +1,446 @@
+// Memory, cancelling and the surroundings: every allocation may fail, every progress call may cancel, the memory limit holds, all
+// memory comes from the caller's allocator and goes back to it, and nothing else in the process changes.
+
+// The library's own malloc, realloc and calloc are counted; they may be called only when there is no allocator.
+#include <stdlib.h>
+static int direct_allocations;
+static void *counted(void *memory) {
+    direct_allocations++;
+    return memory;
+}
+#define malloc(size) counted(malloc(size))
+#define realloc(memory, size) counted(realloc(memory, size))
+#define calloc(count, size) counted(calloc(count, size))
+#define PARADT_IMPLEMENTATION
+#include "paradt.h"
+#undef PARADT_IMPLEMENTATION
+#undef malloc
+#undef realloc
+#undef calloc
+#include "harness.h"
+
+#include <errno.h>
+#include <fenv.h>
+#include <pthread.h>
+
+// --- an allocator that keeps books and can refuse
+
+typedef struct books {
+    pthread_mutex_t lock;
+    size_t calls;    // of alloc, those refused included
+    size_t fail_at;  // the number of the first call that is refused; 0: none
+    int fail_after;  // 1: all later ones too
+    size_t live;     // blocks
+    size_t bytes, peak;
+    int refused;
+    int faults; // a block freed that is none, a size of 0
+} books;
+
+enum { BLOCK_MARK = 0x5ca1ab1e, HEADER = 16 };
+typedef struct header {
+    size_t size;
+    size_t mark;
+} header;
+
+static void *books_alloc(void *user, size_t size) {
+    books *b = (books *)user;
+    char *block = NULL;
+    pthread_mutex_lock(&b->lock);
+    b->calls++;
+    b->faults += size == 0;
+    if (b->fail_at && (b->calls == b->fail_at || (b->fail_after && b->calls > b->fail_at)))
+        b->refused++;
+    else if ((block = (char *)malloc(size + HEADER)) != NULL) {
+        header h = {size, BLOCK_MARK};
+        memset(block, 0xcd, size + HEADER); // memory comes with any content
+        memcpy(block, &h, sizeof h);
+        b->live++;
+        b->bytes += size;
+        if (b->bytes > b->peak)
+            b->peak = b->bytes;
+    }
+    pthread_mutex_unlock(&b->lock);
+    return block ? block + HEADER : NULL;
+}
+
+static void books_free(void *user, void *memory) {
+    books *b = (books *)user;
+    header h;
+    if (!memory)
+        return;
+    pthread_mutex_lock(&b->lock);
+    memcpy(&h, (char *)memory - HEADER, sizeof h);
+    if (h.mark != BLOCK_MARK)
+        b->faults++;
+    else {
+        memset((char *)memory - HEADER, 0xdd, h.size + HEADER);
+        b->live--;
+        b->bytes -= h.size;
+        free((char *)memory - HEADER);
+    }
+    pthread_mutex_unlock(&b->lock);
+}
+
+static books books_open(void) {
+    books b = {PTHREAD_MUTEX_INITIALIZER, 0, 0, 0, 0, 0, 0, 0, 0};
+    return b;
+}
+
+static void keep_books(paradt_options *options, books *b) {
+    options->allocator.alloc = books_alloc;
+    options->allocator.free = books_free;
+    options->allocator.user = b;
+}
+
+// --- the cases that every test here goes through
+
+typedef struct scene {
+    sample s;
+    paradt_options options;
+} scene;
+
+static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
+
+// Families, weights, dimensions, methods, regions: chosen so that every path that allocates is taken.
+static int next_scene(int number, scene *out) {
+    static const struct {
+        int family, weighting, dim, count;
+    } inputs[] = {{0, 0, 3, 60}, {5, 3, 3, 50}, {17, 1, 3, 60}, {0, 2, 2, 60},   {12, 0, 3, 40},
+                  {15, 1, 3, 20}, {16, 1, 3, 5}, {0, 0, 5, 14},  {9, 0, 4, 20}, {21, 0, 3, 20}};
+    static const struct {
+        size_t regions;
+        paradt_partition partition;
+        int threads;
+    } ways[] = {{0, PARADT_BISECTION, 0}, {3, PARADT_BISECTION, 0}, {4, PARADT_UNIFORM, 0}, {3, PARADT_BISECTION, 1}};
+    enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
+    int input = number % INPUTS, way = number / INPUTS % WAYS, method = number / INPUTS / WAYS;
+    memset(out, 0, sizeof *out);
+    if (method >= PARADT_METHOD_COUNT)
+        return 0;
+    out->s = family_make(&families[inputs[input].family], &weightings[inputs[input].weighting], inputs[input].dim,
+                         inputs[input].count, 6);
+    out->options.method = (paradt_method)method;
+    out->options.regions = ways[way].regions;
+    out->options.partition = ways[way].partition;
+    out->options.parallel_for = ways[way].threads ? run_on_threads : NULL;
+    return 1;
+}
+
+typedef struct job {
+    void (*task)(void *context, size_t index);
+    void *context;
+    size_t index;
+    pthread_t thread;
+} job;
+
+static void *run_job(void *argument) {
+    job *j = (job *)argument;
+    j->task(j->context, j->index);
+    return NULL;
+}
+
+static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    job *jobs = (job *)need(count, sizeof *jobs);
+    (void)user;
+    for (size_t i = 0; i < count; i++) {
+        job j = {task, context, i, pthread_self()};
+        jobs[i] = j;
+        assert_int_equal(pthread_create(&jobs[i].thread, NULL, run_job, &jobs[i]), 0);
+    }
+    for (size_t i = 0; i < count; i++)
+        pthread_join(jobs[i].thread, NULL);
+    free(jobs);
+}
+
+static void assert_empty(const paradt_triangulation *t) {
+    assert_null(t->cells);
+    assert_null(t->neighbors);
+    assert_null(t->representative);
+    assert_int_equal(t->cell_count, 0);
+    assert_int_equal(t->point_count, 0);
+}
+
+// --- memory
+
+static void all_memory_is_the_allocators_and_goes_back(void **state) {
+    scene c;
+    (void)state;
+    for (int number = 0; next_scene(number, &c); number++) {
+        books b = books_open();
+        paradt_points points = points_of(&c.s);
+        paradt_triangulation t;
+        keep_books(&c.options, &b);
+        direct_allocations = 0;
+        assert_int_equal(paradt_triangulate(&t, &points, &c.options), PARADT_OK);
+        assert_true(b.calls > 0);
+        // What the result holds is all that is still there: cells, neighbours, representatives.
+        assert_true(b.live <= 3);
+        assert_int_equal(paradt_check(&t, &points, &c.options, NULL), PARADT_OK);
+        assert_true(b.live <= 3);
+        paradt_free(&t);
+        assert_int_equal(b.live, 0);
+        assert_int_equal(b.faults, 0);
+        assert_int_equal(direct_allocations, 0);
+        assert_empty(&t);
+        sample_free(&c.s);
+    }
+}
+
+static void every_failing_allocation_is_an_error_and_leaks_nothing(void **state) {
+    scene c;
+    size_t tried = 0;
+    (void)state;
+    for (int number = 0; next_scene(number, &c); number++) {
+        paradt_points points = points_of(&c.s);
+        int serial = c.options.parallel_for == NULL;
+        for (int after = 0; after < 2; after++)
+            for (size_t k = 1;; k++) {
+                books b = books_open();
+                paradt_triangulation t;
+                b.fail_at = k;
+                b.fail_after = after;
+                keep_books(&c.options, &b);
+                memset(&t, 0xa5, sizeof t);
+                paradt_status status = paradt_triangulate(&t, &points, &c.options);
+                if (!b.refused) {
+                    // k is more calls than the run makes (on threads their number may vary).
+                    assert_int_equal(status, PARADT_OK);
+                    paradt_free(&t);
+                    assert_int_equal(b.live, 0);
+                    break;
+                }
+                if (status != PARADT_ERROR_MEMORY || b.live || b.faults) {
+                    char text[256];
+                    snprintf(text, sizeof text, "%s, allocation %u refused: %s, %u blocks leaked, %d faults",
+                             how_text(&c.options), (unsigned)k, paradt_status_string(status), (unsigned)b.live, b.faults);
+                    fail_on_sample(&c.s, text);
+                }
+                assert_empty(&t);
+                paradt_free(&t);
+                tried++;
+                if (!serial && k > 200)
+                    break;
+            }
+        sample_free(&c.s);
+    }
+    assert_true(tried > 1000);
+}
+
+static void the_memory_limit_is_kept(void **state) {
+    scene c;
+    (void)state;
+    for (int number = 0; next_scene(number, &c); number++) {
+        books b = books_open();
+        paradt_points points = points_of(&c.s);
+        paradt_triangulation t;
+        uint64_t hash;
+        keep_books(&c.options, &b);
+        assert_int_equal(paradt_triangulate(&t, &points, &c.options), PARADT_OK);
+        // The peak reported counts at least what was asked of the allocator; with one region nothing much beside.
+        if (t.stats.peak_bytes < b.peak || (c.options.regions <= 1 && t.stats.peak_bytes > b.peak + b.peak / 4 + 4096))
+            fail_on_sample(&c.s, "stats.peak_bytes is not the peak that the allocator saw");
+        size_t peak = (size_t)t.stats.peak_bytes, measured = b.peak;
+        hash = paradt_hash(&t);
+        paradt_free(&t);
+        for (int step = 1; step <= 40; step++) {
+            size_t limit = peak * (size_t)step / 20 + 1;
+            b = books_open();
+            c.options.memory_limit = limit;
+            paradt_status status = paradt_triangulate(&t, &points, &c.options);
+            if (b.peak > limit)
+                fail_on_sample(&c.s, "more memory was held than memory_limit allows");
+            if (status == PARADT_OK) {
+                assert_true(paradt_hash(&t) == hash);
+            } else {
+                assert_int_equal(status, PARADT_ERROR_MEMORY);
+                assert_empty(&t);
+                if (c.options.regions <= 1 && limit > peak)
+                    fail_on_sample(&c.s, "a limit above stats.peak_bytes is refused");
+            }
+            if (status == PARADT_OK && limit < measured / 2)
+                fail_on_sample(&c.s, "half the memory was enough: the limit was not looked at");
+            paradt_free(&t);
+            assert_int_equal(b.live, 0);
+        }
+        sample_free(&c.s);
+    }
+}
+
+// --- progress
+
+typedef struct reports {
+    pthread_mutex_t lock;
+    size_t calls, cancel_at;
+    double last;
+    int ordered, in_range;
+} reports;
+
+static int note_progress(void *user, double fraction) {
+    reports *r = (reports *)user;
+    pthread_mutex_lock(&r->lock);
+    r->calls++;
+    if (!(fraction >= 0 && fraction <= 1))
+        r->in_range = 0;
+    if (fraction < r->last)
+        r->ordered = 0;
+    r->last = fraction;
+    int cancel = r->cancel_at && r->calls >= r->cancel_at;
+    pthread_mutex_unlock(&r->lock);
+    return cancel ? 7 : 0;
+}
+
+static reports reports_open(size_t cancel_at) {
+    reports r = {PTHREAD_MUTEX_INITIALIZER, 0, cancel_at, 0, 1, 1};
+    return r;
+}
+
+static void every_progress_call_can_cancel(void **state) {
+    int reported = 0;
+    (void)state;
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+        for (int way = 0; way < 8; way++) {
+            sample s = family_make(&families[way % 2 ? 0 : 5], &weightings[way % 3], 2 + way % 3,
+                                   way % 3 == 2 ? 400 : SANITIZED ? 2000 : 8000, 3);
+            paradt_points points = points_of(&s);
+            paradt_options options = {0};
+            paradt_triangulation t;
+            size_t calls = 0;
+            options.method = (paradt_method)method;
+            options.regions = way < 4 ? 0 : 3;
+            options.parallel_for = way == 7 ? run_on_threads : NULL;
+            options.progress = note_progress;
+            for (size_t k = 0; k == 0 || k <= calls; k += 1 + calls / 60) {
+                reports r = reports_open(k);
+                books b = books_open();
+                keep_books(&options, &b);
+                options.user = &r;
+                paradt_status status = paradt_triangulate(&t, &points, &options);
+                if (!r.in_range || (!options.parallel_for && !r.ordered))
+                    fail_on_sample(&s, "progress goes back or leaves 0..1");
+                if (k == 0) {
+                    assert_int_equal(status, PARADT_OK);
+                    calls = r.calls;
+                    if (calls == 0 && t.cell_count > 10000)
+                        fail_on_sample(&s, "no progress is reported in 10,000 cells");
+                    reported += calls > 1;
+                } else if (r.calls >= k) {
+                    assert_int_equal(status, PARADT_ERROR_CANCELLED);
+                    assert_empty(&t);
+                    if (!options.parallel_for && r.calls > k)
+                        fail_on_sample(&s, "the work goes on after it was cancelled");
+                }
+                paradt_free(&t);
+                assert_int_equal(b.live, 0);
+            }
+            sample_free(&s);
+        }
+    assert_true(reported > 0);
+}
+
+// --- flags and surroundings
+
+static void without_neighbors_the_cells_are_the_same(void **state) {
+    scene c;
+    (void)state;
+    for (int number = 0; next_scene(number, &c); number++) {
+        paradt_points points = points_of(&c.s);
+        paradt_triangulation with, without;
+        paradt_fault fault;
+        assert_int_equal(paradt_triangulate(&with, &points, &c.options), PARADT_OK);
+        c.options.flags = PARADT_NO_NEIGHBORS;
+        assert_int_equal(paradt_triangulate(&without, &points, &c.options), PARADT_OK);
+        assert_non_null(with.neighbors);
+        assert_null(without.neighbors);
+        assert_int_equal(with.cell_count, without.cell_count);
+        assert_true(paradt_hash(&with) == paradt_hash(&without));
+        assert_true(with.stats.hull_facets == without.stats.hull_facets);
+        assert_int_equal(paradt_check(&without, &points, NULL, &fault), PARADT_OK);
+        paradt_free(&with);
+        paradt_free(&without);
+        sample_free(&c.s);
+    }
+}
+
+static void errno_the_rounding_mode_and_the_input_are_left_alone(void **state) {
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    scene c;
+    (void)state;
+    for (int number = 0; next_scene(number, &c); number++) {
+        books b = books_open();
+        paradt_points points = points_of(&c.s), points_before = points;
+        paradt_triangulation t;
+        sample before = sample_pick(&c.s, NULL, c.s.count);
+        size_t bytes = sizeof(double) * (size_t)(c.s.count * c.s.dim);
+        int mode = modes[number % 4], status, number_after, mode_after;
+        keep_books(&c.options, &b);
+        fesetround(mode);
+        errno = 4321;
+        status = paradt_triangulate(&t, &points, &c.options);
+        number_after = errno;
+        mode_after = fegetround();
+        fesetround(FE_TONEAREST);
+        assert_int_equal(status, PARADT_OK);
+        assert_int_equal(number_after, 4321);
+        assert_int_equal(mode_after, mode);
+        assert_memory_equal(before.x, c.s.x, bytes);
+        if (c.s.w)
+            assert_memory_equal(before.w, c.s.w, sizeof(double) * (size_t)c.s.count);
+        assert_memory_equal(&points, &points_before, sizeof points);
+        paradt_free(&t);
+        sample_free(&before);
+        sample_free(&c.s);
+    }
+}
+
+typedef struct small_stack_call {
+    sample s;
+    paradt_options options;
+    paradt_status status;
+} small_stack_call;
+
+static void *call_on_small_stack(void *argument) {
+    small_stack_call *c = (small_stack_call *)argument;
+    paradt_points points = points_of(&c->s);
+    paradt_triangulation t;
+    c->status = paradt_triangulate(&t, &points, &c->options);
+    paradt_free(&t);
+    return NULL;
+}
+
+// Depth does not grow with the input: a thread with a stack of 256 KB triangulates sets that make the methods recurse deepest.
+static void a_small_stack_is_enough(void **state) {
+    static const int deep[] = {0, 3, 5, 13, 15, 24, 31};
+    (void)state;
+    if (SANITIZED)
+        skip(); // its frames are many times larger
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+        for (size_t i = 0; i < sizeof deep / sizeof deep[0]; i++) {
+            small_stack_call c;
+            pthread_attr_t attributes;
+            pthread_t thread;
+            memset(&c, 0, sizeof c);
+            c.s = family_make(&families[deep[i]], NULL, 3, 8000, 1);
+            c.options.method = (paradt_method)method;
+            c.options.regions = i % 2 ? 5 : 0;
+            pthread_attr_init(&attributes);
+            pthread_attr_setstacksize(&attributes, 256 * 1024);
+            assert_int_equal(pthread_create(&thread, &attributes, call_on_small_stack, &c), 0);
+            pthread_join(thread, NULL);
+            pthread_attr_destroy(&attributes);
+            assert_int_equal(c.status, PARADT_OK);
+            sample_free(&c.s);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_memory_is_the_allocators_and_goes_back),
+        cmocka_unit_test(every_failing_allocation_is_an_error_and_leaks_nothing),
+        cmocka_unit_test(the_memory_limit_is_kept),
+        cmocka_unit_test(every_progress_call_can_cancel),
+        cmocka_unit_test(without_neighbors_the_cells_are_the_same),
+        cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
+        cmocka_unit_test(a_small_stack_is_enough),
+    };
+    return cmocka_run_group_tests_name("resources", tests, NULL, NULL);
+}

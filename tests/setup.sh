@@ -1,0 +1,79 @@
+#!/bin/sh
+# Usage: setup.sh FILE. Installs what the tests need and this machine lacks, with apt-get as root or by sudo where that works,
+# and writes what there is as make variables to FILE. What can't be installed is named, and its tests will be skipped.
+file=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+CC=${CC:-cc}
+CXX=${CXX:-c++}
+
+# has NAME: whether this machine has it. A program is run by name, a library by compiling and linking against it.
+compiles() { # compiler source-suffix source flags...
+    compiler=$1 suffix=$2 source=$3
+    shift 3
+    printf '%s\n' "$source" >"$work/probe.$suffix"
+    $compiler "$work/probe.$suffix" -o "$work/probe" "$@" >/dev/null 2>&1
+}
+has() {
+    case $1 in
+    libcmocka-dev) compiles "$CC" c '#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+int main(void) { return 0; }' -lcmocka ;;
+    libgmp-dev) compiles "$CC" c '#include <gmp.h>
+int main(void) { mpz_t z; mpz_init(z); return 0; }' -lgmp ;;
+    g++) compiles "$CXX" cc 'int main() { return 0; }' ;;
+    libcgal-dev) compiles "$CXX" cc '#include <CGAL/version.h>
+int main() { return 0; }' -lmpfr -lgmp ;;
+    libeigen3-dev) test -d /usr/include/eigen3 || test -d /usr/local/include/eigen3 ;;
+    gcc-multilib) ! gcc -dumpmachine 2>/dev/null | grep -q '^x86_64' || compiles gcc c '#include <stdlib.h>
+int main(void) { return 0; }' -m32 ;;
+    g++-multilib) ! g++ -dumpmachine 2>/dev/null | grep -q '^x86_64' || compiles g++ cc '#include <vector>
+int main() { return 0; }' -m32 ;;
+    mpich) command -v mpiexec >/dev/null 2>&1 ;;
+    libmpich-dev) command -v mpicc >/dev/null 2>&1 && command -v mpicxx >/dev/null 2>&1 ;;
+    *) command -v "$1" >/dev/null 2>&1 ;;
+    esac
+}
+
+wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang mpich libmpich-dev"
+missing() {
+    for package in $wanted; do
+        has "$package" || printf '%s ' "$package"
+    done
+}
+
+lacking=$(missing)
+if [ -n "$lacking" ] && command -v apt-get >/dev/null 2>&1; then
+    if [ "$(id -u)" = 0 ]; then
+        root=
+    elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+        root=sudo
+    else
+        root=none
+    fi
+    if [ "$root" != none ]; then
+        echo "Installing $lacking"
+        $root apt-get update -q >"$work/log" 2>&1
+        # One by one: a package that this release lacks must not keep the others out.
+        for package in $lacking; do
+            $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "$package" \
+                >>"$work/log" 2>&1 || echo "apt-get could not install $package"
+        done
+    fi
+    lacking=$(missing)
+fi
+if [ -n "$lacking" ]; then
+    echo "Some tests will be skipped. To run them all:  apt-get install $lacking"
+fi
+
+{
+    has libcmocka-dev && echo HAVE_CMOCKA=1
+    has libgmp-dev && echo HAVE_GMP=1
+    has g++ && has libcgal-dev && has libeigen3-dev && echo HAVE_CGAL=1
+    compiles "$CC" c 'int main(void) { return 0; }' -fsanitize=address,undefined && "$work/probe" 2>/dev/null &&
+        echo HAVE_SANITIZERS=1
+} >"$file"
+exit 0
