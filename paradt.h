@@ -1001,6 +1001,13 @@ static int paradt__precise(void) {
 #endif
 }
 
+// The double nearest to x, where arithmetic may leave more digits in a register. For values that are subtracted from in
+// several places: all must see the same.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
+}
+
 // Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
 // of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
 // n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
@@ -2209,7 +2216,7 @@ static int paradt__fit_sphere(const paradt__set *set, double *centre, double *ra
     }
     *radius2 = 0.0;
     for (j = 0; j < ambient; j++) {
-        centre[j] = o[j] + shift[j];
+        centre[j] = paradt__rounded(o[j] + shift[j]);
         *radius2 += shift[j] * shift[j];
     }
     for (i = 0; i < 64; i++) {
@@ -5360,7 +5367,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
         double high = paradt__from_ordered_bits(bw->space.high[axis]);
-        s->centre[axis] = low + (high - low) * 0.5;
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
         s->half[axis] = (high - low) * 0.5000001;
         s->square += s->half[axis] * s->half[axis];
     }
