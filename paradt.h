@@ -2904,9 +2904,13 @@ typedef struct paradt__lane_query {
     double disc[PARADT_MAX_DIM];       // with sagittas: a point outside has sum_j u_j (u_j - disc_j) of at most
     double disc_slack[PARADT_MAX_DIM]; // disc_floor + sum_j |u_j| (K |u_j| + disc_slack_j)
     double disc_floor;
-    double extent[PARADT_MAX_DIM]; // with sagittas: the length of the set along each axis
-    double weight_slack;           // ... and the error of a difference of two
-    double round;                  // K
+    double extent[PARADT_MAX_DIM];  // with sagittas: the length of the set along each axis
+    double weight_slack;            // ... and the error of a difference of two
+    double curve;                   // with sagittas, on the reference sphere: F(u) = curve |u|^2 - tangent . u
+    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (difference of the sagittas), least at
+    double summit[PARADT_MAX_DIM];  // that, where the curve is positive
+    double curve_slack;             // error of that beyond F's
+    double round;                   // K
 } paradt__lane_query;
 
 typedef struct paradt__lane_bounds {
@@ -2976,31 +2980,53 @@ PARADT__INLINE unsigned paradt__test_group(const paradt__lane_query *q, const do
     return paradt__lane_mask(margin);
 }
 
-// The same with sagittas. F and N are both affine, so one corner of a box decides; the lifts are of one size in all of
-// the set, so one bound on the errors does: that at the distance of its whole extent.
+// The same with sagittas. The lifts are of one size in all of the set, so one bound on the errors does: that at the
+// distance of its whole extent. N is affine, so one corner of a box decides; F is taken as paradt__set_curve has it.
 PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
                                                   paradt__lane_bounds *bounds, int ambient) {
-    const double *grades = group + ambient * 2 * PARADT__LANES, *f_rows[PARADT_MAX_DIM], *n_rows[PARADT_MAX_DIM];
+    const double *grades = group + ambient * 2 * PARADT__LANES, *n_rows[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
+    double gain = 1.0 - q->curve;
     int lane, j;
     for (j = 0; j < ambient; j++) {
         const double *low = group + j * 2 * PARADT__LANES, *high = low + PARADT__LANES;
-        f_rows[j] = q->centre[j] < 0.0 ? low : high;
         n_rows[j] = q->normal[j] < 0.0 ? low : high;
         f_bound += q->extent[j] * q->slack[j];
         n_bound += q->extent[j] * q->reach[j];
     }
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        double f = q->weight - grades[lane], n = n_bound;
-        for (j = 0; j < ambient; j++) {
-            f -= q->centre[j] * (f_rows[j][lane] - q->origin[j]);
-            n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+    if (q->curve > 0.0) {
+        for (lane = 0; lane < PARADT__LANES; lane++) {
+            double f = gain * (q->weight - grades[lane]), n = n_bound;
+            for (j = 0; j < ambient; j++) {
+                double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
+                double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j], x = q->summit[j];
+                x = x > low ? x : low;
+                x = x < high ? x : high;
+                f += x * (q->curve * x - q->tangent[j]);
+                n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+            }
+            f = f_bound + q->curve_slack - f;
+            bounds->promise[lane] = f;
+            margin[lane] = f < n ? f : n;
         }
-        f = f_bound - f;
+    } else {
+        for (lane = 0; lane < PARADT__LANES; lane++) {
+            double f = gain * (q->weight - grades[lane]), n = n_bound;
+            for (j = 0; j < ambient; j++) {
+                double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
+                double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
+                double a = low * (q->curve * low - q->tangent[j]), b = high * (q->curve * high - q->tangent[j]);
+                f += a < b ? a : b;
+                n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+            }
+            f = f_bound + q->curve_slack - f;
+            bounds->promise[lane] = f;
+            margin[lane] = f < n ? f : n;
+        }
+    }
+    for (lane = 0; lane < PARADT__LANES; lane++) {
         bounds->f[lane] = f_bound;
         bounds->n[lane] = n_bound;
-        bounds->promise[lane] = f;
-        margin[lane] = f < n ? f : n;
     }
     if (q->disc_floor < PARADT__NO_BOUND) {
         for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -3381,6 +3407,31 @@ static void paradt__search_facet(paradt__search *s, const double *inner) {
     else paradt__facet_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
 }
 
+// On the reference sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c, so that a multiple of the difference may be
+// added to F: the one that leaves nothing of the centre along w. Then F varies with the square of a box's size, as it
+// does on the sphere, while the box reaches off it by its size.
+static void paradt__set_curve(paradt__search *s, int dim) {
+    double dot = 0.0, square = 0.0, half, two_w[PARADT_MAX_DIM];
+    int j;
+    for (j = 0; j < dim; j++) {
+        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
+        dot += s->q.centre[j] * two_w[j];
+        square += two_w[j] * two_w[j];
+    }
+    s->q.curve = dot / square;
+    if (!(paradt__abs(s->q.curve) < 0.5 && paradt__abs(s->q.curve) > 1.0 / PARADT__STEEP)) s->q.curve = 0.0;
+    half = s->q.curve > 0.0 ? 0.5 / s->q.curve : 0.0;
+    s->q.curve_slack = paradt__abs(s->q.curve) * (s->q.f_floor + 2.0 * s->q.weight_slack);
+    for (j = 0; j < dim; j++) {
+        double moved = s->q.curve * two_w[j];
+        s->q.tangent[j] = s->q.centre[j] - moved;
+        s->q.summit[j] = s->q.tangent[j] * half;
+        s->q.curve_slack +=
+            2.0 * s->q.round * s->q.extent[j] *
+            (paradt__abs(s->q.curve) * s->q.extent[j] + paradt__abs(s->q.centre[j]) + 2.0 * paradt__abs(moved));
+    }
+}
+
 // Makes x the apex: the sphere through the facet and it. n: N(x), n_bound: its error. The slacks are taken twice as
 // large as needed and then kept as long as they do, so that bounds computed for one sphere mostly hold for the next.
 PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
@@ -3421,6 +3472,7 @@ PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index poin
         }
     }
     s->growths += (unsigned)grown;
+    if (grade == PARADT__SAGITTA) paradt__set_curve(s, dim);
 }
 
 static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
