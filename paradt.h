@@ -4549,8 +4549,7 @@ typedef uint32_t paradt__tag;
 #endif
 
 #define PARADT__KNOWN     (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
-#define PARADT__VAGUE     (PARADT__KNOWN >> 1)      // the sphere's error exceeds the set's standard
-#define PARADT__NO_SPHERE (PARADT__VAGUE - 1)       // a tag that is no cell's
+#define PARADT__NO_SPHERE (PARADT__KNOWN - 1)       // a tag that is no cell's
 
 typedef struct paradt__sphere3 {
     double normal[3], constant;
@@ -4572,7 +4571,6 @@ typedef struct paradt__spheres3 {
     double centre[3], half[3]; // of the bounding box; half of its sides, rounded up
     double square;             // H
     double steep;              // 2^60 H^(1/2)
-    double standard;           // the error that nearly all spheres stay below
     paradt__seen3 next;        // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
@@ -4955,12 +4953,12 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
                              a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal, sphere->normal + 1,
                              sphere->normal + 2, &sphere->constant, &sphere->error);
     }
-    sphere->tag = (paradt__tag)cell | (sphere->error > s->standard ? PARADT__VAGUE : 0);
+    sphere->tag = (paradt__tag)cell;
 }
 
 PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
     const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__VAGUE) == (paradt__tag)cell)) paradt__bw3_sphere(bw, cell);
+    if (!PARADT__LIKELY(sphere->tag == (paradt__tag)cell)) paradt__bw3_sphere(bw, cell);
     return sphere;
 }
 
@@ -5004,9 +5002,9 @@ PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, 
     paradt__spheres3 *s = bw->spheres;
     paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
     double power;
-    if ((sphere->tag & ~(PARADT__KNOWN | PARADT__VAGUE)) != (paradt__tag)cell) {
+    if ((sphere->tag & ~PARADT__KNOWN) != (paradt__tag)cell) {
         if (sphere->tag & PARADT__KNOWN) {
-            bw->conflict[sphere->tag & ~(PARADT__KNOWN | PARADT__VAGUE)] = 1;
+            bw->conflict[sphere->tag & ~PARADT__KNOWN] = 1;
             s->driven_out = 1;
         }
         paradt__bw3_sphere(bw, cell);
@@ -5025,7 +5023,6 @@ typedef struct paradt__dig3 {
     const paradt_index *neighbors;
     paradt__sphere3 *table;
     paradt__tag mask;
-    double standard;
 } paradt__dig3;
 
 // Looks at the other side of a facet of the cavity, which becomes part of the cavity or the rim, without branches.
@@ -5036,7 +5033,7 @@ PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const pa
     paradt__sphere3 *sphere = dig->table + (other & dig->mask);
     double power = paradt__sphere3_power(sphere, seen);
     unsigned conflict = power < 0.0, fresh;
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > dig->standard))) {
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
         conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
     }
     fresh = conflict & !(sphere->tag & PARADT__KNOWN);
@@ -5064,8 +5061,10 @@ PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, con
     return head;
 }
 
+// The two inner functions that have versions for an instruction set
 typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
                                   size_t head);
+typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen);
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
                                              const double *x, paradt__spread3 spread) {
@@ -5076,7 +5075,6 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     dig.neighbors = bw->cells.neighbors;
     dig.table = bw->spheres->table;
     dig.mask = bw->spheres->mask;
-    dig.standard = bw->spheres->standard;
     dig.cavity[0] = 4 * first;
     dig.cavity_count = 1;
     dig.rim_count = 0;
@@ -5188,11 +5186,10 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
 }
 
 // The spheres of the new cells that are no ghosts, some at a time in vectors, and the next point's powers.
-PARADT__INLINE void paradt__bw3_make_spheres(paradt__spheres3 *s, int count, const double *x,
-                                             const paradt__seen3 *seen) {
+static void paradt__bw3_make_plain(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
     enum { W = 8 };
     double a[3][W], b[3][W], c[3][W], normal[3][W], constant[W], error[W], power[W], least = PARADT__NO_ERROR_BOUND;
-    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, standard = s->standard;
+    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square;
     paradt__seen3 p = *seen, next = s->next;
     paradt__sphere3 *table = s->table;
     paradt__tag mask = s->mask;
@@ -5227,7 +5224,7 @@ PARADT__INLINE void paradt__bw3_make_spheres(paradt__spheres3 *s, int count, con
             for (j = 0; j < 3; j++) sphere->normal[j] = normal[j][lane];
             sphere->constant = constant[lane];
             sphere->error = error[lane];
-            sphere->tag = cell | (error[lane] > standard ? PARADT__VAGUE : 0);
+            sphere->tag = cell;
             best = power[lane] < least ? number : best;
             least = power[lane] < least ? power[lane] : least;
         }
@@ -5236,11 +5233,12 @@ PARADT__INLINE void paradt__bw3_make_spheres(paradt__spheres3 *s, int count, con
 }
 
 // The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen) {
+PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen,
+                                        paradt__make_spheres3 make) {
     paradt__spheres3 *s = bw->spheres;
     int i, next = 0, count = (int)bw->rim_count;
     s->start = s->base[0] >> 2;
-    if (s->finite_count) paradt__bw3_make_spheres(s, s->finite_count, x, seen);
+    if (s->finite_count) make(s, s->finite_count, x, seen);
     if (PARADT__LIKELY(s->finite_count == count)) return;
     for (i = 0; i < count; i++) {
         if (next < s->finite_count && s->finite[next] == i) next++;
@@ -5276,7 +5274,8 @@ static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) 
     return status ? status : paradt__bw3_clear(bw, 0);
 }
 
-PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread) {
+PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
+                                                    paradt__make_spheres3 make) {
     paradt__spheres3 *s = bw->spheres;
     const double *x = paradt__bw_record(bw, point);
     paradt__seen3 seen = s->next;
@@ -5297,7 +5296,7 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
         return paradt__bw3_fill_large(bw, point);
     }
     paradt__bw3_star(bw);
-    paradt__bw3_spheres(bw, x, &seen);
+    paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
 
@@ -5307,7 +5306,7 @@ static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const
 }
 
 static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_make_plain);
 }
 
 #if PARADT__BW_AVX2
@@ -5341,7 +5340,7 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
     size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
     paradt__dig3 dig = *work;
     const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0), lift = _mm256_set1_pd(at->lift);
-    const __m256d standard = _mm256_set1_pd(dig.standard), sign = _mm256_set1_pd(-0.0);
+    const __m256d sign = _mm256_set1_pd(-0.0);
     const __m128i mask = _mm_set1_epi32((int)dig.mask), order = _mm_setr_epi32(0, 1, 2, 3);
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN);
     char *table = (char *)dig.table;
@@ -5359,10 +5358,16 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
         __m256d power = _mm256_add_pd(_mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), lift),
                                       _mm256_permute2f128_pd(ab, cd, 0x31));
         unsigned conflict, fresh, sure;
-        enum { TAG = 5 * sizeof(double) };
-        tags = _mm_setr_epi32(*(int *)(void *)(a + TAG), *(int *)(void *)(b + TAG), *(int *)(void *)(c + TAG),
-                              *(int *)(void *)(d + TAG));
-        sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), standard, _CMP_GT_OQ)) &
+        enum { ERROR = 4 * sizeof(double), TAG = 5 * sizeof(double) };
+        __m128d rest_a = _mm_load_pd((const double *)(const void *)(a + ERROR)),
+                rest_b = _mm_load_pd((const double *)(const void *)(b + ERROR)),
+                rest_c = _mm_load_pd((const double *)(const void *)(c + ERROR)),
+                rest_d = _mm_load_pd((const double *)(const void *)(d + ERROR));
+        __m256d error = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_unpacklo_pd(rest_a, rest_b)),
+                                             _mm_unpacklo_pd(rest_c, rest_d), 1);
+        tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm_unpackhi_pd(rest_a, rest_b)),
+                                               _mm_castpd_ps(_mm_unpackhi_pd(rest_c, rest_d)), 0x88));
+        sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
                (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others)));
         if (!PARADT__LIKELY(sure == 15)) {
             int i;
@@ -5393,9 +5398,74 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
     return head;
 }
 
+// The coordinates of four vertices, by axis
+__attribute__((target("avx2,fma,popcnt"))) static inline void
+paradt__columns_avx2(double (*columns)[4], const double *p, const double *q, const double *r, const double *s) {
+    __m256d xy_pr = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p)), _mm_loadu_pd(r), 1);
+    __m256d xy_qs = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(q)), _mm_loadu_pd(s), 1);
+    __m256d z_pr = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + 2)), _mm_loadu_pd(r + 2), 1);
+    __m256d z_qs = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(q + 2)), _mm_loadu_pd(s + 2), 1);
+    _mm256_storeu_pd(columns[0], _mm256_unpacklo_pd(xy_pr, xy_qs));
+    _mm256_storeu_pd(columns[1], _mm256_unpackhi_pd(xy_pr, xy_qs));
+    _mm256_storeu_pd(columns[2], _mm256_unpacklo_pd(z_pr, z_qs));
+}
+
+// Four functions into the table
+__attribute__((target("avx2,fma,popcnt"))) static inline void
+paradt__store_spheres_avx2(paradt__sphere3 *const *to, const double (*normal)[4], const double *constant) {
+    __m256d x = _mm256_loadu_pd(normal[0]), y = _mm256_loadu_pd(normal[1]), z = _mm256_loadu_pd(normal[2]);
+    __m256d w = _mm256_loadu_pd(constant), xy_02 = _mm256_unpacklo_pd(x, y), xy_13 = _mm256_unpackhi_pd(x, y);
+    __m256d zw_02 = _mm256_unpacklo_pd(z, w), zw_13 = _mm256_unpackhi_pd(z, w);
+    _mm256_store_pd(to[0]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
+    _mm256_store_pd(to[1]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
+    _mm256_store_pd(to[2]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
+    _mm256_store_pd(to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+}
+
+__attribute__((target("avx2,fma,popcnt"))) static void
+paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
+    enum { W = 4 };
+    double a[3][W], b[3][W], c[3][W], normal[3][W], constant[W], error[W], power[W], least = PARADT__NO_ERROR_BOUND;
+    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
+    paradt__seen3 p = *seen, next = s->next;
+    int i, lane, best = s->finite[0];
+    for (i = count; i % W; i++) s->finite[i] = s->finite[count - 1];
+    for (i = 0; i < count; i += W) {
+        const unsigned char *f = s->corner[s->finite[i]], *g = s->corner[s->finite[i + 1]];
+        const unsigned char *h = s->corner[s->finite[i + 2]], *k = s->corner[s->finite[i + 3]];
+        paradt__sphere3 *to[W];
+        paradt__columns_avx2(a, s->place[f[0]], s->place[g[0]], s->place[h[0]], s->place[k[0]]);
+        paradt__columns_avx2(b, s->place[f[1]], s->place[g[1]], s->place[h[1]], s->place[k[1]]);
+        paradt__columns_avx2(c, s->place[f[2]], s->place[g[2]], s->place[h[2]], s->place[k[2]]);
+        for (lane = 0; lane < W; lane++) {
+            double nx, ny, nz, d, e;
+            paradt__sphere3_make(half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
+                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
+                                 &nx, &ny, &nz, &d, &e);
+            normal[0][lane] = nx;
+            normal[1][lane] = ny;
+            normal[2][lane] = nz;
+            constant[lane] = d;
+            error[lane] = e;
+            power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
+        }
+        for (lane = 0; lane < W; lane++) {
+            int number = s->finite[i + lane];
+            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
+            to[lane] = s->table + (cell & s->mask);
+            to[lane]->error = error[lane];
+            to[lane]->tag = cell;
+            best = power[lane] < least ? number : best;
+            least = power[lane] < least ? power[lane] : least;
+        }
+        paradt__store_spheres_avx2(to, (const double(*)[4])normal, constant);
+    }
+    s->start = s->base[best] >> 2;
+}
+
 __attribute__((target("avx2,fma,popcnt"))) static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw,
                                                                                         paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_make_avx2);
 }
 #endif
 
@@ -5424,7 +5494,6 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
         s->square += s->half[axis] * s->half[axis];
     }
     s->steep = sqrt(s->square) * paradt__power(60);
-    s->standard = 4096.0 * PARADT__UNIT_ERROR * s->square;
     s->count = PARADT__STAR_VERTICES;
     paradt__spheres3_forget_numbers(s);
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, 4));
@@ -5467,6 +5536,13 @@ static paradt_status paradt__bw_first(paradt__bw *bw) {
     return PARADT_OK;
 }
 
+// The handles become numbers of cells.
+PARADT__INLINE void paradt__bw_number(paradt_index *neighbors, size_t count, size_t corners) {
+    size_t i;
+    for (i = 0; i < count * corners; i++)
+        neighbors[i] = neighbors[i] < 0 ? neighbors[i] : neighbors[i] / (paradt_index)corners;
+}
+
 // Drops the ghosts and closes the gaps, from the end: the cells that remain are the first. Returns the ghosts' number.
 static uint64_t paradt__bw_close(paradt__bw *bw) {
     paradt__cells *cells = &bw->cells;
@@ -5497,9 +5573,8 @@ static uint64_t paradt__bw_close(paradt__bw *bw) {
         }
     }
     cells->count = end;
-    for (i = 0; i < end * corners; i++) {
-        if (neighbors[i] >= 0) neighbors[i] /= (paradt_index)corners;
-    }
+    if (corners == 4) paradt__bw_number(neighbors, end, 4);
+    else paradt__bw_number(neighbors, end, corners);
     return ghosts;
 }
 
@@ -5524,26 +5599,28 @@ static void paradt__bw_span_first(paradt__set *set) {
     }
 }
 
-// The points in the order of insertion, as a set of their own. origin: their positions in the set.
-static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, const paradt_index *subset,
-                                       size_t count, paradt__memory *memory) {
+// Puts the points into the order of insertion.
+static paradt_status paradt__bw_order(paradt__set *set, paradt__memory *memory) {
+    paradt__set sorted = *set;
+    paradt__keyed *order = paradt__keyed_order(set, NULL, set->count, memory);
     size_t i;
-    paradt__keyed *order = paradt__keyed_order(set, subset, count, memory);
     if (!order) return PARADT_ERROR_MEMORY;
-    *sorted = *set;
-    memset(&sorted->space.counters, 0, sizeof sorted->space.counters);
-    sorted->count = count;
-    sorted->records = (double *)paradt__alloc(memory, count, set->width * sizeof(double));
-    sorted->origin = (paradt_index *)paradt__alloc(memory, count, sizeof *sorted->origin);
-    if (sorted->records && sorted->origin) {
-        for (i = 0; i < count; i++) {
-            memcpy(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
-            sorted->origin[i] = order[i].point;
-        }
-        paradt__bw_span_first(sorted);
+    sorted.records = (double *)paradt__alloc(memory, set->count, set->width * sizeof(double));
+    sorted.origin = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted.origin);
+    if (!sorted.records || !sorted.origin) {
+        paradt__set_free(&sorted, memory);
+        paradt__release(memory, order);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < set->count; i++) {
+        memcpy(sorted.records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+        sorted.origin[i] = set->origin[order[i].point];
     }
     paradt__release(memory, order);
-    return sorted->records && sorted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+    paradt__set_free(set, memory);
+    *set = sorted;
+    paradt__bw_span_first(set);
+    return PARADT_OK;
 }
 
 typedef paradt_status (*paradt__inserter)(paradt__bw *bw, paradt_index point);
@@ -5572,38 +5649,31 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     return status;
 }
 
-static paradt_status paradt__bowyer_watson(paradt__set *set, const paradt_index *subset, size_t count,
-                                           paradt__memory *memory, paradt__cells *cells, int adjacency,
-                                           const paradt__progress *progress, paradt__counters *counters,
+// The cells of the set, which it reorders. adjacency: whether their neighbours are wanted.
+static paradt_status paradt__bowyer_watson(paradt__set *set, paradt__memory *memory, paradt__cells *cells,
+                                           int adjacency, const paradt__progress *progress, paradt__counters *counters,
                                            uint64_t *hull_facets) {
-    paradt__set sorted;
     paradt__bw bw;
-    size_t i;
-    paradt_status status;
-    memset(&sorted, 0, sizeof sorted); // owns nothing yet
-    status = paradt__bw_gather(&sorted, set, subset, count, memory);
+    paradt_status status = paradt__bw_order(set, memory);
+    if (status) return status;
     memset(&bw, 0, sizeof bw);
     bw.cells.corners = set->space.dim + 1;
-    if (!status) {
-        bw.space = sorted.space;
-        bw.memory = memory;
-        bw.records = sorted.records;
-        bw.width = sorted.width;
-        bw.count = count;
-        status = paradt__bw_build(&bw, progress);
-        *counters = bw.space.counters;
-    }
+    bw.space = set->space;
+    memset(&bw.space.counters, 0, sizeof bw.space.counters);
+    bw.memory = memory;
+    bw.records = set->records;
+    bw.width = set->width;
+    bw.count = set->count;
+    status = paradt__bw_build(&bw, progress);
+    *counters = bw.space.counters;
     if (!status) *hull_facets = paradt__bw_close(&bw);
     paradt__bw_end(&bw);
     *cells = bw.cells;
-    for (i = 0; !status && i < cells->count * (size_t)cells->corners; i++)
-        cells->vertices[i] = sorted.origin[cells->vertices[i]];
     if (!adjacency) {
         paradt__release(memory, cells->neighbors);
         cells->neighbors = NULL;
     }
     if (status) paradt__cells_free(cells, memory);
-    paradt__set_free(&sorted, memory);
     return status;
 }
 
@@ -6547,9 +6617,9 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     progress.user = work->options.user;
     progress.begin = 0.0;
     progress.length = 1.0;
-    status = paradt__bowyer_watson(&work->set, NULL, work->set.count, &work->memory, &work->cells,
-                                   !(work->options.flags & PARADT_NO_NEIGHBORS), &progress, &counters,
-                                   &work->stats->hull_facets);
+    status =
+        paradt__bowyer_watson(&work->set, &work->memory, &work->cells, !(work->options.flags & PARADT_NO_NEIGHBORS),
+                              &progress, &counters, &work->stats->hull_facets);
     paradt__count_predicates(work->stats, &counters);
     return status;
 }
