@@ -5036,6 +5036,7 @@ PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const pa
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
         conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
     }
+    PARADT__PREFETCH(dig->neighbors + 4 * (size_t)other);
     fresh = conflict & !(sphere->tag & PARADT__KNOWN);
     sphere->tag |= conflict ? PARADT__KNOWN : 0;
     dig->cavity[dig->cavity_count] = handle;
@@ -5358,6 +5359,7 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
         __m256d power = _mm256_add_pd(_mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), lift),
                                       _mm256_permute2f128_pd(ab, cd, 0x31));
         unsigned conflict, fresh, sure;
+        PARADT__PREFETCH(bw->cells.vertices + base);
         enum { ERROR = 4 * sizeof(double), TAG = 5 * sizeof(double) };
         __m128d rest_a = _mm_load_pd((const double *)(const void *)(a + ERROR)),
                 rest_b = _mm_load_pd((const double *)(const void *)(b + ERROR)),
@@ -5375,6 +5377,11 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
             continue;
         }
         conflict = (unsigned)_mm256_movemask_pd(power);
+        // what the next rounds of this loop and the new cells' links will touch
+        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_cvtsi128_si32(others));
+        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 1));
+        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 2));
+        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 3));
         fresh = conflict & ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(tags));
         // conflicts become marks: the powers' signs, narrowed to the cells' 32 bits
         tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
