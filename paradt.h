@@ -5606,27 +5606,40 @@ static void paradt__bw_span_first(paradt__set *set) {
     }
 }
 
-// Puts the points into the order of insertion.
-static paradt_status paradt__bw_order(paradt__set *set, paradt__memory *memory) {
-    paradt__set sorted = *set;
+// The points in the order of insertion, as a set of their own. origin: their positions in the set.
+static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, paradt__memory *memory) {
     paradt__keyed *order = paradt__keyed_order(set, NULL, set->count, memory);
     size_t i;
+    *sorted = *set;
+    sorted->records = NULL;
+    sorted->origin = NULL;
     if (!order) return PARADT_ERROR_MEMORY;
-    sorted.records = (double *)paradt__alloc(memory, set->count, set->width * sizeof(double));
-    sorted.origin = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted.origin);
-    if (!sorted.records || !sorted.origin) {
-        paradt__set_free(&sorted, memory);
-        paradt__release(memory, order);
-        return PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < set->count; i++) {
-        memcpy(sorted.records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
-        sorted.origin[i] = set->origin[order[i].point];
+    memset(&sorted->space.counters, 0, sizeof sorted->space.counters);
+    sorted->records = (double *)paradt__alloc(memory, set->count, set->width * sizeof(double));
+    sorted->origin = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted->origin);
+    if (sorted->records && sorted->origin) {
+        for (i = 0; i < set->count; i++) {
+            memcpy(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+            sorted->origin[i] = order[i].point;
+        }
+        paradt__bw_span_first(sorted);
     }
     paradt__release(memory, order);
+    return sorted->records && sorted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Puts the points of the set into the order of insertion.
+static paradt_status paradt__bw_order(paradt__set *set, paradt__memory *memory) {
+    paradt__set sorted;
+    paradt_status status = paradt__bw_gather(&sorted, set, memory);
+    size_t i;
+    for (i = 0; i < set->count && !status; i++) sorted.origin[i] = set->origin[sorted.origin[i]];
+    if (status) {
+        paradt__set_free(&sorted, memory);
+        return status;
+    }
     paradt__set_free(set, memory);
     *set = sorted;
-    paradt__bw_span_first(set);
     return PARADT_OK;
 }
 
@@ -5666,7 +5679,6 @@ static paradt_status paradt__bowyer_watson(paradt__set *set, paradt__memory *mem
     memset(&bw, 0, sizeof bw);
     bw.cells.corners = set->space.dim + 1;
     bw.space = set->space;
-    memset(&bw.space.counters, 0, sizeof bw.space.counters);
     bw.memory = memory;
     bw.records = set->records;
     bw.width = set->width;
@@ -7152,7 +7164,7 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
                                                  paradt__memory *memory, const paradt__progress *progress) {
     paradt_status status;
     memset(engine, 0, sizeof *engine);
-    status = paradt__bw_gather(&engine->sorted, set, NULL, set->count, memory);
+    status = paradt__bw_gather(&engine->sorted, set, memory);
     if (status) return status;
     engine->capacity = set->count;
     engine->bw.space = engine->sorted.space;
