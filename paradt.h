@@ -4297,7 +4297,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 // Every T(P_i) of the points so far is complete and exact, so no cell is ever flat, and the last one is T(P).
 // A weighted point that is in conflict with no cell is hidden; a vertex inside of the cavity becomes hidden.
 //
-// The points come in rounds of eight times the size of the one before (Amenta, Choi and Rote, "Incremental
+// The points come in rounds of 32 times the size of the one before (Amenta, Choi and Rote, "Incremental
 // constructions con BRIO", SoCG 2003), within a round along Hilbert's curve. The order only matters for speed.
 // Doors: paradt__bowyer_watson.
 
@@ -4324,8 +4324,8 @@ typedef struct paradt__keyed {
 } paradt__keyed;
 
 enum {
-    PARADT__ROUND_SHIFT = 3,   // a round is 2^3 times as large as the one before
-    PARADT__FIRST_ROUND = 64,  // points of the first round, about
+    PARADT__ROUND_SHIFT = 5,   // a round is 2^5 times as large as the one before
+    PARADT__FIRST_ROUND = 16,  // points of the first round, about
     PARADT__HILBERT_BITS = 60, // of a key, below the number of the round
     PARADT__FEW_KEYS = 32      // sorted by insertion
 };
@@ -6930,9 +6930,10 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
 
 // Positions become the caller's indices.
 static void paradt__translate(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
-    size_t count = cells->count * (size_t)cells->corners, i;
-    for (i = 0; i < count && !work->translated; i++) cells->vertices[i] = work->set.origin[cells->vertices[i]];
+    paradt_index *vertices = work->cells.vertices;
+    const paradt_index *origin = work->set.origin;
+    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i;
+    for (i = 0; i < count; i++) vertices[i] = origin[vertices[i]];
 }
 
 static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
