@@ -1057,8 +1057,12 @@ static void paradt__space_end(paradt__space *s) {
 // -1, 0, 1: the lexicographic order by the first dim coordinates
 PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
     for (int j = 0; j < s->dim; j++) {
-        int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
-        if (x != y) return x < y ? -1 : 1;
+        if (s->filtered) { // nothing that could be flushed to zero
+            if (a[j] != b[j]) return a[j] < b[j] ? -1 : 1;
+        } else {
+            int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
+            if (x != y) return x < y ? -1 : 1;
+        }
     }
     return 0;
 }
@@ -1801,6 +1805,27 @@ static int paradt__insphere(paradt__space *s, const double *const *p) {
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
+// The lexicographically largest of p[0..query], but for those in the mask `done`. In three dimensions without branches,
+// for in lattices they can't be foreseen.
+PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
+    int largest = query, i;
+    if (s->dim == 3 && s->filtered) {
+        const double *y = p[query];
+        for (i = 0; i < 4; i++) {
+            const double *x = p[i];
+            int above = (x[1] > y[1]) | ((x[1] == y[1]) & (x[2] > y[2]));
+            above = ((x[0] > y[0]) | ((x[0] == y[0]) & above)) & (int)(~done >> i & 1);
+            largest = above ? i : largest;
+            y = above ? x : y;
+        }
+    } else {
+        for (i = 0; i < query; i++) {
+            if (!(done >> i & 1) && paradt__compare(s, p[i], p[largest]) > 0) largest = i;
+        }
+    }
+    return largest;
+}
+
 // What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
 // going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
 // raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
@@ -1811,9 +1836,7 @@ PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p)
     unsigned done = 0;
     s->counters.perturbed++;
     for (;;) {
-        int largest = query, sign;
-        for (int i = 0; i < query; i++)
-            if (!(done >> i & 1) && paradt__compare(s, p[i], p[largest]) > 0) largest = i;
+        int largest = paradt__largest_point(s, p, query, done), sign;
         if (largest == query) return 0;
         for (int i = 0; i < query; i++) other[i] = p[i == largest ? query : i];
         sign = paradt__orient(s, other);
@@ -4297,7 +4320,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 // Every T(P_i) of the points so far is complete and exact, so no cell is ever flat, and the last one is T(P).
 // A weighted point that is in conflict with no cell is hidden; a vertex inside of the cavity becomes hidden.
 //
-// The points come in rounds of 32 times the size of the one before (Amenta, Choi and Rote, "Incremental
+// The points come in rounds of 16 times the size of the one before (Amenta, Choi and Rote, "Incremental
 // constructions con BRIO", SoCG 2003), within a round along Hilbert's curve. The order only matters for speed.
 // Doors: paradt__bowyer_watson.
 
@@ -4324,7 +4347,7 @@ typedef struct paradt__keyed {
 } paradt__keyed;
 
 enum {
-    PARADT__ROUND_SHIFT = 5,   // a round is 2^5 times as large as the one before
+    PARADT__ROUND_SHIFT = 4,   // a round is 2^4 times as large as the one before
     PARADT__FIRST_ROUND = 16,  // points of the first round, about
     PARADT__HILBERT_BITS = 60, // of a key, below the number of the round
     PARADT__FEW_KEYS = 32      // sorted by insertion
@@ -4530,8 +4553,10 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
 //     u (64 H + (512 m_x m_y m_z W + 128 L Q) / det),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z;
 // the constants are rounded up so far that the roundings of this bound itself and of m, L and h don't matter.
 // Sums may be associated in any order and contracted: that only drops roundings.
-// A ghost's function is -t N . (x - p) + |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u *
-// 2 m_y m_z, the terms N_j (x - p)_j pass 8 more roundings; the lift adds at most 1.1 H. In all less than
+// A power times det is the in-sphere determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a
+// power whose size is surely less than quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A
+// ghost's function is -t N . (x - p) + |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u * 2
+// m_y m_z, the terms N_j (x - p)_j pass 8 more roundings; the lift adds at most 1.1 H. In all less than
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q).
 
 enum {
@@ -4571,6 +4596,7 @@ typedef struct paradt__spheres3 {
     double centre[3], half[3]; // of the bounding box; half of its sides, rounded up
     double square;             // H
     double steep;              // 2^60 H^(1/2)
+    double nil;                // powers of less than this in size are 0
     paradt__seen3 next;        // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
@@ -4995,6 +5021,18 @@ PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__see
     return cell;
 }
 
+// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+PARADT__INLINE unsigned paradt__bw3_tie(paradt__bw *bw, paradt_index cell, const double *x) {
+    const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)cell;
+    const double *p[PARADT_MAX_DIM + 2];
+    int i;
+    for (i = 0; i < 4; i++) p[i] = paradt__bw_record(bw, vertices[i]);
+    p[4] = x;
+    bw->space.counters.insphere_calls++;
+    bw->space.counters.exact_small++;
+    return (unsigned)paradt__perturbed(&bw->space, p);
+}
+
 // Is the cell in conflict with the point? Where its sphere is not in the table, or the power does not tell. Marks of
 // cells whose spheres are driven out of the table while the cavity is dug are kept in bw.conflict.
 PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
@@ -5013,6 +5051,7 @@ PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, 
     if (sphere->tag & PARADT__KNOWN) return 1;
     power = paradt__sphere3_power(sphere, seen);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
+    if (paradt__abs(power) + sphere->error < s->nil) return paradt__bw3_tie(bw, cell, x);
     return (unsigned)paradt__bw_conflicts(bw, cell, x);
 }
 
@@ -5501,6 +5540,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
         s->square += s->half[axis] * s->half[axis];
     }
     s->steep = sqrt(s->square) * paradt__power(60);
+    s->nil = bw->space.insphere[3].quantum / (64.0 * s->half[0] * s->half[1] * s->half[2]);
     s->count = PARADT__STAR_VERTICES;
     paradt__spheres3_forget_numbers(s);
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, 4));
