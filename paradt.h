@@ -4327,7 +4327,8 @@ static paradt_status paradt__incode(paradt__front *front) {
 enum {
     PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
     PARADT__DEAD = -3,     // first vertex of a free place
-    PARADT__GROW_PART = 16
+    PARADT__GROW_PART = 16,
+    PARADT__FEW_POINTS = 1 << 15 // get room for all the cells to be expected at once
 };
 
 #define PARADT__EXPECT_MORE 1.01
@@ -4560,10 +4561,11 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q).
 
 enum {
-    PARADT__SPHERES = 1 << 14,   // of the table
-    PARADT__STAR = 256,          // new cells that are made together, at most; else the general way is taken
-    PARADT__STAR_VERTICES = 130, // their vertices: that many facets have at most 2 + 256 / 2
-    PARADT__FEW_NUMBERS = 48,    // more than these are forgotten before the next point
+    PARADT__SPHERES = 1 << 14,       // of the table, for many points, and
+    PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
+    PARADT__STAR = 256,              // new cells that are made together, at most; else the general way is taken
+    PARADT__STAR_VERTICES = 130,     // their vertices: that many facets have at most 2 + 256 / 2
+    PARADT__FEW_NUMBERS = 48,        // more than these are forgotten before the next point
     PARADT__STAR_ROW = 144 // of the table of their edges: 4.5 cache lines, so that rows don't compete for the same
 };
 
@@ -4589,8 +4591,7 @@ typedef struct paradt__seen3 {
 } paradt__seen3;
 
 typedef struct paradt__spheres3 {
-    paradt__sphere3 *table; // [mask + 1] on cache lines, in
-    void *block;            // this block
+    paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
     paradt__tag mask;
     int driven_out;            // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
     double centre[3], half[3]; // of the bounding box; half of its sides, rounded up
@@ -4623,7 +4624,6 @@ typedef struct paradt__spheres3 {
 
 static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
     if (!s) return;
-    paradt__release(memory, s->block);
     paradt__release(memory, s->number);
     paradt__release(memory, s);
 }
@@ -5518,18 +5518,17 @@ __attribute__((target("avx2,fma,popcnt"))) static paradt_status paradt__bw3_inse
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
-    size_t size = 64, i;
+    size_t size = PARADT__LEAST_SPHERES, i;
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
-    s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s);
-    if (!s) return PARADT_ERROR_MEMORY;
-    memset(s, 0, sizeof *s);
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
+    s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
+    if (!s) return PARADT_ERROR_MEMORY;
+    memset(s, 0, offsetof(paradt__spheres3, place)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
-    s->block = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
+    s->table = (paradt__sphere3 *)(void *)((char *)(s + 1) + (64 - (uintptr_t)(s + 1) % 64) % 64);
     s->number = (unsigned char *)paradt__alloc(bw->memory, bw->count + 1, 1);
-    if (!s->block || !s->number) return PARADT_ERROR_MEMORY;
-    s->table = (paradt__sphere3 *)(void *)((char *)s->block + (64 - (uintptr_t)s->block % 64) % 64);
+    if (!s->number) return PARADT_ERROR_MEMORY;
     memset(s->number, 0, bw->count + 1);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
@@ -5697,6 +5696,10 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     paradt__inserter insert;
     size_t i;
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
+    if (!status && bw->cells.corners <= 4 && bw->count < PARADT__FEW_POINTS) {
+        double cells = (double)bw->count * paradt__cells_a_point(bw->cells.corners - 1);
+        status = paradt__bw_reserve(bw, (size_t)cells + 64);
+    }
     if (!status) status = paradt__bw_first(bw);
     if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
     insert = paradt__choose_inserter(bw);
