@@ -2637,6 +2637,7 @@ typedef struct paradt__cells {
     size_t count, capacity;  // cells
     paradt_index *vertices;  // [capacity][corners]
     paradt_index *neighbors; // [capacity][corners]
+    int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
 } paradt__cells;
 
 enum {
@@ -2675,9 +2676,31 @@ typedef struct paradt__lists {
 } paradt__lists;
 
 static void paradt__cells_free(paradt__cells *cells, paradt__memory *memory) {
-    paradt__release(memory, cells->vertices);
-    paradt__release(memory, cells->neighbors);
+    if (!cells->lent) {
+        paradt__release(memory, cells->vertices);
+        paradt__release(memory, cells->neighbors);
+    }
     memset(cells, 0, sizeof *cells);
+}
+
+// Arrays of its own in the place of lent ones
+static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
+    paradt__cells own = *cells;
+    size_t used = cells->count * (size_t)cells->corners * sizeof(paradt_index);
+    own.vertices = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
+    own.neighbors = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
+    own.capacity = capacity;
+    own.lent = 0;
+    if (!own.vertices || !own.neighbors) {
+        paradt__cells_free(&own, memory);
+        return PARADT_ERROR_MEMORY;
+    }
+    if (used) {
+        memcpy(own.vertices, cells->vertices, used);
+        memcpy(own.neighbors, cells->neighbors, used);
+    }
+    *cells = own;
+    return PARADT_OK;
 }
 
 static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
@@ -2686,6 +2709,7 @@ static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity
     void *array = cells->vertices;
     if (capacity > most) capacity = most;
     if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
+    if (cells->lent) return paradt__cells_own(cells, capacity, memory);
     if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
     cells->vertices = (paradt_index *)array;
     array = cells->neighbors;
@@ -4683,6 +4707,18 @@ static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
     return PARADT_OK;
 }
 
+// Lends it the places of the cells from `first` on.
+static paradt_status paradt__bw_lend(paradt__bw *bw, const paradt__cells *cells, size_t first, size_t capacity) {
+    bw->conflict = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
+    if (!bw->conflict) return PARADT_ERROR_MEMORY;
+    memset(bw->conflict, 0, capacity);
+    bw->cells.vertices = cells->vertices + first * (size_t)cells->corners;
+    bw->cells.neighbors = cells->neighbors + first * (size_t)cells->corners;
+    bw->cells.capacity = capacity;
+    bw->cells.lent = 1;
+    return PARADT_OK;
+}
+
 // Room for `count` elements in a list of which `used` are in use
 static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t used, size_t *capacity, size_t count) {
     void *array = *list;
@@ -6111,7 +6147,8 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 // Points that span the set are inserted first everywhere, so a region may have flat sets of points, or none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_build, paradt__patch_emit, paradt__patch_end.
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit,
+// paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, in
 // the order of insertion, under a grid.
@@ -6144,7 +6181,7 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
     size_t list_count, list_capacity;
-    paradt_index *number; // [bw.cells.count] of the cells that the region owns; PARADT__OPEN: of the others
+    paradt_index *number; // [bw.cells.count] of the cells that the region owns; PARADT__HULL: ghosts, _OPEN: others
     size_t owned, made;   // cells owned, and cells of the triangulation
 } paradt__patch;
 
@@ -6447,7 +6484,11 @@ static paradt_status paradt__patch_number(paradt__patch *patch, const paradt__re
         const paradt_index *vertices = cells->vertices + i * corners;
         paradt_index cell[PARADT_MAX_DIM + 1];
         patch->number[i] = PARADT__OPEN;
-        if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, (int)corners) >= 0) continue;
+        if (vertices[0] == PARADT__DEAD) continue;
+        if (paradt__bw_ghost(vertices, (int)corners) >= 0) {
+            patch->number[i] = PARADT__HULL;
+            continue;
+        }
         for (j = 0; j < corners; j++) cell[j] = patch->origin[vertices[j]];
         patch->made++;
         if (paradt__owns(view, patch->set, cell, (int)corners)) patch->number[i] = (paradt_index)patch->owned++;
@@ -6457,10 +6498,9 @@ static paradt_status paradt__patch_number(paradt__patch *patch, const paradt__re
 
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
 // vertex of the region are in it. basis: dim + 1 positions that span the set.
-static paradt_status paradt__patch_build(paradt__patch *patch, const paradt_index *basis,
-                                         const paradt__region_view *view, const paradt__progress *progress) {
-    paradt_status status = paradt__patch_points(patch, basis);
-    if (!status) status = paradt__bw_build(&patch->bw, progress);
+static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__region_view *view,
+                                         const paradt__progress *progress) {
+    paradt_status status = paradt__bw_build(&patch->bw, progress);
     if (!status) status = paradt__patch_suspects(patch);
     while (!status && patch->list_count) {
         paradt_index cell = patch->list[--patch->list_count];
@@ -6479,31 +6519,34 @@ static int paradt__patch_knows(const paradt__patch *patch, const paradt_index *v
     return 0;
 }
 
-// Writes the region's cells from number `offset` on, in the caller's indices, and lists the facets that are open.
-// *hull: facets of the hull that are known to be.
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__region_view *view, paradt__cells *all,
-                                        size_t offset, uint64_t *hull) {
+// Writes the region's cells to the arrays, in the caller's indices, numbered from `offset` on, and lists the facets
+// that are open. The arrays may be those that the patch has the cells in: no cell moves up. *hull: facets of the hull
+// that are known to be.
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__region_view *view,
+                                        paradt_index *all_vertices, paradt_index *all_neighbors, size_t offset,
+                                        uint64_t *hull) {
     const paradt__cells *cells = &patch->bw.cells;
-    size_t corners = (size_t)cells->corners, i, j;
+    size_t corners = (size_t)cells->corners, bytes = corners * sizeof(paradt_index), i, j;
     paradt_status status = PARADT_OK;
     for (i = 0; i < cells->count && !status; i++) {
-        const paradt_index *vertices = cells->vertices + i * corners, *links = cells->neighbors + i * corners;
-        size_t base = ((size_t)patch->number[i] + offset) * corners;
+        paradt_index vertices[PARADT_MAX_DIM + 1], links[PARADT_MAX_DIM + 1];
+        size_t base = (size_t)patch->number[i] * corners;
         if (patch->number[i] < 0) continue;
+        memcpy(vertices, cells->vertices + i * corners, bytes);
+        memcpy(links, cells->neighbors + i * corners, bytes);
         for (j = 0; j < corners && !status; j++) {
-            paradt_index other = links[j] / (paradt_index)corners, number = patch->number[other];
-            all->vertices[base + j] = patch->set->origin[patch->origin[vertices[j]]];
+            paradt_index number = patch->number[links[j] / (paradt_index)corners];
+            all_vertices[base + j] = patch->set->origin[patch->origin[vertices[j]]];
             if (number >= 0) {
-                all->neighbors[base + j] = number + (paradt_index)offset;
-            } else if (paradt__bw_ghost(cells->vertices + (size_t)other * corners, (int)corners) >= 0 &&
-                       paradt__patch_knows(patch, vertices, (int)j, view)) {
-                all->neighbors[base + j] = PARADT__HULL;
+                all_neighbors[base + j] = number + (paradt_index)offset;
+            } else if (number == PARADT__HULL && paradt__patch_knows(patch, vertices, (int)j, view)) {
+                all_neighbors[base + j] = PARADT__HULL;
                 ++*hull;
             } else {
-                all->neighbors[base + j] = PARADT__OPEN;
+                all_neighbors[base + j] = PARADT__OPEN;
                 status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
                                          patch->list_count + 1);
-                if (!status) patch->list[patch->list_count++] = (paradt_index)(base + j);
+                if (!status) patch->list[patch->list_count++] = (paradt_index)(base + j + offset * corners);
             }
         }
     }
@@ -6609,6 +6652,7 @@ typedef struct paradt__work {
     paradt__part *parts;                    // [regions]
     paradt__field *fields;                  // [regions] with insertion
     struct paradt__region *region;          // [regions]
+    paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
     int translated;                         // the cells have the caller's indices already
     paradt__set permuted;                   // with insertion: the set ordered by region and time of insertion
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
@@ -6747,7 +6791,16 @@ static void paradt__field_task(void *context, size_t index) {
     if (!region->status) region->status = paradt__field_begin(field, permuted, part->begin, part->end, &region->memory);
 }
 
-// By insertion, second step: the cells.
+// By insertion, second step: the points to begin with.
+static void paradt__points_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    region->status =
+        paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
+    if (!region->status) region->status = paradt__patch_points(&region->patch, work->basis);
+}
+
+// By insertion, third step: the cells.
 static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -6755,8 +6808,7 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__region_view view = paradt__view_of(work, index);
     paradt__progress progress = paradt__region_progress(work, index);
     size_t i;
-    region->status = paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &region->memory);
-    if (!region->status) region->status = paradt__patch_build(patch, work->basis, &view, &progress);
+    region->status = paradt__patch_build(patch, &view, &progress);
     paradt__count_predicates(&region->stats, &patch->bw.space.counters);
     for (i = 0; i < work->regions && patch->searches; i++) {
         paradt__count_predicates(&region->stats, &patch->searches[i].space.counters);
@@ -6767,12 +6819,17 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
-// By insertion, third step: into the result.
+// By insertion, last step: into the result, or together at the begin of the region's slice.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
+    paradt__cells *own = &region->patch.bw.cells;
     paradt__region_view view = paradt__view_of(work, index);
-    region->status = paradt__patch_emit(&region->patch, &view, &work->cells, region->offset, &region->hull_facets);
+    size_t first = region->offset * (size_t)own->corners;
+    int in_place = work->cells.vertices == work->slices.vertices;
+    region->status = paradt__patch_emit(&region->patch, &view, in_place ? own->vertices : work->cells.vertices + first,
+                                        in_place ? own->neighbors : work->cells.neighbors + first, region->offset,
+                                        &region->hull_facets);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -6844,19 +6901,64 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
-// Puts the cells of the patches together, each region its own part.
+// Places that a patch's cells are expected to take, ghosts and all
+static size_t paradt__slice(const paradt__patch *patch) {
+    double points = (double)patch->bw.count;
+    return (size_t)(points * paradt__cells_a_point(patch->bw.cells.corners - 1) * 1.02) + 64;
+}
+
+// Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
+// dimensions. A patch whose cells don't fit takes arrays of its own.
+static paradt_status paradt__lend_slices(paradt__work *work) {
+    paradt__cells *slices = &work->slices;
+    int dim = work->set.space.dim;
+    size_t total = 0, first = 0, i;
+    paradt_status status;
+    slices->corners = dim + 1;
+    if (dim < 2 || dim > 3) return PARADT_OK;
+    for (i = 0; i < work->regions; i++) total += paradt__slice(&work->region[i].patch);
+    status = paradt__cells_reserve(slices, total, &work->memory);
+    for (i = 0; i < work->regions && !status; i++) {
+        paradt__patch *patch = &work->region[i].patch;
+        size_t capacity = paradt__slice(patch);
+        status = paradt__bw_lend(&patch->bw, slices, first, capacity);
+        first += capacity;
+    }
+    return status;
+}
+
+// The slices' cells are at their begins: closes the gaps between them.
+static void paradt__close_slices(paradt__work *work) {
+    size_t corners = (size_t)work->cells.corners, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        size_t first = work->region[i].offset * corners, bytes = patch->owned * corners * sizeof(paradt_index);
+        if (!bytes) continue;
+        memmove(work->cells.vertices + first, patch->bw.cells.vertices, bytes);
+        memmove(work->cells.neighbors + first, patch->bw.cells.neighbors, bytes);
+    }
+}
+
+// Puts the cells of the patches together.
 static paradt_status paradt__collect_patches(paradt__work *work) {
     paradt__cells *cells = &work->cells;
     size_t total = 0, i;
-    paradt_status status;
+    int in_place = work->slices.vertices != NULL;
+    paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         work->region[i].offset = total;
         total += work->region[i].patch.owned;
+        in_place = in_place && work->region[i].patch.bw.cells.lent;
     }
-    status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    // Slices of which an eighth would be left empty don't become the result.
+    in_place = in_place && work->slices.capacity <= total + total / 8 + 64;
+    if (in_place) *cells = work->slices;
+    else status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
     cells->count = total;
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__emit_task);
+    if (!status && in_place) paradt__close_slices(work);
+    if (in_place) memset(&work->slices, 0, sizeof work->slices);
     return status ? status : paradt__join_patches(work);
 }
 
@@ -6893,6 +6995,10 @@ static paradt_status paradt__build_patches(paradt__work *work) {
     memset(work->fields, 0, work->regions * sizeof *work->fields);
     status = paradt__permute_set(work);
     paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__points_task);
+    paradt__share_memory(work);
+    if (!status) status = paradt__lend_slices(work);
+    paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__patch_task);
     paradt__share_memory(work);
     if (!status) status = paradt__collect_patches(work);
@@ -6905,6 +7011,7 @@ static paradt_status paradt__build_patches(paradt__work *work) {
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
     }
+    paradt__cells_free(&work->slices, &work->memory);
     return status;
 }
 
