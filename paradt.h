@@ -4638,7 +4638,7 @@ typedef struct paradt__spheres3 {
     paradt_index row[PARADT__STAR][4]; // vertices
     paradt_index outer[PARADT__STAR];
     unsigned char corner[PARADT__STAR][4]; // numbers of the vertices
-    unsigned char finite[PARADT__STAR + 8];
+    unsigned char finite[PARADT__STAR + 4];
     int finite_count;
 } paradt__spheres3;
 
@@ -5261,51 +5261,79 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-// The spheres of the new cells that are no ghosts, some at a time in vectors, and the next point's powers.
-static void paradt__bw3_make_plain(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
-    enum { W = 8 };
-    double a[3][W], b[3][W], c[3][W], normal[3][W], constant[W], error[W], power[W], least = PARADT__NO_ERROR_BOUND;
-    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square;
-    paradt__seen3 p = *seen, next = s->next;
-    paradt__sphere3 *table = s->table;
-    paradt__tag mask = s->mask;
-    int i, lane, j, best = s->finite[0];
-    for (i = count; i % W; i++) s->finite[i] = s->finite[count - 1];
-    for (i = 0; i < count; i += W) {
-        for (lane = 0; lane < W; lane++) {
-            const unsigned char *corner = s->corner[s->finite[i + lane]];
-            const double *pa = s->place[corner[0]], *pb = s->place[corner[1]], *pc = s->place[corner[2]];
-            for (j = 0; j < 3; j++) {
-                a[j][lane] = pa[j];
-                b[j][lane] = pb[j];
-                c[j][lane] = pc[j];
-            }
-        }
-        for (lane = 0; lane < W; lane++) {
-            double nx, ny, nz, d, e;
-            paradt__sphere3_make(half, square, &p, b[0][lane] - x[0], b[1][lane] - x[1], b[2][lane] - x[2],
-                                 a[0][lane] - x[0], a[1][lane] - x[1], a[2][lane] - x[2], c[0][lane] - x[0],
-                                 c[1][lane] - x[1], c[2][lane] - x[2], &nx, &ny, &nz, &d, &e);
-            normal[0][lane] = nx;
-            normal[1][lane] = ny;
-            normal[2][lane] = nz;
-            constant[lane] = d;
-            error[lane] = e;
-            power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
-        }
-        for (lane = 0; lane < W; lane++) {
-            int number = s->finite[i + lane];
-            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
-            paradt__sphere3 *sphere = table + (cell & mask);
-            for (j = 0; j < 3; j++) sphere->normal[j] = normal[j][lane];
-            sphere->constant = constant[lane];
-            sphere->error = error[lane];
-            sphere->tag = cell;
-            best = power[lane] < least ? number : best;
-            least = power[lane] < least ? power[lane] : least;
+// Four new cells that are no ghosts: their vertices but for the new one, by axis, and what their spheres are made of
+typedef struct paradt__four3 {
+    const double *place[3][4];
+    double corner[3][3][4]; // [vertex][axis][cell]
+    double normal[3][4], constant[4], error[4], power[4];
+    paradt__sphere3 *to[4];
+} paradt__four3;
+
+typedef void (*paradt__four3_move)(paradt__four3 *four);
+
+static void paradt__four3_load_plain(paradt__four3 *four) {
+    int i, axis, lane;
+    for (i = 0; i < 3; i++) {
+        for (lane = 0; lane < 4; lane++) {
+            for (axis = 0; axis < 3; axis++) four->corner[i][axis][lane] = four->place[i][lane][axis];
         }
     }
+}
+
+static void paradt__four3_store_plain(paradt__four3 *four) {
+    int axis, lane;
+    for (lane = 0; lane < 4; lane++) {
+        for (axis = 0; axis < 3; axis++) four->to[lane]->normal[axis] = four->normal[axis][lane];
+        four->to[lane]->constant = four->constant[lane];
+    }
+}
+
+// The spheres of the new cells that are no ghosts, four at a time in vectors, and the next point's powers.
+PARADT__INLINE void paradt__bw3_make_any(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen,
+                                         paradt__four3_move load, paradt__four3_move store) {
+    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
+    double least = PARADT__NO_ERROR_BOUND;
+    paradt__seen3 p = *seen, next = s->next;
+    paradt__four3 four;
+    double(*a)[4] = four.corner[0], (*b)[4] = four.corner[1], (*c)[4] = four.corner[2];
+    int i, lane, best = s->finite[0];
+    for (i = count; i % 4; i++) s->finite[i] = s->finite[count - 1];
+    for (i = 0; i < count; i += 4) {
+        for (lane = 0; lane < 4; lane++) {
+            const unsigned char *corner = s->corner[s->finite[i + lane]];
+            four.place[0][lane] = s->place[corner[0]];
+            four.place[1][lane] = s->place[corner[1]];
+            four.place[2][lane] = s->place[corner[2]];
+        }
+        load(&four);
+        for (lane = 0; lane < 4; lane++) {
+            double nx, ny, nz, d, e;
+            paradt__sphere3_make(half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
+                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
+                                 &nx, &ny, &nz, &d, &e);
+            four.normal[0][lane] = nx;
+            four.normal[1][lane] = ny;
+            four.normal[2][lane] = nz;
+            four.constant[lane] = d;
+            four.error[lane] = e;
+            four.power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
+        }
+        for (lane = 0; lane < 4; lane++) {
+            int number = s->finite[i + lane];
+            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
+            four.to[lane] = s->table + (cell & s->mask);
+            four.to[lane]->error = four.error[lane];
+            four.to[lane]->tag = cell;
+            best = four.power[lane] < least ? number : best;
+            least = four.power[lane] < least ? four.power[lane] : least;
+        }
+        store(&four);
+    }
     s->start = s->base[best] >> 2;
+}
+
+static void paradt__bw3_make_plain(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
+    paradt__bw3_make_any(s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
 }
 
 // The spheres of the new cells, and where to start for the next point.
@@ -5480,69 +5508,34 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
     return head;
 }
 
-// The coordinates of four vertices, by axis
-__attribute__((target("avx2,fma,popcnt"))) static inline void
-paradt__columns_avx2(double (*columns)[4], const double *p, const double *q, const double *r, const double *s) {
-    __m256d xy_pr = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p)), _mm_loadu_pd(r), 1);
-    __m256d xy_qs = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(q)), _mm_loadu_pd(s), 1);
-    __m256d z_pr = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + 2)), _mm_loadu_pd(r + 2), 1);
-    __m256d z_qs = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(q + 2)), _mm_loadu_pd(s + 2), 1);
-    _mm256_storeu_pd(columns[0], _mm256_unpacklo_pd(xy_pr, xy_qs));
-    _mm256_storeu_pd(columns[1], _mm256_unpackhi_pd(xy_pr, xy_qs));
-    _mm256_storeu_pd(columns[2], _mm256_unpacklo_pd(z_pr, z_qs));
+__attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_load_avx2(paradt__four3 *four) {
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double *const *p = four->place[i];
+        __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[0])), _mm_loadu_pd(p[2]), 1);
+        __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[1])), _mm_loadu_pd(p[3]), 1);
+        __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[0] + 2)), _mm_loadu_pd(p[2] + 2), 1);
+        __m256d z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[1] + 2)), _mm_loadu_pd(p[3] + 2), 1);
+        _mm256_storeu_pd(four->corner[i][0], _mm256_unpacklo_pd(xy_02, xy_13));
+        _mm256_storeu_pd(four->corner[i][1], _mm256_unpackhi_pd(xy_02, xy_13));
+        _mm256_storeu_pd(four->corner[i][2], _mm256_unpacklo_pd(z_02, z_13));
+    }
 }
 
-// Four functions into the table
-__attribute__((target("avx2,fma,popcnt"))) static inline void
-paradt__store_spheres_avx2(paradt__sphere3 *const *to, const double (*normal)[4], const double *constant) {
-    __m256d x = _mm256_loadu_pd(normal[0]), y = _mm256_loadu_pd(normal[1]), z = _mm256_loadu_pd(normal[2]);
-    __m256d w = _mm256_loadu_pd(constant), xy_02 = _mm256_unpacklo_pd(x, y), xy_13 = _mm256_unpackhi_pd(x, y);
+__attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_store_avx2(paradt__four3 *four) {
+    __m256d x = _mm256_loadu_pd(four->normal[0]), y = _mm256_loadu_pd(four->normal[1]);
+    __m256d z = _mm256_loadu_pd(four->normal[2]), w = _mm256_loadu_pd(four->constant);
+    __m256d xy_02 = _mm256_unpacklo_pd(x, y), xy_13 = _mm256_unpackhi_pd(x, y);
     __m256d zw_02 = _mm256_unpacklo_pd(z, w), zw_13 = _mm256_unpackhi_pd(z, w);
-    _mm256_store_pd(to[0]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
-    _mm256_store_pd(to[1]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
-    _mm256_store_pd(to[2]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
-    _mm256_store_pd(to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+    _mm256_store_pd(four->to[0]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
+    _mm256_store_pd(four->to[1]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
+    _mm256_store_pd(four->to[2]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
+    _mm256_store_pd(four->to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
 __attribute__((target("avx2,fma,popcnt"))) static void
 paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
-    enum { W = 4 };
-    double a[3][W], b[3][W], c[3][W], normal[3][W], constant[W], error[W], power[W], least = PARADT__NO_ERROR_BOUND;
-    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
-    paradt__seen3 p = *seen, next = s->next;
-    int i, lane, best = s->finite[0];
-    for (i = count; i % W; i++) s->finite[i] = s->finite[count - 1];
-    for (i = 0; i < count; i += W) {
-        const unsigned char *f = s->corner[s->finite[i]], *g = s->corner[s->finite[i + 1]];
-        const unsigned char *h = s->corner[s->finite[i + 2]], *k = s->corner[s->finite[i + 3]];
-        paradt__sphere3 *to[W];
-        paradt__columns_avx2(a, s->place[f[0]], s->place[g[0]], s->place[h[0]], s->place[k[0]]);
-        paradt__columns_avx2(b, s->place[f[1]], s->place[g[1]], s->place[h[1]], s->place[k[1]]);
-        paradt__columns_avx2(c, s->place[f[2]], s->place[g[2]], s->place[h[2]], s->place[k[2]]);
-        for (lane = 0; lane < W; lane++) {
-            double nx, ny, nz, d, e;
-            paradt__sphere3_make(half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
-                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
-                                 &nx, &ny, &nz, &d, &e);
-            normal[0][lane] = nx;
-            normal[1][lane] = ny;
-            normal[2][lane] = nz;
-            constant[lane] = d;
-            error[lane] = e;
-            power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
-        }
-        for (lane = 0; lane < W; lane++) {
-            int number = s->finite[i + lane];
-            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
-            to[lane] = s->table + (cell & s->mask);
-            to[lane]->error = error[lane];
-            to[lane]->tag = cell;
-            best = power[lane] < least ? number : best;
-            least = power[lane] < least ? power[lane] : least;
-        }
-        paradt__store_spheres_avx2(to, (const double(*)[4])normal, constant);
-    }
-    s->start = s->base[best] >> 2;
+    paradt__bw3_make_any(s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
 }
 
 __attribute__((target("avx2,fma,popcnt"))) static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw,
