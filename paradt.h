@@ -532,7 +532,10 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 // difference of two coordinates must be taken before anything is added to it: (a - b) - c as a - (b + c) has an error
 // relative to a. So flags that allow that, -ffast-math among them, are turned off up to the end of the implementation.
 #if defined(__clang__)
+#pragma clang diagnostic push // float_control is not known for all targets: there it stays off after the end, too
+#pragma clang diagnostic ignored "-Wignored-pragmas"
 #pragma float_control(push)
+#pragma clang diagnostic pop
 #pragma clang fp reassociate(off)
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC push_options
@@ -8205,7 +8208,10 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
 #endif
 
 #if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wignored-pragmas"
 #pragma float_control(pop)
+#pragma clang diagnostic pop
 #elif defined(__GNUC__) && !defined(__TINYC__)
 #pragma GCC pop_options
 #elif defined(_MSC_VER)

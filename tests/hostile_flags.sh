@@ -19,8 +19,9 @@ skip() {
 has() { command -v "$1" >/dev/null 2>&1; }
 can() { # compiler flags...: builds and runs here
     echo 'int main(void) { return 0; }' >"$work/probe.c"
-    "$@" "$work/probe.c" -o "$work/probe" >"$work/probe.log" 2>&1 && "$work/probe"
+    "$@" "$work/probe.c" -o "$work/probe" >"$work/probe.log" 2>&1 && $runner "$work/probe"
 }
+runner= # what programs for another processor are run by
 
 # same NAME "MODES" COMPILER FLAGS...: one build, run once plainly and once in each mode ("+" joins modes).
 same() {
@@ -42,7 +43,7 @@ same() {
         test=${name}_$(echo "$mode" | tr + _)
         if [ "$mode" = plain ]; then arguments=; else arguments=$(echo "$mode" | tr + ' '); fi
         # shellcheck disable=SC2086
-        timeout 200 "$work/$name" "$points" $arguments >"$work/$test.out" 2>"$work/$test.log"
+        timeout 200 $runner "$work/$name" "$points" $arguments >"$work/$test.out" 2>"$work/$test.log"
         status=$?
         if [ $status != 0 ]; then
             { echo "ended with status $status after:" && tail -n 1 "$work/$test.out"; } >>"$work/$test.log"
@@ -92,4 +93,6 @@ same clang_O2 "down" clang -O2
 same clang_native_fast "up $sse" clang -Ofast -march=native -w
 same clang_x87 "double+down" clang -O2 -m32 -mno-sse
 same tcc "up" tcc
+runner=qemu-aarch64
+if has $runner; then same arm64_Ofast "" clang --target=aarch64-linux-gnu -Ofast -static -w; else skip arm64_Ofast "$runner is not installed"; fi
 echo "1..$number"

@@ -32,13 +32,18 @@ int main() { return 0; }' -lmpfr -lgmp ;;
 int main(void) { return 0; }' -m32 ;;
     g++-multilib) ! g++ -dumpmachine 2>/dev/null | grep -q '^x86_64' || compiles g++ cc '#include <vector>
 int main() { return 0; }' -m32 ;;
+    qemu-user) command -v qemu-aarch64 >/dev/null 2>&1 ;;
+    binutils-aarch64-linux-gnu) command -v aarch64-linux-gnu-ld >/dev/null 2>&1 ;;
+    libc6-dev-arm64-cross) test -e /usr/aarch64-linux-gnu/include/stdio.h ;;
+    libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
     libmpich-dev) command -v mpicc >/dev/null 2>&1 && command -v mpicxx >/dev/null 2>&1 ;;
     *) command -v "$1" >/dev/null 2>&1 ;;
     esac
 }
 
-wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang mpich libmpich-dev"
+wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang mpich libmpich-dev
+    qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross"
 missing() {
     for package in $wanted; do
         has "$package" || printf '%s ' "$package"
