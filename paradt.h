@@ -4358,7 +4358,7 @@ enum {
     PARADT__FEW_POINTS = 1 << 15 // get room for all the cells to be expected at once
 };
 
-#define PARADT__EXPECT_MORE 1.01
+#define PARADT__EXPECT_MORE 1.08
 
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
 #define PARADT__BW_AVX2 1
@@ -4733,11 +4733,14 @@ static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t
     return PARADT_OK;
 }
 
-// The number of cells to make room for when `needed` is too much for now: what the cells per point so far let expect.
+// The number of cells to make room for when `needed` is too much for now: what the cells per point so far let expect,
+// and somewhat more, for they become more. In two and three dimensions they stay below those of uniform points mostly.
 static size_t paradt__bw_expected(const paradt__bw *bw, size_t needed) {
-    double ratio = (double)needed / ((double)bw->inserted + 1.0),
-           expected = ratio * (double)bw->count * PARADT__EXPECT_MORE;
+    int dim = bw->cells.corners - 1;
+    double most = (double)bw->count * paradt__cells_a_point(dim) * 1.02;
+    double expected = (double)needed / ((double)bw->inserted + 1.0) * (double)bw->count * PARADT__EXPECT_MORE;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
+    if (dim <= 3 && expected > most) expected = most;
     return bw->inserted > bw->count / 32 && expected > (double)least && expected < 1e15 ? (size_t)expected : least;
 }
 
