@@ -139,7 +139,7 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to three times. One region a thread is right where the points are alike everywhere;
+// threads, at once. It is called up to four times. One region a thread is right where the points are alike everywhere;
 // a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
