@@ -2957,9 +2957,9 @@ typedef struct paradt__lane_query {
     double extent[PARADT_MAX_DIM];  // with sagittas: the length of the set along each axis
     double weight_slack;            // ... and the error of a difference of two
     double curve;                   // with sagittas, on the reference sphere: F(u) = curve |u|^2 - tangent . u
-    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (difference of the sagittas), least at
-    double summit[PARADT_MAX_DIM];  // that, where the curve is positive
-    double curve_slack;             // error of that beyond F's
+    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (s(u) - s(0)), s the sagitta
+    double summit[PARADT_MAX_DIM];  // if curve > 0: where curve |u|^2 - tangent . u is least; else 0
+    double curve_slack;             // error of that form of F beyond F's own
     double round;                   // K
 } paradt__lane_query;
 
@@ -4733,15 +4733,20 @@ static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t
     return PARADT_OK;
 }
 
+// Places that the cells of so many points take, ghosts and all, in two and three dimensions: mostly enough
+static size_t paradt__bw_places(size_t count, int dim) {
+    return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
+}
+
 // The number of cells to make room for when `needed` is too much for now: what the cells per point so far let expect,
-// and somewhat more, for they become more. In two and three dimensions they stay below those of uniform points mostly.
+// and somewhat more, for they become more.
 static size_t paradt__bw_expected(const paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
-    double most = (double)bw->count * paradt__cells_a_point(dim) * 1.02;
     double expected = (double)needed / ((double)bw->inserted + 1.0) * (double)bw->count * PARADT__EXPECT_MORE;
+    double most = dim <= 3 ? (double)paradt__bw_places(bw->count, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
-    if (dim <= 3 && expected > most) expected = most;
-    return bw->inserted > bw->count / 32 && expected > (double)least && expected < 1e15 ? (size_t)expected : least;
+    if (expected > most) expected = most;
+    return bw->inserted > bw->count / 32 && expected > (double)least ? (size_t)expected : least;
 }
 
 // Makes sure of `count` free places.
@@ -5732,8 +5737,7 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     size_t i;
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
     if (!status && bw->cells.corners <= 4 && bw->count < PARADT__FEW_POINTS) {
-        double cells = (double)bw->count * paradt__cells_a_point(bw->cells.corners - 1);
-        status = paradt__bw_reserve(bw, (size_t)cells + 64);
+        status = paradt__bw_reserve(bw, paradt__bw_places(bw->count, bw->cells.corners - 1));
     }
     if (!status) status = paradt__bw_first(bw);
     if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
@@ -6900,12 +6904,6 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
-// Places that a patch's cells are expected to take, ghosts and all
-static size_t paradt__slice(const paradt__patch *patch) {
-    double points = (double)patch->bw.count;
-    return (size_t)(points * paradt__cells_a_point(patch->bw.cells.corners - 1) * 1.02) + 64;
-}
-
 // Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
 // dimensions. A patch whose cells don't fit takes arrays of its own.
 static paradt_status paradt__lend_slices(paradt__work *work) {
@@ -6915,11 +6913,15 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     paradt_status status;
     slices->corners = dim + 1;
     if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice(&work->region[i].patch);
+    for (i = 0; i < work->regions; i++) total += paradt__bw_places(work->region[i].patch.bw.count, dim);
     status = paradt__cells_reserve(slices, total, &work->memory);
+    if (slices->capacity < total) { // more than can be numbered, or no memory
+        paradt__cells_free(slices, &work->memory);
+        return status;
+    }
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice(patch);
+        size_t capacity = paradt__bw_places(patch->bw.count, dim);
         status = paradt__bw_lend(&patch->bw, slices, first, capacity);
         first += capacity;
     }

@@ -65,6 +65,17 @@ static inline void points_sphere(sample *s, uint64_t *seed) {
     direction(x, s->dim, seed);
 }
 
+// A shell of 2^-11 to 2^-50 of the radius, thinner on one half, off the origin
+static inline void points_rough_sphere(sample *s, uint64_t *seed) {
+    double roughness = ldexp(1, -11 - random_below(seed, 40));
+    FOR_EACH_POINT(s, x) {
+        direction(x, s->dim, seed);
+        double radius = 1 + (x[0] > 0 ? roughness : roughness / 64) * (random_unit(seed) - 0.5);
+        for (int k = 0; k < s->dim; k++)
+            x[k] = 0.25 * k + radius * x[k];
+    }
+}
+
 static inline void points_clusters(sample *s, uint64_t *seed) {
     double centres[10][CELLS_MAX_DIM];
     for (int i = 0; i < 10; i++)
@@ -392,6 +403,7 @@ static const family families[] = {
     {"skew lines", points_skew_lines, 200, 0},                   // quadratically many cells
     {"moment curve", points_moment_curve, 40, 0},                // neighbourly
     {"graded", points_graded, 1000, 0},                          // every scale, coplanar and cospherical
+    {"rough sphere", points_rough_sphere, 0, 0},                 // off a sphere by much more than rounding errors
 };
 enum { FAMILY_COUNT = sizeof families / sizeof families[0] };
 
