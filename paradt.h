@@ -527,6 +527,10 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
+#include <immintrin.h> // for copies of the inner functions that are chosen at run time
+#define PARADT__AVX2 __attribute__((target("avx2,fma,popcnt")))
+#endif
 
 // Floating point rules cases out, with bounds that hold however sums of products are ordered and contracted, but a
 // difference of two coordinates must be taken before anything is added to it: (a - b) - c as a - (b + c) has an error
@@ -557,16 +561,19 @@ extern "C" {
 #define PARADT__NOINLINE          static __attribute__((noinline))
 #define PARADT__LIKELY(condition) __builtin_expect(!!(condition), 1)
 #define PARADT__PREFETCH(address) __builtin_prefetch(address)
+#define PARADT__RESTRICT          __restrict
 #elif defined(_MSC_VER)
 #define PARADT__INLINE            static __forceinline
 #define PARADT__NOINLINE          static __declspec(noinline)
 #define PARADT__LIKELY(condition) (condition)
 #define PARADT__PREFETCH(address) ((void)0)
+#define PARADT__RESTRICT          __restrict
 #else
 #define PARADT__INLINE            static inline
 #define PARADT__NOINLINE          static
 #define PARADT__LIKELY(condition) (condition)
 #define PARADT__PREFETCH(address) ((void)0)
+#define PARADT__RESTRICT
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -2635,6 +2642,9 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // handles; a facet that was matched meanwhile stays in its work list and is passed over when it comes up. Doors:
 // paradt__cells_*, paradt__active_*, paradt__list_*.
 
+// A position that no point of a set has
+#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
+
 typedef struct paradt__cells {
     int corners;             // dim + 1
     size_t count, capacity;  // cells
@@ -2768,6 +2778,12 @@ PARADT__INLINE paradt_index *paradt__active_chain(const paradt__active *active, 
     return active->heads + (place & active->mask);
 }
 
+// Fetches the first link of a chain.
+PARADT__INLINE void paradt__active_ahead(const paradt__active *active, paradt_index smallest, uint32_t key) {
+    paradt_index at = *paradt__active_chain(active, smallest, key);
+    if (at >= 0) PARADT__PREFETCH(active->links + at);
+}
+
 // Makes the table anew, with `chains` of them.
 static paradt_status paradt__active_rehash(paradt__active *active, size_t chains, paradt__memory *memory) {
     paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = active->heads;
@@ -2867,9 +2883,12 @@ PARADT__INLINE void paradt__active_remove(paradt__active *active, paradt_index s
 
 // Smallest vertex of a cell, but for the one at `without`.
 PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int corners, int without) {
-    paradt_index smallest = cell[without == 0];
+    paradt_index smallest = PARADT__NOWHERE;
     int i;
-    for (i = 1; i < corners; i++) smallest = i != without && cell[i] < smallest ? cell[i] : smallest;
+    for (i = 0; i < corners; i++) {
+        paradt_index vertex = i == without ? PARADT__NOWHERE : cell[i];
+        smallest = vertex < smallest ? vertex : smallest;
+    }
     return smallest;
 }
 
@@ -2944,6 +2963,7 @@ static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
 typedef struct paradt__lane_query {
     double origin[PARADT_MAX_DIM];
     double normal[PARADT_MAX_DIM];
+    size_t outer[PARADT_MAX_DIM];      // where a box has N's largest value: offset of the row of low or high sides
     double centre[PARADT_MAX_DIM];     // F(u) = sum_j u_j (u_j - centre_j): twice the centre of the current sphere
     double slack[PARADT_MAX_DIM];      // |error of F| <= sum_j |u_j| (K |u_j| + slack_j)
     double reach[PARADT_MAX_DIM];      // |error of N| <= sum_j |u_j| reach_j
@@ -2997,35 +3017,42 @@ PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
 }
 
 // Which of eight boxes may hold a point outside the facet and inside the sphere?
-PARADT__INLINE unsigned paradt__test_group(const paradt__lane_query *q, const double *group,
-                                           paradt__lane_bounds *bounds, int ambient, int grade) {
-    double margin[PARADT__LANES];
+PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, const double *group,
+                                                 paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient, int grade) {
+    double margin[PARADT__LANES], f[PARADT__LANES], n[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
-        double f = 0.0, n = 0.0, f_bound = q->f_floor, n_bound = -q->n_floor;
-        for (j = 0; j < ambient; j++) {
-            double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
-            double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
-            double x = q->centre[j] * 0.5, reach = -low > high ? -low : high;
-            double a = q->normal[j] * low, b = q->normal[j] * high;
+        f[lane] = n[lane] = 0.0;
+        bounds->f[lane] = q->f_floor;
+        bounds->n[lane] = -q->n_floor;
+    }
+    for (j = 0; j < ambient; j++) {
+        const double *lows = group + j * 2 * PARADT__LANES, *highs = lows + PARADT__LANES;
+        const double *outer = lows + q->outer[j];
+        double origin = q->origin[j], centre = q->centre[j], middle = 0.5 * centre, normal = q->normal[j];
+        for (lane = 0; lane < PARADT__LANES; lane++) {
+            double low = lows[lane] - origin, high = highs[lane] - origin;
+            double x = middle, reach = -low > high ? -low : high;
             x = x > low ? x : low;
             x = x < high ? x : high;
-            f += x * (x - q->centre[j]);
-            f_bound += reach * (q->round * reach + q->slack[j]);
-            n += a > b ? a : b;
-            n_bound += reach * q->reach[j];
+            f[lane] += x * (x - centre);
+            n[lane] += normal * (outer[lane] - origin);
+            bounds->f[lane] += reach * (q->round * reach + q->slack[j]);
+            bounds->n[lane] += reach * q->reach[j];
         }
-        if (grade) {
-            double gain = group[ambient * 2 * PARADT__LANES + lane] - q->weight;
-            f -= gain;
-            f_bound += q->round * (gain > 0.0 ? gain : 0.0);
+    }
+    if (grade) {
+        const double *grades = group + ambient * 2 * PARADT__LANES;
+        for (lane = 0; lane < PARADT__LANES; lane++) {
+            double gain = grades[lane] - q->weight;
+            f[lane] -= gain;
+            bounds->f[lane] += q->round * (gain > 0.0 ? gain : 0.0);
         }
-        bounds->f[lane] = f_bound;
-        bounds->n[lane] = n_bound;
-        f = f_bound - f;
-        n = n + n_bound;
-        bounds->promise[lane] = f;
-        margin[lane] = f < n ? f : n;
+    }
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double promise = bounds->f[lane] - f[lane], outside = bounds->n[lane] + n[lane];
+        bounds->promise[lane] = promise;
+        margin[lane] = promise < outside ? promise : outside;
     }
     return paradt__lane_mask(margin);
 }
@@ -3034,13 +3061,12 @@ PARADT__INLINE unsigned paradt__test_group(const paradt__lane_query *q, const do
 // distance of its whole extent. N is affine, so one corner of a box decides; F is taken as paradt__set_curve has it.
 PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
                                                   paradt__lane_bounds *bounds, int ambient) {
-    const double *grades = group + ambient * 2 * PARADT__LANES, *n_rows[PARADT_MAX_DIM];
+    const double *grades = group + ambient * 2 * PARADT__LANES, *outer[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
     double gain = 1.0 - q->curve;
     int lane, j;
     for (j = 0; j < ambient; j++) {
-        const double *low = group + j * 2 * PARADT__LANES, *high = low + PARADT__LANES;
-        n_rows[j] = q->normal[j] < 0.0 ? low : high;
+        outer[j] = group + j * 2 * PARADT__LANES + q->outer[j];
         f_bound += q->extent[j] * q->slack[j];
         n_bound += q->extent[j] * q->reach[j];
     }
@@ -3053,7 +3079,7 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
                 x = x > low ? x : low;
                 x = x < high ? x : high;
                 f += x * (q->curve * x - q->tangent[j]);
-                n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+                n += q->normal[j] * (outer[j][lane] - q->origin[j]);
             }
             f = f_bound + q->curve_slack - f;
             bounds->promise[lane] = f;
@@ -3067,7 +3093,7 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
                 double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
                 double a = low * (q->curve * low - q->tangent[j]), b = high * (q->curve * high - q->tangent[j]);
                 f += a < b ? a : b;
-                n += q->normal[j] * (n_rows[j][lane] - q->origin[j]);
+                n += q->normal[j] * (outer[j][lane] - q->origin[j]);
             }
             f = f_bound + q->curve_slack - f;
             bounds->promise[lane] = f;
@@ -3096,8 +3122,8 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
 }
 
 // The same for the eight points of a grid cell, with the bounds that hold in its box.
-PARADT__INLINE unsigned paradt__test_cell(const paradt__lane_query *q, const double *cell, double f_bound,
-                                          double n_bound, int ambient, int grade) {
+PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
+                                                double n_bound, int ambient, int grade) {
     double margin[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -3117,7 +3143,8 @@ PARADT__INLINE unsigned paradt__test_cell(const paradt__lane_query *q, const dou
 
 // The smallest parameter t of the eight points of a grid cell, less that of the current sphere (that of the base, while
 // there is no apex), among those that are clearly outside; its last three bits are the lane. PARADT__FAR or so: none.
-PARADT__INLINE double paradt__best_of_cell(const paradt__lane_query *q, const double *cell, int ambient, int grade) {
+PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, const double *cell, int ambient,
+                                                 int grade) {
     double ratio[PARADT__LANES], heights[PARADT__LANES];
     uint64_t bits[PARADT__LANES];
     int lane, j;
@@ -3141,20 +3168,121 @@ PARADT__INLINE double paradt__best_of_cell(const paradt__lane_query *q, const do
     return ratio[0] < ratio[1] ? ratio[0] : ratio[1];
 }
 
+#if defined(PARADT__AVX2)
+// The twins of the three above for processors with AVX2, four lanes at a time.
+#define PARADT__ALL(value) _mm256_set1_pd(value)
+
+PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_query *q, const double *group,
+                                                             paradt__lane_bounds *bounds, int ambient, int grade) {
+    const __m256d sign = PARADT__ALL(-0.0), round = PARADT__ALL(q->round);
+    __m256d f[2], n[2], f_bound[2], n_bound[2];
+    unsigned mask = 0;
+    int half, j;
+    for (half = 0; half < 2; half++) {
+        f[half] = n[half] = _mm256_setzero_pd();
+        f_bound[half] = PARADT__ALL(q->f_floor);
+        n_bound[half] = PARADT__ALL(-q->n_floor);
+    }
+    for (j = 0; j < ambient; j++) {
+        const double *side = group + j * 2 * PARADT__LANES;
+        const __m256d origin = PARADT__ALL(q->origin[j]), centre = PARADT__ALL(q->centre[j]);
+        const __m256d middle = _mm256_mul_pd(PARADT__ALL(0.5), centre), normal = PARADT__ALL(q->normal[j]);
+        for (half = 0; half < 2; half++) {
+            __m256d low = _mm256_sub_pd(_mm256_loadu_pd(side + 4 * half), origin);
+            __m256d high = _mm256_sub_pd(_mm256_loadu_pd(side + 4 * half + PARADT__LANES), origin);
+            __m256d outer = _mm256_sub_pd(_mm256_loadu_pd(side + 4 * half + q->outer[j]), origin);
+            __m256d reach = _mm256_max_pd(_mm256_xor_pd(low, sign), high);
+            __m256d x = _mm256_min_pd(_mm256_max_pd(middle, low), high);
+            __m256d error = _mm256_fmadd_pd(round, reach, PARADT__ALL(q->slack[j]));
+            f[half] = _mm256_fmadd_pd(x, _mm256_sub_pd(x, centre), f[half]);
+            n[half] = _mm256_fmadd_pd(normal, outer, n[half]);
+            f_bound[half] = _mm256_fmadd_pd(reach, error, f_bound[half]);
+            n_bound[half] = _mm256_fmadd_pd(reach, PARADT__ALL(q->reach[j]), n_bound[half]);
+        }
+    }
+    for (half = 0; half < 2; half++) {
+        if (grade) {
+            const double *grades = group + ambient * 2 * PARADT__LANES + 4 * half;
+            __m256d gain = _mm256_sub_pd(_mm256_loadu_pd(grades), PARADT__ALL(q->weight));
+            f[half] = _mm256_sub_pd(f[half], gain);
+            f_bound[half] = _mm256_fmadd_pd(round, _mm256_max_pd(gain, _mm256_setzero_pd()), f_bound[half]);
+        }
+        f[half] = _mm256_sub_pd(f_bound[half], f[half]);
+        n[half] = _mm256_add_pd(n_bound[half], n[half]);
+        _mm256_storeu_pd(bounds->f + 4 * half, f_bound[half]);
+        _mm256_storeu_pd(bounds->n + 4 * half, n_bound[half]);
+        _mm256_storeu_pd(bounds->promise + 4 * half, f[half]);
+        mask |= (unsigned)_mm256_movemask_pd(_mm256_min_pd(f[half], n[half])) << 4 * half;
+    }
+    return ~mask & 255;
+}
+
+PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
+                                                   int grade, __m256d *f, __m256d *n) {
+    int j;
+    *f = *n = _mm256_setzero_pd();
+    for (j = 0; j < ambient; j++) {
+        __m256d u = _mm256_sub_pd(_mm256_loadu_pd(lanes + j * PARADT__LANES), PARADT__ALL(q->origin[j]));
+        __m256d centre = PARADT__ALL(q->centre[j]);
+        if (grade == PARADT__SAGITTA) *f = _mm256_fnmadd_pd(u, centre, *f);
+        else *f = _mm256_fmadd_pd(u, _mm256_sub_pd(u, centre), *f);
+        *n = _mm256_fmadd_pd(PARADT__ALL(q->normal[j]), u, *n);
+    }
+    if (grade) {
+        __m256d weight = _mm256_loadu_pd(lanes + ambient * PARADT__LANES);
+        *f = _mm256_sub_pd(*f, _mm256_sub_pd(weight, PARADT__ALL(q->weight)));
+    }
+}
+
+PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_query *q, const double *cell,
+                                                            double f_bound, double n_bound, int ambient, int grade) {
+    unsigned mask = 0;
+    int half;
+    for (half = 0; half < PARADT__LANES; half += 4) {
+        __m256d f, n;
+        paradt__lift_avx2(q, cell + half, ambient, grade, &f, &n);
+        f = _mm256_sub_pd(PARADT__ALL(f_bound), f);
+        n = _mm256_add_pd(n, PARADT__ALL(n_bound));
+        mask |= (unsigned)_mm256_movemask_pd(_mm256_min_pd(f, n)) << half;
+    }
+    return ~mask & 255;
+}
+
+PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_query *q, const double *cell,
+                                                             int ambient, int grade) {
+    const __m256d far = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
+    __m256d best[2], n;
+    __m128d pair;
+    int half;
+    for (half = 0; half < 2; half++) {
+        paradt__lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
+        best[half] =
+            _mm256_blendv_pd(far, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
+        best[half] =
+            _mm256_or_pd(_mm256_andnot_pd(number, best[half]),
+                         _mm256_castsi256_pd(half ? _mm256_setr_epi64x(4, 5, 6, 7) : _mm256_setr_epi64x(0, 1, 2, 3)));
+    }
+    best[0] = _mm256_min_pd(best[0], best[1]);
+    pair = _mm_min_pd(_mm256_castpd256_pd128(best[0]), _mm256_extractf128_pd(best[0], 1));
+    return _mm_cvtsd_f64(_mm_min_sd(pair, _mm_unpackhi_pd(pair, pair)));
+}
+#undef PARADT__ALL
+#endif
+
 // One set of kernels for each dimension, with and without weights, and each instruction set that can be chosen at run
 // time. All of them rule out by the same bounds, so all lead to the same cells.
 #define PARADT__KERNEL_SET(isa, attribute, d, w)                                                                       \
     attribute static unsigned paradt__group_##isa##d##w(const paradt__lane_query *q, const double *group,              \
                                                         paradt__lane_bounds *bounds) {                                 \
         if (w == PARADT__SAGITTA) return paradt__test_graded_group(q, group, bounds, d);                               \
-        return paradt__test_group(q, group, bounds, d, w);                                                             \
+        return paradt__test_group##isa(q, group, bounds, d, w);                                                        \
     }                                                                                                                  \
     attribute static unsigned paradt__cell_##isa##d##w(const paradt__lane_query *q, const double *cell,                \
                                                        double f_bound, double n_bound) {                               \
-        return paradt__test_cell(q, cell, f_bound, n_bound, d, w);                                                     \
+        return paradt__test_cell##isa(q, cell, f_bound, n_bound, d, w);                                                \
     }                                                                                                                  \
     attribute static double paradt__best_##isa##d##w(const paradt__lane_query *q, const double *cell) {                \
-        return paradt__best_of_cell(q, cell, d, w);                                                                    \
+        return paradt__best_of_cell##isa(q, cell, d, w);                                                               \
     }
 #define PARADT__KERNEL_PAIR(isa, attribute, d)                                                                         \
     PARADT__KERNEL_SET(isa, attribute, d, 0)                                                                           \
@@ -3176,25 +3304,19 @@ PARADT__INLINE double paradt__best_of_cell(const paradt__lane_query *q, const do
             PARADT__KERNEL_ROW(isa, 8)                                                                                 \
     }
 
-#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__)) && !defined(__AVX2__) && !defined(PARADT_NO_SIMD)
-#define PARADT__RUNTIME_AVX2 1
-PARADT__KERNELS(avx2_, __attribute__((target("avx2,fma"))))
-#else
-#define PARADT__RUNTIME_AVX2 0
+PARADT__KERNELS(_plain, )
+#if defined(PARADT__AVX2)
+PARADT__KERNELS(_avx2, PARADT__AVX2)
 #endif
-PARADT__KERNELS(plain_, )
 
 static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
-    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(plain_);
-#if PARADT__RUNTIME_AVX2
-    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(avx2_);
+    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(_plain);
+#if defined(PARADT__AVX2)
+    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(_avx2);
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2[ambient - 2][grade];
 #endif
     return plain[ambient - 2][grade];
 }
-
-// A position that no point of a set has
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
 
 typedef struct paradt__search {
     const paradt__set *set;
@@ -3442,6 +3564,7 @@ PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inne
     if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
     for (j = 0; j < ambient; j++) {
         if (j >= dim) s->q.normal[j] = s->base[j] = 0.0;
+        s->q.outer[j] = s->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
         s->q.centre[j] = s->base[j];
         s->q.slack[j] = PARADT__NO_BOUND;
         s->q.reach[j] =
@@ -3601,7 +3724,7 @@ static void paradt__search_point(paradt__search *s, size_t position) {
 // Clears the bit of a point, if it is in the grid cell.
 PARADT__INLINE unsigned paradt__mask_without(unsigned mask, size_t cell, paradt_index point) {
     size_t lane = (size_t)point - cell * PARADT__LANES;
-    return mask & ~((unsigned)(lane < PARADT__LANES) << (lane & (PARADT__LANES - 1)));
+    return mask & ~(unsigned)((uint64_t)1 << (lane < 63 ? lane : 63));
 }
 
 PARADT__INLINE int paradt__lane_of(double packed) {
@@ -3615,6 +3738,7 @@ static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, 
     int i;
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
+    if (!mask) return;
     for (i = 0; i < s->space.dim; i++) mask = paradt__mask_without(mask, cell, s->facet[i]); // they are on every sphere
     mask = paradt__mask_without(mask, cell, s->apex);
     while (mask && !s->found) {
@@ -3681,10 +3805,9 @@ static void paradt__search_near(paradt__search *s) {
     }
     for (i = 0; i < count; i++) {
         double t = s->test.best(&s->q, s->grid->lanes + cells[i] * s->set->width * PARADT__LANES);
-        if (t < least) {
-            least = t;
-            best = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
-        }
+        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
+        best = t < least ? position : best;
+        least = t < least ? t : least;
     }
     s->distance_evaluations += (uint64_t)count * PARADT__LANES;
     s->grid_cells_visited += (uint64_t)count;
@@ -3729,7 +3852,7 @@ static void paradt__search_all(paradt__search *s, size_t position) {
         if (level && skip * span <= s->begin && (skip + 1) * span >= s->end) break;
         paradt__search_group(s, level, box / PARADT__LANES, skip);
         skip = box / PARADT__LANES;
-        if (paradt__search_inside(s, level, skip)) break;
+        if (level && paradt__search_inside(s, level, skip)) break;
         box = skip;
     }
 }
@@ -3758,10 +3881,10 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
     for (i = 0; i < dim; i++) made[i] = s->facet[i];
     made[dim] = s->apex;
     *place = dim;
-    if (s->outside < 0) {
-        made[dim] = made[dim - 1];
-        made[dim - 1] = s->apex;
-        *place = dim - 1;
+    if (s->outside < 0) { // two vertices change places: other ones than the apex, if there are
+        made[1] = s->facet[0];
+        made[0] = dim > 1 ? s->facet[1] : s->apex;
+        *place = dim > 1 ? dim : 0;
     }
     return s->apex;
 }
@@ -4189,14 +4312,18 @@ PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt
     uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
-    for (i = 0; i < corners; i++) cells->vertices[base + i] = cell[i];
+    uint32_t keys[PARADT_MAX_DIM + 1];
+    paradt_index smallest[PARADT_MAX_DIM + 1];
+    for (i = 0; i < corners; i++) {
+        cells->vertices[base + i] = cell[i];
+        keys[i] = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
+        smallest[i] = paradt__smallest_but(cell, corners, i);
+        PARADT__PREFETCH(paradt__active_chain(&front->active, smallest[i], keys[i]));
+    }
+    for (i = 0; i < corners; i++) paradt__active_ahead(&front->active, smallest[i], keys[i]);
     for (i = 0; i < corners && !status; i++) {
-        uint32_t key = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
         paradt_index twin = from;
-        if (i != across) {
-            paradt_index smallest = paradt__smallest_but(cell, corners, i);
-            twin = paradt__active_match(&front->active, cells, smallest, key, base + i, corners);
-        }
+        if (i != across) twin = paradt__active_match(&front->active, cells, smallest[i], keys[i], base + i, corners);
         cells->neighbors[base + i] = twin < 0 ? (paradt_index)PARADT__OPEN : twin / corners;
         change[i] = twin < 0 ? 1 : -1;
         sum_of_changes += change[i];
@@ -4238,13 +4365,15 @@ static paradt_status paradt__front_expand(paradt__front *front, paradt_index han
     int corners = front->cells.corners, opposite = (int)(handle % corners), place;
     const paradt_index *cell = front->cells.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
+    paradt_index smallest, apex;
     uint32_t key;
     if (front->cells.neighbors[handle] != PARADT__OPEN) return PARADT_OK;
+    smallest = paradt__smallest_but(cell, corners, opposite);
     key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
-    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
-    if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
-        return paradt__front_add(front, made, place, handle, activate, method);
-    }
+    PARADT__PREFETCH(paradt__active_chain(&front->active, smallest, key));
+    apex = paradt__search_apex(&front->search, cell, opposite, made, &place);
+    paradt__active_remove(&front->active, smallest, key, handle);
+    if (apex >= 0) return paradt__front_add(front, made, place, handle, activate, method);
     front->hull_facets++;
     front->cells.neighbors[handle] = PARADT__HULL;
     for (place = 0; place < corners && front->finished.incident; place++) {
@@ -4326,6 +4455,14 @@ static paradt_status paradt__incode(paradt__front *front) {
                 sweep.lowest++;
             } else {
                 paradt_index handle = paradt__list_pop(&front->lists, sweep.heads + sweep.lowest);
+                paradt_index next = sweep.heads[sweep.lowest];
+                if (next >= 0) {
+                    paradt_index ahead = front->lists.nodes[next].handle;
+                    PARADT__PREFETCH(front->cells.vertices + ahead);
+                    PARADT__PREFETCH(front->cells.neighbors + ahead);
+                    if (front->lists.nodes[next].next >= 0)
+                        PARADT__PREFETCH(front->lists.nodes + front->lists.nodes[next].next);
+                }
                 status = paradt__front_expand(front, handle, paradt__sweep_activate, &sweep);
             }
         }
@@ -4360,9 +4497,8 @@ enum {
 
 #define PARADT__EXPECT_MORE 1.08
 
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__BW_AVX2 1
-#include <immintrin.h>
 #else
 #define PARADT__BW_AVX2 0
 #endif
@@ -5450,8 +5586,8 @@ static const unsigned char paradt__packing[16][16] = {
 };
 #undef PARADT__LANE
 
-__attribute__((target("avx2,fma,popcnt"))) static size_t
-paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x, size_t head) {
+PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at,
+                                                   const double *x, size_t head) {
     size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
     paradt__dig3 dig = *work;
     const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0), lift = _mm256_set1_pd(at->lift);
@@ -5519,7 +5655,7 @@ paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 
     return head;
 }
 
-__attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_load_avx2(paradt__four3 *four) {
+PARADT__AVX2 static void paradt__four3_load_avx2(paradt__four3 *four) {
     int i;
     for (i = 0; i < 3; i++) {
         const double *const *p = four->place[i];
@@ -5533,7 +5669,7 @@ __attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_load_avx2(p
     }
 }
 
-__attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_store_avx2(paradt__four3 *four) {
+PARADT__AVX2 static void paradt__four3_store_avx2(paradt__four3 *four) {
     __m256d x = _mm256_loadu_pd(four->normal[0]), y = _mm256_loadu_pd(four->normal[1]);
     __m256d z = _mm256_loadu_pd(four->normal[2]), w = _mm256_loadu_pd(four->constant);
     __m256d xy_02 = _mm256_unpacklo_pd(x, y), xy_13 = _mm256_unpackhi_pd(x, y);
@@ -5544,13 +5680,12 @@ __attribute__((target("avx2,fma,popcnt"))) static void paradt__four3_store_avx2(
     _mm256_store_pd(four->to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
-__attribute__((target("avx2,fma,popcnt"))) static void
-paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
+PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x,
+                                               const paradt__seen3 *seen) {
     paradt__bw3_make_any(s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
 }
 
-__attribute__((target("avx2,fma,popcnt"))) static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw,
-                                                                                        paradt_index point) {
+PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
     return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_make_avx2);
 }
 #endif
