@@ -2675,6 +2675,7 @@ typedef struct paradt__active {
     size_t mask, capacity;
     paradt_index fresh, spare; // first link never used, first one given back
     int spread;                // a vertex has 2^spread chains
+    size_t lowest;             // the chains before it are empty
     size_t count, peak;        // active facets
 } paradt__active;
 
@@ -2778,12 +2779,6 @@ PARADT__INLINE paradt_index *paradt__active_chain(const paradt__active *active, 
     return active->heads + (place & active->mask);
 }
 
-// Fetches the first link of a chain.
-PARADT__INLINE void paradt__active_ahead(const paradt__active *active, paradt_index smallest, uint32_t key) {
-    paradt_index at = *paradt__active_chain(active, smallest, key);
-    if (at >= 0) PARADT__PREFETCH(active->links + at);
-}
-
 // Makes the table anew, with `chains` of them.
 static paradt_status paradt__active_rehash(paradt__active *active, size_t chains, paradt__memory *memory) {
     paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = active->heads;
@@ -2792,6 +2787,7 @@ static paradt_status paradt__active_rehash(paradt__active *active, size_t chains
     for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
     active->heads = heads;
     active->mask = chains - 1;
+    active->lowest = 0;
     for (i = 0; i < count; i++) {
         paradt_index at = old[i];
         while (at >= 0) {
@@ -2806,7 +2802,7 @@ static paradt_status paradt__active_rehash(paradt__active *active, size_t chains
     return PARADT_OK;
 }
 
-enum { PARADT__ACTIVE_SPREAD = 3 }; // to begin with: short chains matter more than a small table
+enum { PARADT__ACTIVE_SPREAD = 1 }; // to begin with: short chains matter more than a small table
 
 // vertices: how many there may be active facets at.
 static paradt_status paradt__active_begin(paradt__active *active, size_t vertices, paradt__memory *memory) {
@@ -2814,7 +2810,7 @@ static paradt_status paradt__active_begin(paradt__active *active, size_t vertice
     memset(active, 0, sizeof *active);
     active->spare = PARADT__OPEN;
     active->spread = PARADT__ACTIVE_SPREAD;
-    while (chains < vertices) chains *= 2;
+    while (chains >> PARADT__ACTIVE_SPREAD < vertices) chains *= 2;
     return paradt__active_rehash(active, chains, memory);
 }
 
@@ -2846,11 +2842,11 @@ PARADT__INLINE paradt_index paradt__active_unlink(paradt__active *active, paradt
 }
 
 // The active facet with the same vertices as `handle`, which is active no more, or PARADT__OPEN: then `handle` is
-// active from now on.
+// active from now on. chain: that of the smallest vertex and the key.
 PARADT__INLINE paradt_index paradt__active_match(paradt__active *active, const paradt__cells *cells,
-                                                 paradt_index smallest, uint32_t key, paradt_index handle,
-                                                 int corners) {
-    paradt_index *head = paradt__active_chain(active, smallest, key), *from = head, at;
+                                                 paradt_index *chain, paradt_index smallest, uint32_t key,
+                                                 paradt_index handle, int corners) {
+    paradt_index *from = chain, at;
     paradt__link *link;
     while ((at = *from) >= 0) {
         link = active->links + at;
@@ -2867,8 +2863,9 @@ PARADT__INLINE paradt_index paradt__active_match(paradt__active *active, const p
     link->handle = handle;
     link->smallest = smallest;
     link->key = key;
-    link->next = *head;
-    *head = at;
+    link->next = *chain;
+    *chain = at;
+    if ((size_t)(chain - active->heads) < active->lowest) active->lowest = (size_t)(chain - active->heads);
     if (++active->count > active->peak) active->peak = active->count;
     return PARADT__OPEN;
 }
@@ -2879,6 +2876,15 @@ PARADT__INLINE void paradt__active_remove(paradt__active *active, paradt_index s
     paradt_index *from = paradt__active_chain(active, smallest, key);
     while (active->links[*from].handle != handle) from = &active->links[*from].next;
     paradt__active_unlink(active, from);
+}
+
+// Takes out a facet at the lowest vertex that there is one at, up to the wrap; PARADT__OPEN: no facet is active.
+PARADT__INLINE paradt_index paradt__active_first(paradt__active *active) {
+    size_t at = active->lowest;
+    if (!active->count) return PARADT__OPEN;
+    while (active->heads[at] < 0) at++;
+    active->lowest = at;
+    return paradt__active_unlink(active, active->heads + at);
 }
 
 // Smallest vertex of a cell, but for the one at `without`.
@@ -3801,7 +3807,7 @@ static void paradt__search_near(paradt__search *s) {
     int i, count = 0;
     for (i = 0; i < s->space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
-        count += count == 0 || cells[count] != cells[count - 1];
+        count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
         double t = s->test.best(&s->q, s->grid->lanes + cells[i] * s->set->width * PARADT__LANES);
@@ -4152,7 +4158,8 @@ typedef struct paradt__front {
     paradt__memory *memory;
     paradt__search search;
     paradt__cells cells;
-    paradt__active active;
+    paradt__active active; // to be worked on
+    paradt__active seam;   // with regions: not needed, but known
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
@@ -4222,6 +4229,7 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
 
 static void paradt__front_end(paradt__front *front) {
     paradt__active_free(&front->active, front->memory);
+    paradt__active_free(&front->seam, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
     paradt__release(front->memory, front->touched);
@@ -4243,10 +4251,10 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     if (view.owner) {
         size_t words = set->count / 64 + 1;
         front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched) return PARADT_ERROR_MEMORY;
+        if (!front->touched || paradt__active_begin(&front->seam, 0, memory)) return PARADT_ERROR_MEMORY;
         memset(front->touched, 0, words * sizeof(uint64_t));
     }
-    if (paradt__active_begin(&front->active, (size_t)(points * 0.5), memory)) return PARADT_ERROR_MEMORY;
+    if (paradt__active_begin(&front->active, (size_t)points, memory)) return PARADT_ERROR_MEMORY;
     return paradt__cells_reserve(&front->cells, (size_t)(front->expected * 1.01) + 64, memory);
 }
 
@@ -4300,8 +4308,7 @@ PARADT__INLINE void paradt__facet_of(const paradt_index *cell, int corners, int 
 }
 
 // Called for a facet that has become active: puts it into a work list.
-typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle,
-                                          const paradt_index *facet);
+typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
 // Stores a cell and updates the AFL with its facets: a facet that was active is linked and leaves, the others enter.
 // across: the place of the apex, whose facet is the one that the cell was made on, and that facet's handle; or -1.
@@ -4313,28 +4320,33 @@ PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
     uint32_t keys[PARADT_MAX_DIM + 1];
-    paradt_index smallest[PARADT_MAX_DIM + 1];
+    paradt_index smallest[PARADT_MAX_DIM + 1], *chains[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
+    paradt__active *table = &front->active;
     for (i = 0; i < corners; i++) {
         cells->vertices[base + i] = cell[i];
         keys[i] = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
         smallest[i] = paradt__smallest_but(cell, corners, i);
-        PARADT__PREFETCH(paradt__active_chain(&front->active, smallest[i], keys[i]));
+        chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
+        PARADT__PREFETCH(chains[i]);
     }
-    for (i = 0; i < corners; i++) paradt__active_ahead(&front->active, smallest[i], keys[i]);
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->links + (*chains[i] < 0 ? 0 : *chains[i]));
     for (i = 0; i < corners && !status; i++) {
         paradt_index twin = from;
-        if (i != across) twin = paradt__active_match(&front->active, cells, smallest[i], keys[i], base + i, corners);
+        if (i != across) {
+            if (front->view.owner) {
+                paradt__facet_of(cell, corners, i, facet);
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->seam;
+                chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
+            }
+            twin = paradt__active_match(table, cells, chains[i], smallest[i], keys[i], base + i, corners);
+        }
         cells->neighbors[base + i] = twin < 0 ? (paradt_index)PARADT__OPEN : twin / corners;
         change[i] = twin < 0 ? 1 : -1;
         sum_of_changes += change[i];
-        if (twin < 0) {
-            paradt_index facet[PARADT_MAX_DIM];
-            paradt__facet_of(cell, corners, i, facet);
-            if (paradt__needs(&front->view, front->set, facet, corners - 1)) {
-                status = activate(front, method, base + i, facet);
-            }
-        } else {
+        if (twin >= 0) {
             cells->neighbors[twin] = number;
+        } else if (activate && table == &front->active) {
+            status = activate(front, method, base + i);
         }
     }
     for (i = 0; i < corners && front->finished.incident && !status; i++) {
@@ -4348,6 +4360,7 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
                                        paradt__activate activate, void *method) {
     paradt_status status = paradt__cells_room(&front->cells, front->memory);
     if (!status) status = paradt__active_room(&front->active, front->memory);
+    if (!status && front->view.owner) status = paradt__active_room(&front->seam, front->memory);
     if (status) return status;
     if (front->touched) paradt__touch(front, cell);
     if (front->cells.corners == 4) status = paradt__add_cell(front, cell, across, from, activate, method, 4);
@@ -4359,21 +4372,15 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
     return status;
 }
 
-// MakeSimplex on a facet from a work list, if it is still active: the cell outside of it, or a facet of the hull.
+// MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
     int corners = front->cells.corners, opposite = (int)(handle % corners), place;
     const paradt_index *cell = front->cells.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
-    paradt_index smallest, apex;
-    uint32_t key;
-    if (front->cells.neighbors[handle] != PARADT__OPEN) return PARADT_OK;
-    smallest = paradt__smallest_but(cell, corners, opposite);
-    key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
-    PARADT__PREFETCH(paradt__active_chain(&front->active, smallest, key));
-    apex = paradt__search_apex(&front->search, cell, opposite, made, &place);
-    paradt__active_remove(&front->active, smallest, key, handle);
-    if (apex >= 0) return paradt__front_add(front, made, place, handle, activate, method);
+    if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
+        return paradt__front_add(front, made, place, handle, activate, method);
+    }
     front->hull_facets++;
     front->cells.neighbors[handle] = PARADT__HULL;
     for (place = 0; place < corners && front->finished.incident; place++) {
@@ -4413,61 +4420,22 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// The facets wait in one list for each 64 points, by their first vertex in grid order, and the lowest list that is not
-// empty is served: the front sweeps over the grid, and what it touches stays in the cache.
-typedef struct paradt__sweep {
-    paradt_index *heads;
-    size_t count, lowest;
-} paradt__sweep;
-
-enum { PARADT__SWEEP_SHIFT = 6 };
-
-static paradt_status paradt__sweep_activate(paradt__front *front, void *method, paradt_index handle,
-                                            const paradt_index *facet) {
-    paradt__sweep *sweep = (paradt__sweep *)method;
-    size_t bucket;
-    paradt_index first = facet[0];
-    int i;
-    for (i = 1; i < front->cells.corners - 1; i++) first = facet[i] < first ? facet[i] : first;
-    bucket = (size_t)first >> PARADT__SWEEP_SHIFT;
-    if (bucket < sweep->lowest) sweep->lowest = bucket;
-    return paradt__list_push(&front->lists, sweep->heads + bucket, handle, front->memory);
-}
-
+// The facets at the lowest vertices in grid order come first: the front sweeps over the grid, and what it touches stays
+// in the cache.
 static paradt_status paradt__incode(paradt__front *front) {
-    paradt__sweep sweep;
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
-    size_t i;
-    sweep.count = (front->set->count >> PARADT__SWEEP_SHIFT) + 1;
-    sweep.heads = (paradt_index *)paradt__alloc(front->memory, sweep.count, sizeof *sweep.heads);
-    if (!sweep.heads) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < sweep.count; i++) sweep.heads[i] = PARADT__OPEN;
-    sweep.lowest = sweep.count;
     if (!front->view.owner) {
         status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
         front->search.alive = front->finished.alive;
     }
     while (!status && paradt__front_seed(front, cell)) {
-        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__sweep_activate, &sweep);
-        while (!status && sweep.lowest < sweep.count) {
-            if (sweep.heads[sweep.lowest] < 0) {
-                sweep.lowest++;
-            } else {
-                paradt_index handle = paradt__list_pop(&front->lists, sweep.heads + sweep.lowest);
-                paradt_index next = sweep.heads[sweep.lowest];
-                if (next >= 0) {
-                    paradt_index ahead = front->lists.nodes[next].handle;
-                    PARADT__PREFETCH(front->cells.vertices + ahead);
-                    PARADT__PREFETCH(front->cells.neighbors + ahead);
-                    if (front->lists.nodes[next].next >= 0)
-                        PARADT__PREFETCH(front->lists.nodes + front->lists.nodes[next].next);
-                }
-                status = paradt__front_expand(front, handle, paradt__sweep_activate, &sweep);
-            }
+        paradt_index handle = PARADT__OPEN;
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, NULL, NULL);
+        while (!status && (handle = paradt__active_first(&front->active)) >= 0) {
+            status = paradt__front_expand(front, handle, NULL, NULL);
         }
     }
-    paradt__release(front->memory, sweep.heads);
     return status;
 }
 
@@ -5934,14 +5902,15 @@ typedef struct paradt__wall {
     paradt_index outside;         // facets with a vertex out of the range
 } paradt__wall;
 
-static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle,
-                                           const paradt_index *facet) {
+static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
     paradt_index *head = &wall->alpha;
-    int i;
-    for (i = 0; i < front->cells.corners - 1; i++) {
-        size_t at = (size_t)facet[i];
+    int corners = front->cells.corners, opposite = (int)(handle % corners), i;
+    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    for (i = 0; i < corners; i++) {
+        size_t at = (size_t)cell[i];
+        if (i == opposite) continue;
         low = at < low ? at : low;
         high = at > high ? at : high;
     }
@@ -5953,22 +5922,29 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
 
 // Moves the facets of a list to the lists of the wall.
 static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
-    int corners = front->cells.corners;
     paradt_status status = PARADT_OK;
-    while (*head >= 0 && !status) {
-        paradt_index handle = paradt__list_pop(&front->lists, head), facet[PARADT_MAX_DIM];
-        int opposite = (int)(handle % corners);
-        paradt__facet_of(front->cells.vertices + (handle - opposite), corners, opposite, facet);
-        status = paradt__wall_activate(front, wall, handle, facet);
-    }
+    while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
+}
+
+// Takes a facet from a list out of the AFL, if it is still active.
+static int paradt__front_take(paradt__front *front, paradt_index handle) {
+    int corners = front->cells.corners, opposite = (int)(handle % corners);
+    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
+    if (front->cells.neighbors[handle] != PARADT__OPEN) return 0;
+    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
+    return 1;
 }
 
 // Works on a list of the wall until it is empty.
 static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) {
-        status = paradt__front_expand(front, paradt__list_pop(&front->lists, head), paradt__wall_activate, wall);
+        paradt_index handle = paradt__list_pop(&front->lists, head);
+        if (paradt__front_take(front, handle)) {
+            status = paradt__front_expand(front, handle, paradt__wall_activate, wall);
+        }
     }
     return status;
 }
@@ -6241,9 +6217,10 @@ static paradt_status paradt__join_facet(paradt__active *active, paradt__cells *a
     const paradt_index *cell = all->vertices + (handle - opposite);
     uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
     paradt_status status = paradt__active_room(active, memory);
-    paradt_index twin;
+    paradt_index smallest = paradt__smallest_but(cell, corners, opposite), twin;
     if (status) return status;
-    twin = paradt__active_match(active, all, paradt__smallest_but(cell, corners, opposite), key, handle, corners);
+    twin =
+        paradt__active_match(active, all, paradt__active_chain(active, smallest, key), smallest, key, handle, corners);
     if (twin >= 0) {
         all->neighbors[handle] = twin / (paradt_index)corners;
         all->neighbors[twin] = handle / (paradt_index)corners;
