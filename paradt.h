@@ -3331,6 +3331,7 @@ typedef struct paradt__search {
     int plain3;          // three coordinates and no weights: the shape that has its own copies of the inner functions
     paradt__kernels test;
     size_t begin, end;     // positions that matter: the whole set, or the part that a DeWall works on
+    double heaviest;       // no point that may be found is heavier
     uint8_t *const *alive; // [level][group] which of its boxes have points that may be an apex; NULL: all
     uint64_t distance_evaluations, grid_cells_visited;
 
@@ -3354,6 +3355,7 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
     memset(s, 0, sizeof *s);
     s->set = set;
     s->grid = grid;
+    s->heaviest = grid->heaviest;
     s->space = set->space;
     memset(&s->space.counters, 0, sizeof s->space.counters);
     s->test = paradt__choose_kernels(set->space.ambient, set->grade);
@@ -3820,14 +3822,14 @@ static void paradt__search_near(paradt__search *s) {
     if (best != SIZE_MAX) paradt__search_point(s, best);
 }
 
-// Is no point outside of the group's room of use any more? The sphere's centre is m = centre / 2, its radius |m|, or
-// for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u - m| is at least the
-// distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <= sqrt(d) (D + r),
-// if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With sagittas the disc of a
-// facet that faces away from the reference sphere's centre takes the place of the sphere, even while there is no apex.
-static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
+// Is no point outside of the room (low and high of each axis) of use any more? The sphere's centre is m = centre / 2,
+// its radius |m|, or for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u -
+// m| is at least the distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <=
+// sqrt(d) (D + r), if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With
+// sagittas the disc of a facet that faces away from the reference sphere's centre takes the place of the sphere, even
+// while there is no apex.
+static int paradt__search_within(const paradt__search *s, const double *room) {
     int capped = s->q.disc_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
-    const double *room = s->grid->rooms[level] + group * 2 * (size_t)dim;
     const double *whole = capped ? s->q.disc : s->q.centre, *slacks = capped ? s->q.disc_slack : s->q.slack;
     double nearest = PARADT__FAR, radius = capped ? s->q.disc_floor : 0.0, slack = 0.0;
     if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
@@ -3839,9 +3841,14 @@ static int paradt__search_inside(const paradt__search *s, int level, size_t grou
         radius += m * m;
         slack = slacks[j] > slack ? slacks[j] : slack;
     }
-    if (s->space.weighted && s->grid->heaviest > s->q.weight) radius += s->grid->heaviest - s->q.weight;
+    if (s->space.weighted && s->heaviest > s->q.weight) radius += s->heaviest - s->q.weight;
     radius = sqrt(radius);
     return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
+}
+
+// The same for the room of a group.
+static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
+    return paradt__search_within(s, s->grid->rooms[level] + group * 2 * (size_t)s->space.dim);
 }
 
 // All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
@@ -3941,29 +3948,31 @@ static paradt_index paradt__search_conflict(paradt__search *s, const paradt_inde
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
-// The same for a cell of other points.
-static paradt_index paradt__search_foreign_conflict(paradt__search *s, const double *const *corners,
-                                                    const paradt_index *vertices) {
-    paradt__search_sphere(s, corners, vertices);
-    paradt__search_down(s);
-    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
+// Turns a search to another set of the same space, under its grid. vertices: of the facet and the apex, as positions
+// there, or positions that are none; that of the apex is the last one.
+static void paradt__search_turn(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
+                                const paradt_index *vertices) {
+    int i;
+    for (i = 0; i < s->space.dim; i++) s->facet[i] = vertices[i];
+    if (s->conflict) s->apex = vertices[s->space.dim];
+    s->set = set;
+    s->grid = grid;
+    s->begin = 0;
+    s->end = set->count;
 }
 
-// The apex that the set has for a facet of other points, or PARADT__HULL: none is strictly outside. outside: the sign
-// of the orientation (facet, x) for x outside; inner: a point on the other side.
-static paradt_index paradt__search_foreign_apex(paradt__search *s, const double *const *facet,
-                                                const paradt_index *vertices, int outside, const double *inner) {
+// A facet of other points, for a search of points outside of it. outside: the sign of the orientation (facet, x) for x
+// outside; inner: a point on the other side.
+static void paradt__search_beyond(paradt__search *s, const double *const *facet, int outside, const double *inner) {
     int i;
     for (i = 0; i < s->space.dim; i++) {
-        s->facet[i] = vertices[i];
+        s->facet[i] = PARADT__NOWHERE;
         s->corners[i] = facet[i];
     }
     s->outside = outside;
     s->conflict = s->found = 0;
     s->apex = PARADT__OPEN;
     if (s->space.filtered) paradt__search_facet(s, inner);
-    paradt__search_down(s);
-    return s->apex < 0 ? (paradt_index)PARADT__HULL : s->apex;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5732,22 +5741,17 @@ PARADT__INLINE void paradt__bw_number(paradt_index *neighbors, size_t count, siz
         neighbors[i] = neighbors[i] < 0 ? neighbors[i] : neighbors[i] / (paradt_index)corners;
 }
 
-// Drops the ghosts and closes the gaps, from the end: the cells that remain are the first. Returns the ghosts' number.
-static uint64_t paradt__bw_close(paradt__bw *bw) {
+// Marks the places that are free.
+static void paradt__bw_mark_free(paradt__bw *bw) {
+    size_t corners = (size_t)bw->cells.corners, i;
+    for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
+}
+
+// Closes the gaps that free places leave, from the end: the cells that remain are the first.
+static void paradt__bw_close_gaps(paradt__bw *bw) {
     paradt__cells *cells = &bw->cells;
     size_t corners = (size_t)cells->corners, i, j, end = cells->count;
     paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
-    uint64_t ghosts = 0;
-    for (i = 0; i < bw->spare_count; i++) vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
-    for (i = 0; i < cells->count; i++) {
-        int ghost;
-        if (vertices[i * corners] == PARADT__DEAD) continue;
-        ghost = paradt__bw_ghost(vertices + i * corners, (int)corners);
-        if (ghost < 0) continue;
-        neighbors[neighbors[i * corners + (size_t)ghost]] = PARADT__HULL;
-        vertices[i * corners] = PARADT__DEAD;
-        ghosts++;
-    }
     for (i = 0; i < end; i++) {
         if (vertices[i * corners] != PARADT__DEAD) continue;
         do {
@@ -5762,8 +5766,27 @@ static uint64_t paradt__bw_close(paradt__bw *bw) {
         }
     }
     cells->count = end;
-    if (corners == 4) paradt__bw_number(neighbors, end, 4);
-    else paradt__bw_number(neighbors, end, corners);
+}
+
+// Drops the ghosts, closes the gaps and numbers the neighbours. Returns the ghosts' number.
+static uint64_t paradt__bw_close(paradt__bw *bw) {
+    paradt__cells *cells = &bw->cells;
+    size_t corners = (size_t)cells->corners, i;
+    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
+    uint64_t ghosts = 0;
+    paradt__bw_mark_free(bw);
+    for (i = 0; i < cells->count; i++) {
+        int ghost;
+        if (vertices[i * corners] == PARADT__DEAD) continue;
+        ghost = paradt__bw_ghost(vertices + i * corners, (int)corners);
+        if (ghost < 0) continue;
+        neighbors[neighbors[i * corners + (size_t)ghost]] = PARADT__HULL;
+        vertices[i * corners] = PARADT__DEAD;
+        ghosts++;
+    }
+    paradt__bw_close_gaps(bw);
+    if (corners == 4) paradt__bw_number(neighbors, cells->count, 4);
+    else paradt__bw_number(neighbors, cells->count, corners);
     return ghosts;
 }
 
@@ -6045,6 +6068,7 @@ typedef struct paradt__part {
 typedef struct paradt__partitioner {
     const paradt__set *set;
     paradt_partition partition;
+    size_t regions;       // in all
     paradt_index *points; // [set.count] permuted, so that a box is a range
     int64_t *keys;        // [set.count] room for the coordinates of a box along one axis, as ordered bits
     uint32_t *owner;      // [set.count]
@@ -6118,7 +6142,9 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
     }
     memcpy(below, low, bytes);
     memcpy(above, high, bytes);
-    if (p->partition == PARADT_BISECTION && begin < end) paradt__box_of(p, begin, end, below, above);
+    if (p->partition == PARADT_BISECTION && begin < end && regions < p->regions) {
+        paradt__box_of(p, begin, end, below, above);
+    }
     for (axis = 1; axis < p->set->space.dim; axis++) {
         if (above[axis] * 0.5 - below[axis] * 0.5 > above[longest] * 0.5 - below[longest] * 0.5) longest = axis;
     }
@@ -6154,6 +6180,7 @@ static paradt_status paradt__regions_assign(const paradt__set *set, size_t regio
     int axis;
     p.set = set;
     p.partition = partition;
+    p.regions = regions;
     p.owner = owner;
     p.points = points;
     p.parts = parts;
@@ -6164,7 +6191,10 @@ static paradt_status paradt__regions_assign(const paradt__set *set, size_t regio
     p.keys = (int64_t *)paradt__alloc(memory, set->count, sizeof *p.keys);
     if (!p.keys) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count; i++) p.points[i] = (paradt_index)i;
-    paradt__box_of(&p, 0, set->count, low, high);
+    for (axis = 0; axis < set->space.dim; axis++) {
+        low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
+        high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
+    }
     paradt__partition_box(&p, 0, set->count, low, high, 0, regions);
     paradt__release(memory, p.keys);
     return PARADT_OK;
@@ -6285,19 +6315,20 @@ typedef struct paradt__patch {
     const paradt__set *set;
     const paradt__field *fields; // [field_count]
     size_t field_count, own;     // own: the region's number
-    paradt__search *searches;    // [field_count] one in each field
+    paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
     paradt__memory *memory;
     paradt__bw bw;
-    size_t capacity;      // points that the arrays below have room for
-    double *records;      // [capacity][set.width]
-    paradt_index *origin; // [capacity] positions in the set
-    size_t inside;        // points up to here are in K, but for those of the basis
-    unsigned char *state; // [state_capacity] of cells
+    size_t capacity;                 // points that the arrays below have room for
+    double *records;                 // [capacity][set.width]
+    paradt_index *origin;            // [capacity] positions in the set
+    double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
+    int roomy;                       // all points in K are in the set, with those on its border
+    unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
     size_t list_count, list_capacity;
-    paradt_index *number; // [bw.cells.count] of the cells that the region owns; PARADT__HULL: ghosts, _OPEN: others
-    size_t owned, made;   // cells owned, and cells of the triangulation
+    paradt_index own_end; // vertices from dim + 1 up to here are the region's
+    size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
 } paradt__patch;
 
 // Lays the grid of a field over the positions [begin, end) of the set.
@@ -6313,19 +6344,24 @@ static paradt_status paradt__field_begin(paradt__field *field, const paradt__set
 
 // --- points
 
+// Room for `capacity` points
+static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
+    size_t used = patch->bw.count, width = patch->set->width;
+    void *records = patch->records, *origin = patch->origin;
+    int grown = paradt__grow(patch->memory, &records, used * width, capacity * width, sizeof(double));
+    patch->records = (double *)records;
+    patch->bw.records = patch->records;
+    grown = grown && paradt__grow(patch->memory, &origin, used, capacity, sizeof *patch->origin);
+    patch->origin = (paradt_index *)origin;
+    if (!grown) return PARADT_ERROR_MEMORY;
+    patch->capacity = capacity;
+    return PARADT_OK;
+}
+
 static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     size_t at = patch->bw.count, width = patch->set->width;
-    if (at == patch->capacity) {
-        size_t larger = at + at / 8 + 256;
-        void *records = patch->records, *origin = patch->origin;
-        int grown = paradt__grow(patch->memory, &records, at * width, larger * width, sizeof(double));
-        patch->records = (double *)records;
-        patch->bw.records = patch->records;
-        grown = grown && paradt__grow(patch->memory, &origin, at, larger, sizeof *patch->origin);
-        patch->origin = (paradt_index *)origin;
-        if (!grown) return PARADT_ERROR_MEMORY;
-        patch->capacity = larger;
-    }
+    paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
+    if (status) return status;
     memcpy(patch->records + at * width, patch->set->records + position * width, width * sizeof(double));
     patch->origin[at] = (paradt_index)position;
     patch->bw.count++;
@@ -6397,16 +6433,18 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     const paradt__field *own = patch->fields + patch->own;
     int dim = patch->set->space.dim, axis;
     double margin = paradt__patch_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    paradt_status status = PARADT_OK;
-    size_t i;
+    size_t count = own->set.count, i;
+    paradt_status status = paradt__patch_reserve(patch, count + count / 16 + 256);
     for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
     for (i = own->begin; i < own->begin + own->set.count && !status; i++) {
         if (!paradt__is_among(basis, dim + 1, i)) status = paradt__patch_add(patch, i);
     }
+    patch->own_end = (paradt_index)patch->bw.count;
     for (axis = 0; axis < dim; axis++) {
-        low[axis] = own->low[axis] - margin;
-        high[axis] = own->high[axis] + margin;
+        patch->room[2 * axis] = low[axis] = own->low[axis] - margin;
+        patch->room[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
+    patch->roomy = margin > 0.0;
     for (i = 0; i < patch->field_count && margin > 0.0 && !status; i++) {
         const paradt__field *field = patch->fields + i;
         int level = field->grid.levels - 1;
@@ -6415,7 +6453,6 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
             status = paradt__patch_gather(patch, field, level, box, low, high, basis);
         }
     }
-    patch->inside = patch->bw.count;
     return status;
 }
 
@@ -6423,6 +6460,19 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 
 PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
     return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
+}
+
+// Are all vertices of a cell in [begin, end)? A ghost's are not.
+PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
+                                          paradt_index end) {
+    size_t span = (size_t)(end - begin);
+    int i, among = 1;
+    if (corners == 4) {
+        return ((size_t)(vertices[0] - begin) < span) & ((size_t)(vertices[1] - begin) < span) &
+               ((size_t)(vertices[2] - begin) < span) & ((size_t)(vertices[3] - begin) < span);
+    }
+    for (i = 0; i < corners; i++) among &= (size_t)(vertices[i] - begin) < span;
+    return among;
 }
 
 // Has the cell a vertex of the region?
@@ -6468,9 +6518,7 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
     for (cell = 0; cell < bw->cells.count && !status; cell++) {
         const paradt_index *vertices = bw->cells.vertices + cell * (size_t)corners;
-        for (i = 0; i < corners && vertices[i] >= corners; i++) {
-        }
-        if (i == corners) continue;
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, corners, PARADT__NOWHERE))) continue;
         status = paradt__patch_wait(patch, (paradt_index)cell);
         i = paradt__bw_ghost(vertices, corners);
         if (i >= 0 && patch->state[cell] == PARADT__WAITING && !status) {
@@ -6482,30 +6530,43 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     return status;
 }
 
-// A point of the field in conflict with a cell, or -1. For a ghost: a point strictly beyond its facet.
-static paradt_index paradt__patch_ask(paradt__patch *patch, size_t number, paradt_index cell) {
-    const paradt__field *field = patch->fields + number;
-    paradt__bw *bw = &patch->bw;
-    int dim = bw->cells.corners - 1, ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), dim + 1), i, count = 0;
+// Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
+static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
+    const paradt__bw *bw = &patch->bw;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
-    paradt_index places[PARADT_MAX_DIM + 1], answer;
+    paradt_index nowhere[PARADT_MAX_DIM + 1];
+    int dim = bw->cells.corners - 1, i, count = 0;
     for (i = 0; i <= dim; i++) {
-        size_t place;
-        if (i == ghost) continue;
-        place = (size_t)patch->origin[vertices[i]] - field->begin;
-        corners[count] = paradt__bw_record(bw, vertices[i]);
-        places[count++] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
+        nowhere[i] = PARADT__NOWHERE;
+        if (i != ghost) corners[count++] = paradt__bw_record(bw, vertices[i]);
     }
     if (ghost < 0) {
-        answer = paradt__search_foreign_conflict(patch->searches + number, corners, places);
+        paradt__search_sphere(&patch->search, corners, nowhere);
     } else {
         paradt_index handle = bw->cells.neighbors[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
         const paradt_index *inner = paradt__patch_cell(patch, paradt__bw_cell(bw, handle));
-        answer = paradt__search_foreign_apex(patch->searches + number, corners, places, (dim - ghost) % 2 ? -1 : 1,
-                                             paradt__bw_record(bw, inner[handle % (dim + 1)]));
+        paradt__search_beyond(&patch->search, corners, (dim - ghost) % 2 ? -1 : 1,
+                              paradt__bw_record(bw, inner[handle % (dim + 1)]));
     }
-    return answer < 0 ? -1 : answer + (paradt_index)field->begin;
+}
+
+// A point of the field that the search is aimed at, or -1.
+static paradt_index paradt__patch_ask(paradt__patch *patch, size_t number, paradt_index cell, int ghost) {
+    const paradt__field *field = patch->fields + number;
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    paradt__search *s = &patch->search;
+    paradt_index places[PARADT_MAX_DIM + 1];
+    int i, count = 0;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        size_t place;
+        if (i == ghost) continue;
+        place = (size_t)patch->origin[vertices[i]] - field->begin;
+        places[count++] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
+    }
+    paradt__search_turn(s, &field->set, &field->grid, places);
+    paradt__search_down(s);
+    return (s->conflict ? s->found : s->apex >= 0) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
 }
 
 // Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
@@ -6527,50 +6588,60 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     return status;
 }
 
-// Asks about a cell, and does what follows from the answer.
-static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
+// Puts the neighbours of a cell into the list, or only the one across `place`, if that is not negative.
+static paradt_status paradt__patch_spread(paradt__patch *patch, paradt_index cell, int place) {
     paradt__bw *bw = &patch->bw;
-    paradt_index answer = -1;
+    size_t corners = (size_t)bw->cells.corners, i;
     paradt_status status = PARADT_OK;
-    size_t number;
-    int i, ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
-    patch->state[cell] = PARADT__ASKED;
-    for (number = 0; number < patch->field_count && answer < 0; number++) {
-        if (number != patch->own && patch->fields[number].set.count) answer = paradt__patch_ask(patch, number, cell);
-    }
-    if (answer >= 0 && paradt__patch_matters(patch, cell)) return paradt__patch_insert(patch, (size_t)answer, cell);
-    for (i = 0; i < bw->cells.corners && !status && (answer >= 0 || ghost >= 0); i++) {
-        if (answer < 0 && i != ghost) continue; // the facet of a ghost: points in its plane conflict with both sides
-        status = paradt__patch_wait(
-            patch, paradt__bw_cell(bw, bw->cells.neighbors[(size_t)cell * (size_t)bw->cells.corners + (size_t)i]));
+    for (i = 0; i < corners && !status; i++) {
+        paradt_index handle = bw->cells.neighbors[(size_t)cell * corners + i];
+        if (place < 0 || i == (size_t)place) status = paradt__patch_wait(patch, paradt__bw_cell(bw, handle));
     }
     return status;
+}
+
+// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K. Where the
+// region has no vertex the answer would not change the cell: it is passed through unasked.
+static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
+    int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), patch->bw.cells.corners);
+    int matters = paradt__patch_matters(patch, cell);
+    paradt_index answer = -1;
+    size_t number;
+    patch->state[cell] = PARADT__ASKED;
+    if (matters || ghost < 0) paradt__patch_aim(patch, cell, ghost);
+    if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
+    if (!matters) return paradt__patch_spread(patch, cell, -1);
+    for (number = 0; number < patch->field_count && answer < 0; number++) {
+        if (number != patch->own && patch->fields[number].set.count)
+            answer = paradt__patch_ask(patch, number, cell, ghost);
+    }
+    if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
+    // The facet of a ghost: points in its plane conflict with both sides.
+    return ghost < 0 ? PARADT_OK : paradt__patch_spread(patch, cell, ghost);
 }
 
 // Gives back what only the building needs: all patches wait together for the last step.
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__spheres3_free(patch->bw.spheres, patch->memory);
-    paradt__release(patch->memory, patch->searches);
     paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->list);
+    paradt__release(patch->memory, patch->state);
     patch->bw.spheres = NULL;
-    patch->searches = NULL;
     patch->records = NULL;
     patch->list = NULL;
-    patch->list_count = patch->list_capacity = 0;
+    patch->state = NULL;
+    patch->list_count = patch->list_capacity = patch->state_capacity = 0;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
     paradt__bw_end(&patch->bw);
     paradt__release(patch->memory, patch->origin);
-    paradt__release(patch->memory, patch->state);
-    paradt__release(patch->memory, patch->number);
     paradt__cells_free(&patch->bw.cells, patch->memory);
 }
 
-static paradt_status paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
-                                         size_t field_count, size_t own, paradt__memory *memory) {
+static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
+                                size_t field_count, size_t own, paradt__memory *memory) {
     size_t i;
     memset(patch, 0, sizeof *patch);
     patch->set = set;
@@ -6582,33 +6653,43 @@ static paradt_status paradt__patch_begin(paradt__patch *patch, const paradt__set
     patch->bw.space = set->space;
     memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
     patch->bw.width = set->width;
-    patch->searches = (paradt__search *)paradt__alloc(memory, field_count, sizeof *patch->searches);
-    if (!patch->searches) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < field_count; i++) paradt__search_begin(patch->searches + i, &fields[i].set, &fields[i].grid);
-    return PARADT_OK;
+    paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
+    for (i = 0; i < field_count; i++) {
+        patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
+    }
 }
 
-// Numbers the cells that the region owns.
-static paradt_status paradt__patch_number(paradt__patch *patch, const paradt__region_view *view) {
-    const paradt__cells *cells = &patch->bw.cells;
-    size_t corners = (size_t)cells->corners, i, j;
-    patch->number = (paradt_index *)paradt__alloc(patch->memory, cells->count, sizeof *patch->number);
-    if (!patch->number) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < patch->bw.spare_count; i++) cells->vertices[(size_t)patch->bw.spare[i] * corners] = PARADT__DEAD;
-    for (i = 0; i < cells->count; i++) {
-        const paradt_index *vertices = cells->vertices + i * corners;
-        paradt_index cell[PARADT_MAX_DIM + 1];
-        patch->number[i] = PARADT__OPEN;
-        if (vertices[0] == PARADT__DEAD) continue;
-        if (paradt__bw_ghost(vertices, (int)corners) >= 0) {
-            patch->number[i] = PARADT__HULL;
+// Drops ghosts and cells of other regions; those of the region are the first then. The links to what is dropped: a
+// facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are open.
+static void paradt__patch_close(paradt__patch *patch, const paradt__region_view *view) {
+    paradt__bw *bw = &patch->bw;
+    int corners = bw->cells.corners, j;
+    size_t i;
+    paradt__bw_mark_free(bw);
+    for (i = 0; i < bw->cells.count; i++) {
+        paradt_index *vertices = bw->cells.vertices + i * (size_t)corners, cell[PARADT_MAX_DIM + 1];
+        paradt_index *links = bw->cells.neighbors + i * (size_t)corners;
+        int ghost;
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, corners, patch->own_end))) {
+            patch->made++;
             continue;
         }
-        for (j = 0; j < corners; j++) cell[j] = patch->origin[vertices[j]];
-        patch->made++;
-        if (paradt__owns(view, patch->set, cell, (int)corners)) patch->number[i] = (paradt_index)patch->owned++;
+        if (vertices[0] == PARADT__DEAD) continue;
+        ghost = paradt__bw_ghost(vertices, corners);
+        if (ghost < 0) {
+            patch->made++;
+            for (j = 0; j < corners; j++) cell[j] = patch->origin[vertices[j]];
+            if (paradt__owns(view, patch->set, cell, corners)) continue;
+            for (j = 0; j < corners; j++) {
+                if (links[j] >= 0) bw->cells.neighbors[links[j]] = PARADT__OPEN;
+            }
+        } else {
+            bw->cells.neighbors[links[ghost]] =
+                paradt__patch_matters(patch, (paradt_index)i) ? PARADT__HULL : PARADT__OPEN;
+        }
+        vertices[0] = PARADT__DEAD;
     }
-    return PARADT_OK;
+    paradt__bw_close_gaps(bw);
 }
 
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
@@ -6621,51 +6702,39 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__reg
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
     }
-    return status ? status : paradt__patch_number(patch, view);
-}
-
-// Has the facet a vertex of the region? The facets of the hull that have not may be inside of T(P).
-static int paradt__patch_knows(const paradt__patch *patch, const paradt_index *vertices, int opposite,
-                               const paradt__region_view *view) {
-    int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (i != opposite && view->owner[patch->origin[vertices[i]]] == view->region) return 1;
-    }
-    return 0;
+    if (!status) paradt__patch_close(patch, view);
+    return status;
 }
 
 // Writes the region's cells to the arrays, in the caller's indices, numbered from `offset` on, and lists the facets
-// that are open. The arrays may be those that the patch has the cells in: no cell moves up. *hull: facets of the hull
-// that are known to be.
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__region_view *view,
-                                        paradt_index *all_vertices, paradt_index *all_neighbors, size_t offset,
-                                        uint64_t *hull) {
+// that are open. The arrays may be those that the patch has the cells in. *hull: facets of the hull that are known to
+// be.
+PARADT__INLINE paradt_status paradt__patch_emit_shape(paradt__patch *patch, paradt_index *all_vertices,
+                                                      paradt_index *all_neighbors, size_t offset, uint64_t *hull,
+                                                      paradt_index corners) {
     const paradt__cells *cells = &patch->bw.cells;
-    size_t corners = (size_t)cells->corners, bytes = corners * sizeof(paradt_index), i, j;
+    size_t i, count = cells->count * (size_t)corners;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < cells->count && !status; i++) {
-        paradt_index vertices[PARADT_MAX_DIM + 1], links[PARADT_MAX_DIM + 1];
-        size_t base = (size_t)patch->number[i] * corners;
-        if (patch->number[i] < 0) continue;
-        memcpy(vertices, cells->vertices + i * corners, bytes);
-        memcpy(links, cells->neighbors + i * corners, bytes);
-        for (j = 0; j < corners && !status; j++) {
-            paradt_index number = patch->number[links[j] / (paradt_index)corners];
-            all_vertices[base + j] = patch->set->origin[patch->origin[vertices[j]]];
-            if (number >= 0) {
-                all_neighbors[base + j] = number + (paradt_index)offset;
-            } else if (number == PARADT__HULL && paradt__patch_knows(patch, vertices, (int)j, view)) {
-                all_neighbors[base + j] = PARADT__HULL;
-                ++*hull;
-            } else {
-                all_neighbors[base + j] = PARADT__OPEN;
-                status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
-                                         patch->list_count + 1);
-                if (!status) patch->list[patch->list_count++] = (paradt_index)(base + j + offset * corners);
-            }
-        }
+    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
+    for (i = 0; i < count; i++) all_vertices[i] = patch->origin[cells->vertices[i]];
+    for (i = 0; i < count && !status; i++) {
+        paradt_index link = cells->neighbors[i];
+        all_neighbors[i] = link < 0 ? link : link / corners + (paradt_index)offset;
+        if (PARADT__LIKELY(link >= 0)) continue;
+        *hull += link == PARADT__HULL;
+        if (link == PARADT__HULL) continue;
+        status =
+            paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
+        if (!status) patch->list[patch->list_count++] = (paradt_index)(i + offset * (size_t)corners);
     }
     return status;
+}
+
+static paradt_status paradt__patch_emit(paradt__patch *patch, paradt_index *all_vertices, paradt_index *all_neighbors,
+                                        size_t offset, uint64_t *hull) {
+    if (patch->bw.cells.corners == 4)
+        return paradt__patch_emit_shape(patch, all_vertices, all_neighbors, offset, hull, 4);
+    return paradt__patch_emit_shape(patch, all_vertices, all_neighbors, offset, hull, patch->bw.cells.corners);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -6910,9 +6979,8 @@ static void paradt__field_task(void *context, size_t index) {
 static void paradt__points_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    region->status =
-        paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
-    if (!region->status) region->status = paradt__patch_points(&region->patch, work->basis);
+    paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
+    region->status = paradt__patch_points(&region->patch, work->basis);
 }
 
 // By insertion, third step: the cells.
@@ -6922,15 +6990,12 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__patch *patch = &region->patch;
     paradt__region_view view = paradt__view_of(work, index);
     paradt__progress progress = paradt__region_progress(work, index);
-    size_t i;
     region->status = paradt__patch_build(patch, &view, &progress);
     paradt__count_predicates(&region->stats, &patch->bw.space.counters);
-    for (i = 0; i < work->regions && patch->searches; i++) {
-        paradt__count_predicates(&region->stats, &patch->searches[i].space.counters);
-        region->stats.distance_evaluations += patch->searches[i].distance_evaluations;
-        region->stats.grid_cells_visited += patch->searches[i].grid_cells_visited;
-    }
-    region->stats.cells_recomputed = patch->made - patch->owned;
+    paradt__count_predicates(&region->stats, &patch->search.space.counters);
+    region->stats.distance_evaluations += patch->search.distance_evaluations;
+    region->stats.grid_cells_visited += patch->search.grid_cells_visited;
+    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
     paradt__patch_rest(patch);
 }
 
@@ -6939,10 +7004,9 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__cells *own = &region->patch.bw.cells;
-    paradt__region_view view = paradt__view_of(work, index);
     size_t first = region->offset * (size_t)own->corners;
     int in_place = work->cells.vertices == work->slices.vertices;
-    region->status = paradt__patch_emit(&region->patch, &view, in_place ? own->vertices : work->cells.vertices + first,
+    region->status = paradt__patch_emit(&region->patch, in_place ? own->vertices : work->cells.vertices + first,
                                         in_place ? own->neighbors : work->cells.neighbors + first, region->offset,
                                         &region->hull_facets);
 }
@@ -7045,7 +7109,7 @@ static void paradt__close_slices(paradt__work *work) {
     size_t corners = (size_t)work->cells.corners, i;
     for (i = 0; i < work->regions; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners, bytes = patch->owned * corners * sizeof(paradt_index);
+        size_t first = work->region[i].offset * corners, bytes = patch->bw.cells.count * corners * sizeof(paradt_index);
         if (!bytes) continue;
         memmove(work->cells.vertices + first, patch->bw.cells.vertices, bytes);
         memmove(work->cells.neighbors + first, patch->bw.cells.neighbors, bytes);
@@ -7060,7 +7124,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         work->region[i].offset = total;
-        total += work->region[i].patch.owned;
+        total += work->region[i].patch.bw.cells.count;
         in_place = in_place && work->region[i].patch.bw.cells.lent;
     }
     // Slices of which an eighth would be left empty don't become the result.
@@ -7459,14 +7523,6 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
     sorted->origin[at] = position;
     engine->bw.count = ++sorted->count;
     return paradt__bw_insert(&engine->bw, (paradt_index)at);
-}
-
-// Marks the free places, so that paradt__remote_engine_cell passes them over.
-static void paradt__remote_engine_mark(paradt__remote_engine *engine) {
-    paradt__cells *cells = &engine->bw.cells;
-    size_t i;
-    for (i = 0; i < engine->bw.spare_count; i++)
-        cells->vertices[(size_t)engine->bw.spare[i] * (size_t)cells->corners] = PARADT__DEAD;
 }
 
 // The vertices of a cell, and which of its facets are on the hull. 0: it is free, or a ghost.

@@ -1497,7 +1497,7 @@ static void paradt_mpi__settle_cells(paradt_mpi__work *w) {
 // Places of cells, for paradt_mpi__cell.
 static size_t paradt_mpi__places(paradt_mpi__work *w) {
     if (!w->inserting) return w->local.cell_count;
-    paradt__remote_engine_mark(&w->engine);
+    paradt__bw_mark_free(&w->engine.bw);
     return w->engine.bw.cells.count;
 }
 
