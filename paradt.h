@@ -6319,7 +6319,7 @@ typedef struct paradt__patch {
     paradt__memory *memory;
     paradt__bw bw;
     size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][set.width]
+    double *records;                 // [capacity][bw.width]
     paradt_index *origin;            // [capacity] positions in the set
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
     int roomy;                       // all points in K are in the set, with those on its border
@@ -6346,7 +6346,7 @@ static paradt_status paradt__field_begin(paradt__field *field, const paradt__set
 
 // Room for `capacity` points
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->bw.count, width = patch->set->width;
+    size_t used = patch->bw.count, width = patch->bw.width;
     void *records = patch->records, *origin = patch->origin;
     int grown = paradt__grow(patch->memory, &records, used * width, capacity * width, sizeof(double));
     patch->records = (double *)records;
@@ -6359,10 +6359,10 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
 }
 
 static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
-    size_t at = patch->bw.count, width = patch->set->width;
+    size_t at = patch->bw.count, width = patch->bw.width;
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
-    memcpy(patch->records + at * width, patch->set->records + position * width, width * sizeof(double));
+    memcpy(patch->records + at * width, patch->set->records + position * patch->set->width, width * sizeof(double));
     patch->origin[at] = (paradt_index)position;
     patch->bw.count++;
     return PARADT_OK;
@@ -6539,7 +6539,7 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
     int dim = bw->cells.corners - 1, i, count = 0;
     for (i = 0; i <= dim; i++) {
         nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[count++] = paradt__bw_record(bw, vertices[i]);
+        if (i != ghost) corners[count++] = paradt__record(patch->set, patch->origin[vertices[i]]);
     }
     if (ghost < 0) {
         paradt__search_sphere(&patch->search, corners, nowhere);
@@ -6652,7 +6652,7 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     patch->bw.cells.corners = set->space.dim + 1;
     patch->bw.space = set->space;
     memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
-    patch->bw.width = set->width;
+    patch->bw.width = set->width - (set->grade == PARADT__SAGITTA); // the insertion has no use for sagittas
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
     for (i = 0; i < field_count; i++) {
         patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
@@ -7275,7 +7275,8 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     if (work->set.space.dim <= 0) {
         status = paradt__build_trivial(work);
     } else if (!paradt__choose_front(work->options.method)) {
-        status = work->regions > 1 ? paradt__build_regions(work) : paradt__build_by_insertion(work);
+        if (work->regions > 1) status = paradt__set_grade(&work->set, &work->memory); // for the questions
+        if (!status) status = work->regions > 1 ? paradt__build_regions(work) : paradt__build_by_insertion(work);
     } else {
         status = paradt__set_grade(&work->set, &work->memory);
         if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
