@@ -7134,6 +7134,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     cells->count = total;
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__emit_task);
+    paradt__share_memory(work);
     if (!status && in_place) paradt__close_slices(work);
     if (in_place) memset(&work->slices, 0, sizeof work->slices);
     return status ? status : paradt__join_patches(work);
