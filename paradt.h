@@ -7095,6 +7095,7 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
         paradt__cells_free(slices, &work->memory);
         return status;
     }
+    paradt__share_memory(work);
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
         size_t capacity = paradt__bw_places(patch->bw.count, dim);
