@@ -2638,8 +2638,9 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // a hash table with chains, keyed by the facet's vertices. The chain is chosen by the smallest vertex, so that facets
 // close to each other in grid order are close in memory too: the front moves over the table as it moves over the
 // points. The rest of the key, a sum over the vertices that does not depend on their order, spreads the facets of one
-// vertex where there are many (in high dimension), and tells facets in a chain apart. Work lists are linked lists of
-// handles; a facet that was matched meanwhile stays in its work list and is passed over when it comes up. Doors:
+// vertex where there are many (in high dimension), and tells facets in a chain apart. The table
+// itself says where to go on: at its lowest chain. Work lists, for methods with an order of their own, are linked lists
+// of handles; a facet that was matched meanwhile stays in its list and is passed over when it comes up. Doors:
 // paradt__cells_*, paradt__active_*, paradt__list_*.
 
 // A position that no point of a set has
@@ -2802,7 +2803,7 @@ static paradt_status paradt__active_rehash(paradt__active *active, size_t chains
     return PARADT_OK;
 }
 
-enum { PARADT__ACTIVE_SPREAD = 1 }; // to begin with: short chains matter more than a small table
+enum { PARADT__ACTIVE_SPREAD = 1 }; // to begin with: a small table stays in the cache
 
 // vertices: how many there may be active facets at.
 static paradt_status paradt__active_begin(paradt__active *active, size_t vertices, paradt__memory *memory) {
@@ -4316,7 +4317,7 @@ PARADT__INLINE void paradt__facet_of(const paradt_index *cell, int corners, int 
     }
 }
 
-// Called for a facet that has become active: puts it into a work list.
+// Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
 // Stores a cell and updates the AFL with its facets: a facet that was active is linked and leaves, the others enter.
@@ -6282,13 +6283,16 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // point is inserted, until the answers are no. The answers are exact, so nothing depends on the width of the margin.
 //
 // Which cells could be wrong? Let K be the box with its margin, S the points inserted, q a point that is missing. S has
-// all points in K, so q is outside K. The cells of T(S) in conflict with q are connected through facets, and one of
-// them contains q (or, q being outside of the hull, is a ghost that q is strictly beyond). K is convex: a cell with all
-// its vertices in K contains no point outside. So the cells in conflict are reached from ghosts, from the cells on
-// them, and from cells with a vertex outside K, through cells in conflict; the search passes over no others. A cell
-// without a vertex of the region may stay wrong: it is only passed through. New cells have a new vertex outside K, so
-// all of them are asked about. When the list is empty, every cell with a vertex of the region is one of T(P): the
-// region's vertices have all their cells, and those whose smallest vertex is the region's are its own.
+// all points in K, so q is outside K, and in conflict with no cell whose sphere is inside K. The cells of T(S) in
+// conflict with q are connected through facets, and one of them contains q (or, q being outside of the hull, is a ghost
+// that q is strictly beyond). K is convex: a cell with all its vertices in K contains no point outside. So the cells in
+// conflict are reached from ghosts, from the cells on them, and from cells with a vertex outside K, through cells in
+// conflict. A cell without a vertex of the region may stay wrong: it is only passed through, and unasked, unless its
+// sphere is inside K. New cells have a new vertex outside K, so all of them are asked about. When the list is empty,
+// every cell with a vertex of the region is one of T(P): the region's vertices have all their cells, and those whose
+// smallest vertex is the region's are its own.
+//
+// Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
 //
 // Points that span the set are inserted first everywhere, so a region may have flat sets of points, or none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
