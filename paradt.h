@@ -6469,13 +6469,13 @@ PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch
 // Are all vertices of a cell in [begin, end)? A ghost's are not.
 PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
                                           paradt_index end) {
-    size_t span = (size_t)(end - begin);
+    uint64_t span = (uint64_t)(end - begin);
     int i, among = 1;
     if (corners == 4) {
-        return ((size_t)(vertices[0] - begin) < span) & ((size_t)(vertices[1] - begin) < span) &
-               ((size_t)(vertices[2] - begin) < span) & ((size_t)(vertices[3] - begin) < span);
+        return ((uint64_t)(vertices[0] - begin) < span) & ((uint64_t)(vertices[1] - begin) < span) &
+               ((uint64_t)(vertices[2] - begin) < span) & ((uint64_t)(vertices[3] - begin) < span);
     }
-    for (i = 0; i < corners; i++) among &= (size_t)(vertices[i] - begin) < span;
+    for (i = 0; i < corners; i++) among &= (uint64_t)(vertices[i] - begin) < span;
     return among;
 }
 
