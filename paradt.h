@@ -4875,6 +4875,19 @@ PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
     return (paradt_index)bw->cells.count++;
 }
 
+// Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
+PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
+                                          paradt_index end) {
+    uint64_t span = (uint64_t)(end - begin);
+    int i, among = 1;
+    if (corners == 4) {
+        return ((uint64_t)(vertices[0] - begin) < span) & ((uint64_t)(vertices[1] - begin) < span) &
+               ((uint64_t)(vertices[2] - begin) < span) & ((uint64_t)(vertices[3] - begin) < span);
+    }
+    for (i = 0; i < corners; i++) among &= (uint64_t)(vertices[i] - begin) < span;
+    return among;
+}
+
 // The place of the infinite vertex in the cell, or -1
 PARADT__INLINE int paradt__bw_ghost(const paradt_index *cell, int corners) {
     int i;
@@ -5778,9 +5791,9 @@ static uint64_t paradt__bw_close(paradt__bw *bw) {
     paradt__bw_mark_free(bw);
     for (i = 0; i < cells->count; i++) {
         int ghost;
+        if (PARADT__LIKELY(paradt__vertices_among(vertices + i * corners, (int)corners, 0, PARADT__NOWHERE))) continue;
         if (vertices[i * corners] == PARADT__DEAD) continue;
         ghost = paradt__bw_ghost(vertices + i * corners, (int)corners);
-        if (ghost < 0) continue;
         neighbors[neighbors[i * corners + (size_t)ghost]] = PARADT__HULL;
         vertices[i * corners] = PARADT__DEAD;
         ghosts++;
@@ -6464,19 +6477,6 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 
 PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
     return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
-}
-
-// Are all vertices of a cell in [begin, end)? A ghost's are not.
-PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
-                                          paradt_index end) {
-    uint64_t span = (uint64_t)(end - begin);
-    int i, among = 1;
-    if (corners == 4) {
-        return ((uint64_t)(vertices[0] - begin) < span) & ((uint64_t)(vertices[1] - begin) < span) &
-               ((uint64_t)(vertices[2] - begin) < span) & ((uint64_t)(vertices[3] - begin) < span);
-    }
-    for (i = 0; i < corners; i++) among &= (uint64_t)(vertices[i] - begin) < span;
-    return among;
 }
 
 // Has the cell a vertex of the region?
