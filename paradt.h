@@ -593,6 +593,23 @@ typedef struct paradt__memory {
 
 enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
 
+// The address sanitizer is told that the rest of the header is nobody's: an index just before an array is seen then.
+#if defined(__SANITIZE_ADDRESS__)
+#define PARADT__ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PARADT__ADDRESS_SANITIZER
+#endif
+#endif
+#ifdef PARADT__ADDRESS_SANITIZER
+#include <sanitizer/asan_interface.h>
+#define PARADT__FORBID(memory, size) __asan_poison_memory_region(memory, size)
+#define PARADT__ALLOW(memory, size)  __asan_unpoison_memory_region(memory, size)
+#else
+#define PARADT__FORBID(memory, size) (void)0
+#define PARADT__ALLOW(memory, size)  (void)0
+#endif
+
 static void *paradt__default_alloc(void *user, size_t size) {
     (void)user;
     return malloc(size);
@@ -639,6 +656,7 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
     if (!block) return NULL;
     memcpy(block, &bytes, sizeof bytes);
+    PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held += bytes;
     if (memory->held > memory->peak) memory->peak = memory->held;
     return block + PARADT__BLOCK_HEADER;
@@ -651,6 +669,7 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     block = (char *)payload - PARADT__BLOCK_HEADER;
     memcpy(&bytes, block, sizeof bytes);
     memory->held -= bytes;
+    PARADT__ALLOW(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->allocator.free(memory->allocator.user, block);
 }
 
@@ -6687,7 +6706,7 @@ static void paradt__patch_close(paradt__patch *patch, const paradt__region_view 
             for (j = 0; j < corners; j++) {
                 if (links[j] >= 0) bw->cells.neighbors[links[j]] = PARADT__OPEN;
             }
-        } else {
+        } else if (links[ghost] >= 0) { // the cell of its facet is still there
             bw->cells.neighbors[links[ghost]] =
                 paradt__patch_matters(patch, (paradt_index)i) ? PARADT__HULL : PARADT__OPEN;
         }
