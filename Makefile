@@ -53,8 +53,9 @@ FUZZERS      := $(sort $(wildcard fuzz/*.c))
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
 NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
 # The sanitizers see every part of the library in these. Left out are the comparison with CGAL, whose own code is not the
-# object, and the two that run thousands of triangulations only to compare their cells.
-SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c tests/methods_agree.c,$(C_TESTS))
+# object, and one that runs thousands of triangulations only to compare their cells. Threads run in one program.
+SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
+RACES        := tests/methods_agree.c
 
 missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
           $(if $(filter $1,$(NEEDS_CGAL)),$(if $(HAVE_CGAL),,libcgal-dev libeigen3-dev)))
@@ -63,13 +64,14 @@ program = $(patsubst tests/%.c,$(T)/%,$1)
 
 TEST_PROGRAMS := $(call program,$(call ready,$(C_TESTS)))
 ASAN_PROGRAMS := $(if $(HAVE_SANITIZERS),$(patsubst tests/%.c,$(T)/sanitized/%,$(call ready,$(SANITIZED))))
+RACE_PROGRAMS := $(if $(HAVE_THREAD_SANITIZER),$(patsubst tests/%.c,$(T)/races/%,$(call ready,$(RACES))))
 FUZZ_PROGRAMS := $(FUZZERS:fuzz/%.c=$(T)/fuzz/%)
 TEST_INPUT    := $(if $(wildcard tests/programs/families.c),$(T)/families)
 CGAL_OBJECTS  := $(patsubst tests/%.cc,$(T)/%.o,$(sort $(wildcard tests/cgal_*.cc)))
 GMP_LIBRARY   := $(if $(HAVE_GMP),-lgmp)
 SANITIZE      := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 
-test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
+test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
 
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
@@ -92,6 +94,11 @@ $(T)/sanitized/%: tests/%.c
 	@rm -f $@
 	$(CC) -O1 -g $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
 
+$(T)/races/%: tests/%.c
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O2 -g -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+
 $(T)/fuzz/%: fuzz/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
@@ -104,8 +111,9 @@ $(T)/families: tests/programs/families.c
 
 # What `make test` hands to the runner: programs in the order in which they start, then skipped ones with their reason.
 test-list:
-	@for t in $(SHELL_TESTS) $(ASAN_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
+	@for t in $(SHELL_TESTS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
 	@$(foreach t,$(C_TESTS),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
+	@$(if $(HAVE_THREAD_SANITIZER),,echo "skip races needs a compiler with -fsanitize=thread that runs here")
 	@$(if $(HAVE_SANITIZERS),,echo "skip sanitized needs a compiler with -fsanitize=address$(comma)undefined")
 
 comma := ,

@@ -27,6 +27,12 @@
 #define SANITIZED 1
 #endif
 #endif
+#if defined(__SANITIZE_THREAD__)
+#define SANITIZED 1
+#define RACES_ONLY 1 // 1: built to find data races; what runs on one thread is left to the other builds
+#else
+#define RACES_ONLY 0
+#endif
 #ifndef SANITIZED
 #define SANITIZED 0 // 1: this program is several times slower, and tests take fewer seeds
 #endif

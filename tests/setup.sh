@@ -80,5 +80,7 @@ fi
     has g++ && has libcgal-dev && has libeigen3-dev && echo HAVE_CGAL=1
     compiles "$CC" c 'int main(void) { return 0; }' -fsanitize=address,undefined && "$work/probe" 2>/dev/null &&
         echo HAVE_SANITIZERS=1
+    compiles "$CC" c 'int main(void) { return 0; }' -fsanitize=thread && "$work/probe" 2>/dev/null &&
+        echo HAVE_THREAD_SANITIZER=1
 } >"$file"
 exit 0
