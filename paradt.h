@@ -4723,10 +4723,12 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
 enum {
     PARADT__SPHERES = 1 << 14,       // of the table, for many points, and
     PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
-    PARADT__STAR = 256,              // new cells that are made together, at most; else the general way is taken
-    PARADT__STAR_VERTICES = 130,     // their vertices: that many facets have at most 2 + 256 / 2
-    PARADT__FEW_NUMBERS = 48,        // more than these are forgotten before the next point
-    PARADT__STAR_ROW = 144 // of the table of their edges: 4.5 cache lines, so that rows don't compete for the same
+    PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
+    PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
+    PARADT__SMALL_STAR = 256,        // new cells for whose edges there is room to begin with
+    PARADT__SMALL_STAR_VERTICES = 130,
+    PARADT__SMALL_STAR_ROW = 144, // of the table of edges: 9 cache lines, so that rows don't compete for the same
+    PARADT__FEW_NUMBERS = 48      // more than these are forgotten before the next point
 };
 
 #ifdef PARADT_INDEX64
@@ -4761,20 +4763,26 @@ typedef struct paradt__spheres3 {
     paradt__seen3 next;        // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
+    size_t made, missed; // new cells since the table was judged; spheres wanted that were not in it
+    void *large_table;   // its block; NULL: it is in the same block, behind this
+
     // The vertices around have small numbers: that of v is number[v + 1], if vertex[that] is v.
-    unsigned char *number; // [points + 1]
-    int count;             // numbers given
-    paradt_index vertex[PARADT__STAR_VERTICES + 1];
-    double place[PARADT__STAR_VERTICES + 1][4];
-    paradt_index edges[PARADT__STAR_VERTICES + 1]
-                      [PARADT__STAR_ROW]; // [i][j]: handle of the new cells' facet with the edge i, j
+    uint16_t *number; // [points + 1]
+    int count;        // numbers given
+    paradt_index vertex[PARADT__STAR_VERTICES];
+    double place[PARADT__STAR_VERTICES][4];
+
+    // For the edge from vertex i to j the handle of the new cells' facet with it: edges[i * row + j]
+    paradt_index edges[PARADT__SMALL_STAR_VERTICES * PARADT__SMALL_STAR_ROW];
+    paradt_index *large_edges;
+    size_t large_star, large_row; // for so many new cells
 
     // The new cells, and those that are no ghosts
     paradt_index base[PARADT__STAR];   // 4 times their places
     paradt_index row[PARADT__STAR][4]; // vertices
     paradt_index outer[PARADT__STAR];
-    unsigned char corner[PARADT__STAR][4]; // numbers of the vertices
-    unsigned char finite[PARADT__STAR + 4];
+    uint16_t corner[PARADT__STAR][4]; // numbers of the vertices
+    uint16_t finite[PARADT__STAR + 4];
     int finite_count;
 } paradt__spheres3;
 
@@ -4782,9 +4790,16 @@ typedef struct paradt__spheres3 {
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
 #define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
 
+// The first cache line that begins there
+PARADT__INLINE paradt__sphere3 *paradt__on_line(void *memory) {
+    return (paradt__sphere3 *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
+}
+
 static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
+    paradt__release(memory, s->large_table);
+    paradt__release(memory, s->large_edges);
     paradt__release(memory, s);
 }
 
@@ -4878,7 +4893,7 @@ static size_t paradt__bw_expected(const paradt__bw *bw, size_t needed) {
     double expected = (double)needed / ((double)bw->inserted + 1.0) * (double)bw->count * PARADT__EXPECT_MORE;
     double most = dim <= 3 ? (double)paradt__bw_places(bw->count, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
-    if (expected > most) expected = most;
+    if (expected > most && (double)least < most) expected = most;
     return bw->inserted > bw->count / 32 && expected > (double)least ? (size_t)expected : least;
 }
 
@@ -5175,9 +5190,14 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
     sphere->tag = (paradt__tag)cell;
 }
 
+PARADT__NOINLINE void paradt__bw3_missed(const paradt__bw *bw, paradt_index cell) {
+    bw->spheres->missed++;
+    paradt__bw3_sphere(bw, cell);
+}
+
 PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
     const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
-    if (!PARADT__LIKELY(sphere->tag == (paradt__tag)cell)) paradt__bw3_sphere(bw, cell);
+    if (!PARADT__LIKELY(sphere->tag == (paradt__tag)cell)) paradt__bw3_missed(bw, cell);
     return sphere;
 }
 
@@ -5238,7 +5258,7 @@ PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, 
             bw->conflict[sphere->tag & ~PARADT__KNOWN] = 1;
             s->driven_out = 1;
         }
-        paradt__bw3_sphere(bw, cell);
+        paradt__bw3_missed(bw, cell);
         if (bw->conflict[cell]) sphere->tag |= PARADT__KNOWN;
     }
     if (sphere->tag & PARADT__KNOWN) return 1;
@@ -5332,13 +5352,45 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
     s->count = 0;
 }
 
-// Gives a vertex a number, the last one to all that are too many.
+// A table of four times the size, if many spheres have had to be made again: where points have long cells in common, or
+// hundreds of them. It takes at most half of the memory that the cells take.
+PARADT__NOINLINE paradt_status paradt__bw3_widen_table(paradt__bw *bw) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t size = 4 * ((size_t)s->mask + 1), i;
+    int often = s->missed > s->made / 4;
+    s->made = s->missed = 0;
+    if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
+    paradt__release(bw->memory, s->large_table);
+    s->large_table = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
+    if (!s->large_table) return PARADT_ERROR_MEMORY;
+    s->table = paradt__on_line(s->large_table);
+    s->mask = (paradt__tag)(size - 1);
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    return PARADT_OK;
+}
+
+// Room for the edges of the cavity's rim, if that takes at most half of the memory that the cells take.
+PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t star = PARADT__SMALL_STAR, line = 64 / sizeof(paradt_index), vertices, row;
+    if (bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR) return PARADT_OK;
+    while (star < bw->rim_count) star *= 2;
+    vertices = 2 + star / 2;
+    row = ((vertices + line - 1) / line | 1) * line;
+    if (vertices * row > bw->cells.count * 4) return PARADT_OK;
+    paradt__release(bw->memory, s->large_edges);
+    s->large_star = 0;
+    s->large_edges = (paradt_index *)paradt__alloc(bw->memory, vertices * row, sizeof *s->large_edges);
+    if (!s->large_edges) return PARADT_ERROR_MEMORY;
+    s->large_star = star;
+    s->large_row = row;
+    return PARADT_OK;
+}
+
 PARADT__NOINLINE size_t paradt__bw3_number(paradt__bw *bw, paradt_index vertex) {
     paradt__spheres3 *s = bw->spheres;
-    size_t number = (size_t)s->count;
-    if (number > PARADT__STAR_VERTICES) return PARADT__STAR_VERTICES;
-    s->count++;
-    s->number[vertex + 1] = (unsigned char)number;
+    size_t number = (size_t)s->count++;
+    s->number[vertex + 1] = (uint16_t)number;
     s->vertex[number] = vertex;
     PARADT__PREFETCH(paradt__bw_record(bw, vertex >= 0 ? vertex : 0));
     return number;
@@ -5353,11 +5405,11 @@ PARADT__INLINE void paradt__bw3_keep_places(paradt__bw *bw, int first) {
     }
 }
 
-// Numbers the vertices of the rim and enters its edges. 0: there are too many vertices, and nothing has changed.
-PARADT__INLINE int paradt__bw3_outline(paradt__bw *bw, paradt_index point) {
+// Numbers the vertices of the rim and enters its edges.
+PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point) {
     paradt__spheres3 *s = bw->spheres;
     const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
-    const unsigned char *numbers = s->number + 1;
+    const uint16_t *numbers = s->number + 1;
     size_t i, count = bw->rim_count, finite = 0;
     int known = s->count;
     for (i = 0; i < count; i++) {
@@ -5369,28 +5421,26 @@ PARADT__INLINE int paradt__bw3_outline(paradt__bw *bw, paradt_index point) {
         if (!PARADT__LIKELY(s->vertex[na] == a)) na = paradt__bw3_number(bw, a);
         if (!PARADT__LIKELY(s->vertex[nb] == b)) nb = paradt__bw3_number(bw, b);
         if (!PARADT__LIKELY(s->vertex[nc] == c)) nc = paradt__bw3_number(bw, c);
-        if (!PARADT__LIKELY(s->count <= PARADT__STAR_VERTICES)) return 0;
         s->row[i][0] = a;
         s->row[i][1] = b;
         s->row[i][2] = c;
         s->row[i][3] = point;
         s->outer[i] = neighbors[inner];
-        s->corner[i][0] = (unsigned char)na;
-        s->corner[i][1] = (unsigned char)nb;
-        s->corner[i][2] = (unsigned char)nc;
-        s->edges[nb][nc] = (paradt_index)edge;
-        s->edges[nc][na] = (paradt_index)(edge + 1);
-        s->edges[na][nb] = (paradt_index)(edge + 2);
-        s->finite[finite] = (unsigned char)i;
+        s->corner[i][0] = (uint16_t)na;
+        s->corner[i][1] = (uint16_t)nb;
+        s->corner[i][2] = (uint16_t)nc;
+        edges[nb * row + nc] = (paradt_index)edge;
+        edges[nc * row + na] = (paradt_index)(edge + 1);
+        edges[na * row + nb] = (paradt_index)(edge + 2);
+        s->finite[finite] = (uint16_t)i;
         finite += (a | b | c) >= 0;
     }
     s->finite_count = (int)finite;
     paradt__bw3_keep_places(bw, known);
-    return 1;
 }
 
 // Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__bw3_star(paradt__bw *bw) {
+PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t row) {
     const paradt__spheres3 *s = bw->spheres;
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
     size_t i, count = bw->rim_count;
@@ -5399,12 +5449,17 @@ PARADT__INLINE void paradt__bw3_star(paradt__bw *bw) {
         size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
         paradt_index *links = neighbors + base;
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        links[0] = s->edges[c][b];
-        links[1] = s->edges[a][c];
-        links[2] = s->edges[b][a];
+        links[0] = edges[c * row + b];
+        links[1] = edges[a * row + c];
+        links[2] = edges[b * row + a];
         links[3] = (paradt_index)outer;
         neighbors[outer] = (paradt_index)(base + 3);
     }
+}
+
+PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point) {
+    paradt__bw3_outline(bw, edges, row, point);
+    paradt__bw3_star(bw, edges, row);
 }
 
 // Where the new cells go: into the places of the cavity, then into free ones. What remains of the cavity becomes free.
@@ -5457,7 +5512,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__spheres3 *s, int count, const d
     for (i = count; i % 4; i++) s->finite[i] = s->finite[count - 1];
     for (i = 0; i < count; i += 4) {
         for (lane = 0; lane < 4; lane++) {
-            const unsigned char *corner = s->corner[s->finite[i + lane]];
+            const uint16_t *corner = s->corner[s->finite[i + lane]];
             four.place[0][lane] = s->place[corner[0]];
             four.place[1][lane] = s->place[corner[1]];
             four.place[2][lane] = s->place[corner[2]];
@@ -5542,21 +5597,23 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     paradt__seen3 seen = s->next;
     paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread);
     size_t i;
+    int small;
     if (status) return status;
     if ((size_t)point + 1 < bw->count) s->next = paradt__seen3_of(s, x + 3);
     for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
-    if (s->count > PARADT__FEW_NUMBERS) paradt__spheres3_forget_numbers(s);
-    if (bw->rim_count > PARADT__STAR) return paradt__bw3_fill_large(bw, point);
+    s->made += bw->rim_count;
+    if (!PARADT__LIKELY(s->missed <= s->mask)) status = paradt__bw3_widen_table(bw);
+    small = bw->rim_count <= PARADT__SMALL_STAR;
+    if (!PARADT__LIKELY(small) && !status) status = paradt__bw3_widen_star(bw);
+    if (status) return status;
+    if (!PARADT__LIKELY(small) && bw->rim_count > s->large_star) return paradt__bw3_fill_large(bw, point);
+    // Numbers that are kept and those that come, 48 + 2 + 128 / 2 or 2 + 256 / 2, fit the small table of edges.
+    if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > 128) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
-    if (!paradt__bw3_outline(bw, point)) {
-        status = paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->rim_count);
-        if (status) return status;
-        for (i = bw->cavity_count; i < bw->rim_count; i++) bw->spare[bw->spare_count++] = s->base[i] >> 2;
-        return paradt__bw3_fill_large(bw, point);
-    }
-    paradt__bw3_star(bw);
+    if (PARADT__LIKELY(small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point);
+    else paradt__bw3_link(bw, s->large_edges, s->large_row, point);
     paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
@@ -5709,12 +5766,14 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
     s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
     if (!s) return PARADT_ERROR_MEMORY;
-    memset(s, 0, offsetof(paradt__spheres3, place)); // what follows is written before it is read
+    memset(s, 0, offsetof(paradt__spheres3, vertex)); // what follows is written before it is read
+    s->large_edges = NULL;
+    s->large_star = 0;
     s->mask = (paradt__tag)(size - 1);
-    s->table = (paradt__sphere3 *)(void *)((char *)(s + 1) + (64 - (uintptr_t)(s + 1) % 64) % 64);
-    s->number = (unsigned char *)paradt__alloc(bw->memory, bw->count + 1, 1);
+    s->table = paradt__on_line(s + 1);
+    s->number = (uint16_t *)paradt__alloc(bw->memory, bw->count + 1, sizeof *s->number);
     if (!s->number) return PARADT_ERROR_MEMORY;
-    memset(s->number, 0, bw->count + 1);
+    memset(s->number, 0, (bw->count + 1) * sizeof *s->number);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
@@ -5725,8 +5784,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     }
     s->steep = sqrt(s->square) * paradt__power(60);
     s->nil = bw->space.insphere[3].quantum / (64.0 * s->half[0] * s->half[1] * s->half[2]);
-    s->count = PARADT__STAR_VERTICES;
-    paradt__spheres3_forget_numbers(s);
+    for (i = 0; i < PARADT__STAR_VERTICES; i++) s->vertex[i] = PARADT__DEAD;
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, 4));
     return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, 64);
 }
