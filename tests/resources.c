@@ -457,6 +457,38 @@ static void searches_look_at_few_points(void **state) {
             }
 }
 
+// AUTO takes InCoDe in four dimensions and more, but on lattices it soon gives that up, with one region and with several.
+static void auto_gives_up_searching_where_ties_abound(void **state) {
+    static const char *const chosen[] = {"uniform", "lattice"};
+    (void)state;
+    for (int dim = 4; dim <= 5; dim++)
+        for (int k = 0; k < 2; k++)
+            for (size_t regions = 1; regions <= 3; regions += 2) {
+                int f = 0;
+                while (strcmp(families[f].name, chosen[k]) != 0)
+                    f++;
+                sample s = family_make(&families[f], NULL, dim, SANITIZED ? 300 : 600, 1);
+                paradt_points points = points_of(&s);
+                uint64_t hashes[2], looked_at[2];
+                for (int method = 0; method < 2; method++) { // AUTO, INCODE
+                    paradt_options options = {0};
+                    paradt_triangulation t;
+                    options.method = (paradt_method)method;
+                    options.regions = regions;
+                    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+                    hashes[method] = paradt_hash(&t);
+                    looked_at[method] = t.stats.distance_evaluations;
+                    paradt_free(&t);
+                }
+                assert_true(hashes[0] == hashes[1]);
+                if (k == 0)
+                    assert_true(looked_at[0] == looked_at[1]);
+                else if (regions == 1)
+                    assert_true(looked_at[0] > 0 && looked_at[0] < looked_at[1] / 2);
+                sample_free(&s);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_memory_is_the_allocators_and_goes_back),
@@ -467,6 +499,7 @@ int main(void) {
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
         cmocka_unit_test(a_small_stack_is_enough),
         cmocka_unit_test(searches_look_at_few_points),
+        cmocka_unit_test(auto_gives_up_searching_where_ties_abound),
     };
     return cmocka_run_group_tests_name("resources", tests, NULL, NULL);
 }
