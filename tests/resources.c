@@ -106,7 +106,8 @@ static int next_scene(int number, scene *out) {
     static const struct {
         int family, weighting, dim, count;
     } inputs[] = {{0, 0, 3, 60}, {5, 3, 3, 50}, {17, 1, 3, 60}, {0, 2, 2, 60},   {12, 0, 3, 40},
-                  {15, 1, 3, 20}, {16, 1, 3, 5}, {0, 0, 5, 14},  {9, 0, 4, 20}, {21, 0, 3, 20}};
+                  {15, 1, 3, 20}, {16, 1, 3, 5}, {0, 0, 5, 14},  {9, 0, 4, 20}, {21, 0, 3, 20},
+                  {5, 0, 4, 50}};
     static const struct {
         size_t regions;
         paradt_partition partition;
