@@ -7679,21 +7679,30 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
     return paradt__bw_insert(&engine->bw, (paradt_index)at);
 }
 
-// The vertices of a cell, and which of its facets are on the hull. 0: it is free, or a ghost.
-static int paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t cell, paradt_index *vertices,
-                                      unsigned *hull) {
-    const paradt__bw *bw = &engine->bw;
-    int corners = bw->cells.corners, i;
-    const paradt_index *from = bw->cells.vertices + cell * (size_t)corners;
-    const paradt_index *handles = bw->cells.neighbors + cell * (size_t)corners;
-    if (from[0] == PARADT__DEAD || paradt__bw_ghost(from, corners) >= 0) return 0;
-    *hull = 0;
-    for (i = 0; i < corners; i++) {
-        const paradt_index *other = bw->cells.vertices + (size_t)paradt__bw_cell(bw, handles[i]) * (size_t)corners;
-        vertices[i] = engine->sorted.origin[from[i]];
-        *hull |= (unsigned)(paradt__bw_ghost(other, corners) >= 0) << i;
-    }
+// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
+// there; else *facet is -1.
+static int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t *place, int *facet) {
+    const paradt__cells *cells = &engine->bw.cells;
+    size_t corners = (size_t)cells->corners, base = *place * corners;
+    int ghost;
+    *facet = -1;
+    if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
+    if (cells->vertices[base] == PARADT__DEAD) return 0;
+    ghost = paradt__bw_ghost(cells->vertices + base, (int)corners);
+    *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
+    *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
     return 1;
+}
+
+// The vertices of the cell at a place, as positions in the set, and their records.
+static void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t place, paradt_index *vertices,
+                                       const double **records) {
+    int corners = engine->bw.cells.corners, i;
+    for (i = 0; i < corners; i++) {
+        paradt_index vertex = engine->bw.cells.vertices[place * (size_t)corners + (size_t)i];
+        vertices[i] = engine->sorted.origin[vertex];
+        records[i] = paradt__bw_record(&engine->bw, vertex);
+    }
 }
 
 // Ends the insertion: the cells, with positions in the set as vertices.

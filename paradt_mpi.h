@@ -1501,24 +1501,39 @@ static size_t paradt_mpi__places(paradt_mpi__work *w) {
     return w->engine.bw.cells.count;
 }
 
-// The vertices of the cell at a place, and which of its facets are on the hull. 0: there is none.
-static int paradt_mpi__cell(const paradt_mpi__work *w, size_t place, paradt_index *cell, unsigned *hull) {
+// What is to be asked for the sake of a place: about a sphere, that of the cell at *place then, and about the facets on
+// the hull whose bits are set. 0: nothing. While points are inserted a ghost stands for its facet.
+enum { PARADT_MPI__SPHERE = 1 << (PARADT_MAX_DIM + 1) };
+
+static unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t *place) {
     size_t k = (size_t)w->set.space.dim + 1, j;
-    if (w->inserting) return paradt__remote_engine_cell(&w->engine, place, cell, hull);
-    *hull = 0;
-    for (j = 0; j < k; j++) {
-        cell[j] = w->local.cells[place * k + j];
-        *hull |= (unsigned)(w->local.neighbors[place * k + j] < 0) << j;
+    unsigned topics = PARADT_MPI__SPHERE;
+    int facet;
+    if (w->inserting) {
+        if (!paradt__remote_engine_place(&w->engine, place, &facet)) return 0;
+        return facet < 0 ? topics : 1u << facet;
     }
-    return 1;
+    for (j = 0; j < k; j++) topics |= (unsigned)(w->local.neighbors[*place * k + j] < 0) << j;
+    return topics;
 }
 
-// The records of a cell's vertices, and which of them are own points.
-static int paradt_mpi__corners(const paradt_mpi__work *w, const paradt_index *cell, const double **corners,
-                               paradt_index *own) {
+// The vertices of the cell at a place, and their records.
+static void paradt_mpi__cell(const paradt_mpi__work *w, size_t place, paradt_index *cell, const double **corners) {
+    size_t k = (size_t)w->set.space.dim + 1, j;
+    if (w->inserting) {
+        paradt__remote_engine_cell(&w->engine, place, cell, corners);
+        return;
+    }
+    for (j = 0; j < k; j++) {
+        cell[j] = w->local.cells[place * k + j];
+        corners[j] = paradt__record(&w->set, cell[j]);
+    }
+}
+
+// Which of a cell's vertices are own points. Returns how many.
+static int paradt_mpi__own_corners(const paradt_mpi__work *w, const paradt_index *cell, paradt_index *own) {
     int dim = w->set.space.dim, i, count = 0;
     for (i = 0; i <= dim; i++) {
-        corners[i] = paradt__record(&w->set, cell[i]);
         own[i] = (size_t)cell[i] < w->set.count ? cell[i] : (paradt_index)PARADT__OPEN;
         count += own[i] >= 0;
     }
@@ -1636,17 +1651,20 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
-    unsigned hull;
-    int j;
+    int count, j;
     for (place = 0; place < places && !status; place++) {
-        int count = paradt_mpi__cell(w, place, cell, &hull) ? paradt_mpi__corners(w, cell, corners, own) : 0;
+        size_t at = place;
+        unsigned topics = paradt_mpi__topics(w, &at);
+        if (!topics) continue;
+        paradt_mpi__cell(w, at, cell, corners);
+        count = paradt_mpi__own_corners(w, cell, own);
         if (!count) continue;
-        if (!paradt_mpi__confined(w, corners, own, count))
-            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1);
+        if (topics & PARADT_MPI__SPHERE && !paradt_mpi__confined(w, corners, own, count))
+            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)at, -1);
         for (j = 0; j <= w->set.space.dim && !status; j++) {
-            if (!(hull >> j & 1) || count == (own[j] >= 0)) continue;
+            if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
             paradt__remote_facet(&w->search, corners, own, j);
-            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, j);
+            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)at, j);
         }
     }
     return status;
@@ -1693,9 +1711,9 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
                                    int32_t *place, double *points, int32_t *cells) {
     size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), used = 0, i, j;
     paradt_index cell[PARADT_MAX_DIM + 1];
-    unsigned hull;
+    const double *corners[PARADT_MAX_DIM + 1];
     for (i = 0; i < count; i++) {
-        paradt_mpi__cell(w, (size_t)q[i].cell, cell, &hull);
+        paradt_mpi__cell(w, (size_t)q[i].cell, cell, corners);
         for (j = 0; j < k; j++) {
             const paradt_mpi__home *home = w->home + cell[j];
             if (place[cell[j]] < 0) {
@@ -1712,7 +1730,7 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
         *cells++ = q[i].opposite;
     }
     for (i = 0; i < count; i++) {
-        paradt_mpi__cell(w, (size_t)q[i].cell, cell, &hull);
+        paradt_mpi__cell(w, (size_t)q[i].cell, cell, corners);
         for (j = 0; j < k; j++) place[cell[j]] = -1;
     }
     return used;
