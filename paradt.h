@@ -4215,7 +4215,8 @@ static double paradt__cells_a_point(int dim) {
 }
 
 // The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
-// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in eight.
+// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
+// eight.
 static double paradt__off_hull(double points, int dim) {
     double layer = pow(points + 1.0, -1.0 / dim);
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
@@ -4463,8 +4464,9 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
-// Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with each
-// other, exactly, and insertion is faster. On points in general position a cell takes less than a tenth of a predicate.
+// Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with
+// each other, exactly, and insertion is faster. On points in general position a cell takes less than a tenth of a
+// predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
     const paradt__counters *c = &front->search.space.counters;
     return c->orient_calls + c->insphere_calls > PARADT__PATIENCE * front->cells.count + PARADT__FIRST_PATIENCE;
