@@ -200,7 +200,8 @@
 // held at most (with regions: an upper bound, the sum of their peaks).
 //
 // The stack is used moderately: the exact predicates take up to 64 KB of it for numbers of extreme exponents. Recursion
-// is as deep as the logarithm of the number of points.
+// is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
+// are not told: wasm-ld -z stack-size=262144.
 //
 //
 // ERRORS
@@ -6846,11 +6847,16 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, paradt_index *all_
 // >>triangulate
 
 static double paradt__now(void) {
+#if defined(__wasi__) // has no clock()
+    struct timespec now;
+    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#else
 #if defined(TIME_UTC)
     struct timespec now;
     if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 #endif
     return (double)clock() / (double)CLOCKS_PER_SEC;
+#endif
 }
 
 // How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.

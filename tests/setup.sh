@@ -35,6 +35,10 @@ int main() { return 0; }' -m32 ;;
     qemu-user) command -v qemu-aarch64 >/dev/null 2>&1 ;;
     binutils-aarch64-linux-gnu) command -v aarch64-linux-gnu-ld >/dev/null 2>&1 ;;
     libc6-dev-arm64-cross) test -e /usr/aarch64-linux-gnu/include/stdio.h ;;
+    wasi-libc) test -e /usr/include/wasm32-wasi/stdio.h ;;
+    lld) command -v wasm-ld >/dev/null 2>&1 ;;
+    libclang-rt-dev-wasm32) ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/*wasm32* >/dev/null 2>&1 ;;
+    nodejs) command -v node >/dev/null 2>&1 ;;
     libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
     libmpich-dev) command -v mpicc >/dev/null 2>&1 && command -v mpicxx >/dev/null 2>&1 ;;
@@ -43,7 +47,8 @@ int main() { return 0; }' -m32 ;;
 }
 
 wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang mpich libmpich-dev
-    qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross"
+    qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross
+    lld wasi-libc libclang-rt-dev-wasm32 nodejs"
 missing() {
     for package in $wanted; do
         has "$package" || printf '%s ' "$package"
