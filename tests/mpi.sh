@@ -111,6 +111,22 @@ ends bad_input_is_named_with_its_line 3 'bad.xyz:2' "$work/bad.xyz"
 ends missing_input_is_an_input_error 3 missing.xyz "$work/missing.xyz"
 ends unknown_option_is_a_usage_error 2 no-such --no-such "$work/few.xyz"
 ends unknown_output_is_a_usage_error 2 out.what -o "$work/out.what" "$work/few.xyz"
+# The sets on which tess2 (Argonne's) misses cells, or sends every point to every rank: the cells are the serial tool's, which
+# are certified, and few points travel.
+exact() { # name, ranks, most points sent to another rank in percent, input
+    "$work/paradt" --quiet --hash --check "$4" >"$work/serial" 2>"$work/log" &&
+        on "$2" "$tool" --hash --stats - "$4" >"$work/found" 2>>"$work/log" &&
+        [ -s "$work/serial" ] && [ "$(tail -n 1 "$work/found")" = "$(tail -n 1 "$work/serial")" ] &&
+        tr -d ' "' <"$work/found" | tr ',{' '\n\n' | awk -F: -v most="$3" '
+            $1 == "points" { all = $2 }
+            $1 == "points_guessed" || $1 == "points_asked" { sent += $2 }
+            END { print sent, "of", all, "points sent"; exit !(all && 100 * sent <= most * all) }' >>"$work/log"
+    report $? "$1" "$work/log"
+}
+exact clusters_in_two_boxes_miss_no_cell 2 5 gen:clusters:1000000:1
+exact a_thin_slab_in_eight_boxes_misses_no_cell 8 25 gen:plane:64000:1
+exact a_sphere_is_not_sent_to_every_rank 8 50 gen:sphere:100000:1
+
 on 3 "$tool" --quiet -o "$work/cloud.pvtu" -o "$work/cloud.ele" gen:uniform:2000:1 2>"$work/log" &&
     [ "$(grep -c '<Piece' "$work/cloud.pvtu")" = 3 ] && [ -s "$work/cloud_0.vtu" ] && [ -s "$work/cloud_2.vtu" ] &&
     "$work/paradt" --quiet -o "$work/serial.ele" gen:uniform:2000:1 &&
