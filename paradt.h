@@ -7702,6 +7702,23 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
     return 1;
 }
 
+// Is at the place a ghost, or a cell with a vertex whose position in the set is not below `own`?
+static int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
+    int corners = engine->bw.cells.corners, i;
+    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] == PARADT__INFINITE || engine->sorted.origin[vertices[i]] >= own) return 1;
+    }
+    return 0;
+}
+
+// The place on the other side of a facet of what is at a place
+static size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
+    size_t corners = (size_t)engine->bw.cells.corners;
+    return (size_t)paradt__bw_cell(&engine->bw, engine->bw.cells.neighbors[place * corners + (size_t)facet]);
+}
+
 // The vertices of the cell at a place, as positions in the set, and their records.
 static void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t place, paradt_index *vertices,
                                        const double **records) {

@@ -80,8 +80,9 @@
 // the points of its box, its own points, and then:
 //
 //     1. sends to others those of its points that are near to theirs: a guess that saves work and decides nothing;
-//     2. triangulates its own points and those it got, and looks at each cell that has an own vertex: where a point of
-//        another rank may lie in the cell's sphere, or beyond its facet on the hull, it sends that rank the cell;
+//     2. triangulates its own points and those it got, and looks at the cells that have an own vertex, from the hull and
+//        from others' points inwards as far as need be: where a point of another rank may lie in the cell's sphere, or
+//        beyond its facet on the hull, it sends that rank the cell;
 //     3. answers for itself: has a cell that it got an own point for a vertex, or one in conflict with it, by the exact
 //        test? Then it adds those of the cell's vertices that are the sender's own points;
 //     4. inserts these, if there were any (by a method other than insertion it triangulates again), and keeps the
@@ -327,6 +328,12 @@ typedef struct paradt_mpi__directory { // boxes around all points of all ranks, 
     double *ranks;                     // [ranks / 8, rounded up][width] one box a rank
     size_t width;                      // doubles a group
 } paradt_mpi__directory;
+
+typedef struct paradt_mpi__places { // that are to be looked at
+    unsigned char *seen;            // [places] 1: it is or was in the list
+    size_t *items;
+    size_t count, capacity;
+} paradt_mpi__places;
 
 typedef struct paradt_mpi__question { // a cell, or a facet on the hull of it, that a rank is to be asked about
     int rank;
@@ -1495,7 +1502,7 @@ static void paradt_mpi__settle_cells(paradt_mpi__work *w) {
 }
 
 // Places of cells, for paradt_mpi__cell.
-static size_t paradt_mpi__places(paradt_mpi__work *w) {
+static size_t paradt_mpi__place_count(paradt_mpi__work *w) {
     if (!w->inserting) return w->local.cell_count;
     paradt__bw_mark_free(&w->engine.bw);
     return w->engine.bw.cells.count;
@@ -1645,28 +1652,73 @@ static int paradt_mpi__confined(paradt_mpi__work *w, const double **corners, con
     return count == w->set.space.dim + 1 && paradt__remote_confined(&w->search);
 }
 
-// Lists all questions: cells around own points, and their facets on the hull.
-static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    size_t places = w->ready ? paradt_mpi__places(w) : 0, place;
+// Lists the questions for the sake of a place. *open: may a point of another rank be in conflict with what is there?
+static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions *q, size_t place, int *open) {
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
+    unsigned topics = paradt_mpi__topics(w, &place);
     paradt_status status = PARADT_OK;
     int count, j;
-    for (place = 0; place < places && !status; place++) {
-        size_t at = place;
-        unsigned topics = paradt_mpi__topics(w, &at);
-        if (!topics) continue;
-        paradt_mpi__cell(w, at, cell, corners);
-        count = paradt_mpi__own_corners(w, cell, own);
-        if (!count) continue;
-        if (topics & PARADT_MPI__SPHERE && !paradt_mpi__confined(w, corners, own, count))
-            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)at, -1);
-        for (j = 0; j <= w->set.space.dim && !status; j++) {
-            if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
-            paradt__remote_facet(&w->search, corners, own, j);
-            status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)at, j);
-        }
+    *open = 1;
+    if (!topics) return PARADT_OK;
+    paradt_mpi__cell(w, place, cell, corners);
+    count = paradt_mpi__own_corners(w, cell, own);
+    if (!count) return PARADT_OK;
+    if (topics & PARADT_MPI__SPHERE) {
+        *open = !paradt_mpi__confined(w, corners, own, count);
+        if (*open) status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1);
     }
+    for (j = 0; j <= w->set.space.dim && !status; j++) {
+        if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
+        paradt__remote_facet(&w->search, corners, own, j);
+        status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, j);
+    }
+    return status;
+}
+
+// Puts a place on the list unless it was there already.
+static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *list, size_t place) {
+    if (list->seen[place]) return PARADT_OK;
+    list->seen[place] = 1;
+    if (list->count == list->capacity) {
+        void *array = list->items;
+        size_t capacity = list->capacity * 2 + 1024;
+        if (!paradt__grow(&w->memory, &array, list->count, capacity, sizeof *list->items)) return PARADT_ERROR_MEMORY;
+        list->items = (size_t *)array;
+        list->capacity = capacity;
+    }
+    list->items[list->count++] = place;
+    return PARADT_OK;
+}
+
+// Lists all questions: about cells around own points, and their facets on the hull. While points are inserted, not all
+// cells need be looked at. The cells and ghosts in conflict with a point p of another rank are connected through
+// facets, and one of them has p in it, or beyond it. That is a ghost or has a vertex that is no own point: this rank's
+// box is convex and p is not in it. No sphere of them is inside of the box. So they are reached from such cells and
+// ghosts through cells whose spheres are not inside.
+static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
+    size_t count = w->ready ? paradt_mpi__place_count(w) : 0, place;
+    paradt_mpi__places list;
+    paradt_status status = PARADT_OK;
+    int open, j;
+    for (place = 0; place < count && !w->inserting && !status; place++) status = paradt_mpi__look(w, q, place, &open);
+    if (!w->inserting || !count) return status;
+    memset(&list, 0, sizeof list);
+    list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
+    if (!list.seen) return PARADT_ERROR_MEMORY;
+    memset(list.seen, 0, count);
+    for (place = 0; place < count && !status; place++) {
+        if (paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count))
+            status = paradt_mpi__wait(w, &list, place);
+    }
+    while (list.count && !status) {
+        place = list.items[--list.count];
+        status = paradt_mpi__look(w, q, place, &open);
+        for (j = 0; j <= w->set.space.dim && open && !status; j++)
+            status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, place, j));
+    }
+    paradt__release(&w->memory, list.seen);
+    paradt__release(&w->memory, list.items);
     return status;
 }
 
