@@ -4194,8 +4194,9 @@ typedef struct paradt__front {
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
-    double expected; // cells, for the progress
-    int impatient;   // 1: give up where the filters decide too little; see paradt__front_is_stuck
+    double expected;  // cells, for the progress
+    int impatient;    // 1: give up where the filters decide too little; see paradt__front_is_stuck
+    uint64_t seeding; // predicates for the cells to start from: they come with the region, not with its cells
     uint64_t hull_facets;
     paradt__finished finished;
     uint64_t *touched; // with regions: a bit for each vertex that an edge to a larger one has reached
@@ -4465,12 +4466,23 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
+static uint64_t paradt__front_predicates(const paradt__front *front) {
+    return front->search.space.counters.orient_calls + front->search.space.counters.insphere_calls;
+}
+
 // Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with
 // each other, exactly, and insertion is faster. On points in general position a cell takes less than a tenth of a
 // predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
-    const paradt__counters *c = &front->search.space.counters;
-    return c->orient_calls + c->insphere_calls > PARADT__PATIENCE * front->cells.count + PARADT__FIRST_PATIENCE;
+    uint64_t patience = PARADT__PATIENCE * (uint64_t)front->cells.count + PARADT__FIRST_PATIENCE;
+    return paradt__front_predicates(front) - front->seeding > patience;
+}
+
+static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
+    uint64_t before = paradt__front_predicates(front);
+    int found = paradt__front_seed(front, cell);
+    front->seeding += paradt__front_predicates(front) - before;
+    return found;
 }
 
 // The facets at the lowest vertices in grid order come first: the front sweeps over the grid, and what it touches stays
@@ -4482,7 +4494,7 @@ static paradt_status paradt__incode(paradt__front *front) {
         status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
         front->search.alive = front->finished.alive;
     }
-    while (!status && paradt__front_seed(front, cell)) {
+    while (!status && paradt__front_next_seed(front, cell)) {
         paradt_index handle = PARADT__OPEN;
         status = paradt__front_add(front, cell, -1, PARADT__OPEN, NULL, NULL);
         while (!status && (handle = paradt__active_first(&front->active)) >= 0) {
