@@ -458,20 +458,21 @@ static void searches_look_at_few_points(void **state) {
             }
 }
 
-// AUTO takes InCoDe in four dimensions and more, but on lattices it soon gives that up, with one region and with several.
+// AUTO takes InCoDe in four dimensions and more, but on lattices it soon gives that up, with one region and with several. In some
+// of the uniform sets the first cells of regions take more predicates than cells with ties are allowed.
 static void auto_gives_up_searching_where_ties_abound(void **state) {
     static const struct {
         const char *family;
         int dim, count;
         size_t regions;
-    } cases[] = {{"uniform", 4, 600, 1}, {"uniform", 5, 600, 3}, {"uniform", 6, SANITIZED ? 200 : 1300, 2},
+    } cases[] = {{"uniform", 4, 600, 1}, {"uniform", 5, 1012, 3}, {"uniform", 6, 200, 5}, {"uniform", 6, 300, 4},
                  {"lattice", 4, 600, 1}, {"lattice", 5, 600, 1}, {"lattice", 5, 300, 3}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int f = 0, ties = strcmp(cases[i].family, "lattice") == 0;
         while (strcmp(families[f].name, cases[i].family) != 0)
             f++;
-        sample s = family_make(&families[f], NULL, cases[i].dim, cases[i].count, 1);
+        sample s = family_make(&families[f], NULL, cases[i].dim, cases[i].count, 2);
         paradt_points points = points_of(&s);
         uint64_t hashes[2], looked_at[2];
         for (int method = 0; method < 2; method++) { // AUTO, INCODE
