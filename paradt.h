@@ -2659,10 +2659,10 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // a hash table with chains, keyed by the facet's vertices. The chain is chosen by the smallest vertex, so that facets
 // close to each other in grid order are close in memory too: the front moves over the table as it moves over the
 // points. The rest of the key, a sum over the vertices that does not depend on their order, spreads the facets of one
-// vertex where there are many (in high dimension), and tells facets in a chain apart. The table
-// itself says where to go on: at its lowest chain. Work lists, for methods with an order of their own, are linked lists
-// of handles; a facet that was matched meanwhile stays in its list and is passed over when it comes up. Doors:
-// paradt__cells_*, paradt__active_*, paradt__list_*.
+// vertex where there are many (in high dimension), and tells facets in a chain apart. The table itself says where to go
+// on: at its lowest chain. Work lists, for methods with an order of their own, are linked lists of handles; a facet
+// that was matched meanwhile stays in its list and is passed over when it comes up. Doors: paradt__cells_*,
+// paradt__active_*, paradt__list_*.
 
 // A position that no point of a set has
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
@@ -2984,7 +2984,7 @@ static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
 // u = 2^-52 holds in every rounding mode. A term of a sum passes a difference (u), at most 2 products (2u), at most d +
 // 2 additions in any order, and once more as much where the same quantity is computed for a box and for a point in it.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
-#define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than any quantity of a filtered set, its squares finite
+#define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
 #define PARADT__NEEDLE     68719476736.0          // 2^36
 #define PARADT__STEEP      2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
 
@@ -4802,6 +4802,8 @@ typedef struct paradt__spheres3 {
 
     size_t made, missed; // new cells since the table was judged; spheres wanted that were not in it
     void *large_table;   // its block; NULL: it is in the same block, behind this
+    paradt_index *large_edges;
+    size_t large_star, large_row; // for so many new cells
 
     // The vertices around have small numbers: that of v is number[v + 1], if vertex[that] is v.
     uint16_t *number; // [points + 1]
@@ -4809,10 +4811,9 @@ typedef struct paradt__spheres3 {
     paradt_index vertex[PARADT__STAR_VERTICES];
     double place[PARADT__STAR_VERTICES][4];
 
-    // For the edge from vertex i to j the handle of the new cells' facet with it: edges[i * row + j]
+    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] here, or in
+    // large_edges.
     paradt_index edges[PARADT__SMALL_STAR_VERTICES * PARADT__SMALL_STAR_ROW];
-    paradt_index *large_edges;
-    size_t large_star, large_row; // for so many new cells
 
     // The new cells, and those that are no ghosts
     paradt_index base[PARADT__STAR];   // 4 times their places
@@ -5494,6 +5495,8 @@ PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, 
     }
 }
 
+// The new cells and their links by a table of edges with rows of `row`. Inlined with a constant the small one's is
+// faster.
 PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point) {
     paradt__bw3_outline(bw, edges, row, point);
     paradt__bw3_star(bw, edges, row);
@@ -5645,8 +5648,8 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     if (!PARADT__LIKELY(small) && !status) status = paradt__bw3_widen_star(bw);
     if (status) return status;
     if (!PARADT__LIKELY(small) && bw->rim_count > s->large_star) return paradt__bw3_fill_large(bw, point);
-    // Numbers that are kept and those that come, 48 + 2 + 128 / 2 or 2 + 256 / 2, fit the small table of edges.
-    if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > 128) paradt__spheres3_forget_numbers(s);
+    // So numbers that are kept and those that come, 48 + 2 + 128 / 2 or 2 + 256 / 2, fit the small table of edges.
+    if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > PARADT__SMALL_STAR / 2) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
     if (PARADT__LIKELY(small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point);
@@ -5804,8 +5807,6 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
     if (!s) return PARADT_ERROR_MEMORY;
     memset(s, 0, offsetof(paradt__spheres3, vertex)); // what follows is written before it is read
-    s->large_edges = NULL;
-    s->large_star = 0;
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
     s->number = (uint16_t *)paradt__alloc(bw->memory, bw->count + 1, sizeof *s->number);
@@ -7447,6 +7448,7 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
     paradt__release_helpers(work);
     paradt__cells_free(&work->cells, &work->memory);
     memset(&work->cells, 0, sizeof work->cells);
+    work->stats->cells_recomputed = 0;
     work->method = PARADT_BOWYER_WATSON;
     return paradt__build_cells(work, sorted);
 }

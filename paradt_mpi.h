@@ -80,9 +80,9 @@
 // the points of its box, its own points, and then:
 //
 //     1. sends to others those of its points that are near to theirs: a guess that saves work and decides nothing;
-//     2. triangulates its own points and those it got, and looks at the cells that have an own vertex, from the hull and
-//        from others' points inwards as far as need be: where a point of another rank may lie in the cell's sphere, or
-//        beyond its facet on the hull, it sends that rank the cell;
+//     2. triangulates its own points and those it got, and looks at the cells that have an own vertex, from the hull
+//        and from others' points inwards as far as need be: where a point of another rank may lie in the cell's
+//        sphere, or beyond its facet on the hull, it sends that rank the cell;
 //     3. answers for itself: has a cell that it got an own point for a vertex, or one in conflict with it, by the exact
 //        test? Then it adds those of the cell's vertices that are the sender's own points;
 //     4. inserts these, if there were any (by a method other than insertion it triangulates again), and keeps the
@@ -479,15 +479,20 @@ static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status sta
     return status;
 }
 
+// Room for one more item in a list: returns the items, or NULL when there is no memory.
+static void *paradt_mpi__one_more(paradt_mpi__work *w, void *items, size_t count, size_t *capacity, size_t size) {
+    size_t larger = *capacity * 2 + 64;
+    if (count < *capacity) return items;
+    if (!paradt__grow(&w->memory, &items, count, larger, size)) return NULL;
+    *capacity = larger;
+    return items;
+}
+
 // Adds an item to a list of own points to be sent.
 static paradt_status paradt_mpi__list_add(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
-    if (list->count == list->capacity) {
-        void *array = list->items;
-        size_t capacity = list->capacity * 2 + 64;
-        if (!paradt__grow(&w->memory, &array, list->count, capacity, sizeof *list->items)) return PARADT_ERROR_MEMORY;
-        list->items = (paradt_mpi__slot *)array;
-        list->capacity = capacity;
-    }
+    void *items = paradt_mpi__one_more(w, list->items, list->count, &list->capacity, sizeof *list->items);
+    if (!items) return PARADT_ERROR_MEMORY;
+    list->items = (paradt_mpi__slot *)items;
     list->items[list->count].rank = rank;
     list->items[list->count++].place = place;
     return PARADT_OK;
@@ -1549,13 +1554,9 @@ static int paradt_mpi__own_corners(const paradt_mpi__work *w, const paradt_index
 
 static paradt_status paradt_mpi__ask(paradt_mpi__work *w, paradt_mpi__questions *q, int rank, paradt_index cell,
                                      int opposite) {
-    if (q->count == q->capacity) {
-        void *array = q->items;
-        size_t capacity = q->capacity * 2 + 64;
-        if (!paradt__grow(&w->memory, &array, q->count, capacity, sizeof *q->items)) return PARADT_ERROR_MEMORY;
-        q->items = (paradt_mpi__question *)array;
-        q->capacity = capacity;
-    }
+    void *items = paradt_mpi__one_more(w, q->items, q->count, &q->capacity, sizeof *q->items);
+    if (!items) return PARADT_ERROR_MEMORY;
+    q->items = (paradt_mpi__question *)items;
     q->items[q->count].rank = rank;
     q->items[q->count].cell = cell;
     q->items[q->count++].opposite = opposite;
@@ -1678,31 +1679,25 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
 
 // Puts a place on the list unless it was there already.
 static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *list, size_t place) {
+    void *items;
     if (list->seen[place]) return PARADT_OK;
+    items = paradt_mpi__one_more(w, list->items, list->count, &list->capacity, sizeof *list->items);
+    if (!items) return PARADT_ERROR_MEMORY;
+    list->items = (size_t *)items;
     list->seen[place] = 1;
-    if (list->count == list->capacity) {
-        void *array = list->items;
-        size_t capacity = list->capacity * 2 + 1024;
-        if (!paradt__grow(&w->memory, &array, list->count, capacity, sizeof *list->items)) return PARADT_ERROR_MEMORY;
-        list->items = (size_t *)array;
-        list->capacity = capacity;
-    }
     list->items[list->count++] = place;
     return PARADT_OK;
 }
 
-// Lists all questions: about cells around own points, and their facets on the hull. While points are inserted, not all
-// cells need be looked at. The cells and ghosts in conflict with a point p of another rank are connected through
-// facets, and one of them has p in it, or beyond it. That is a ghost or has a vertex that is no own point: this rank's
-// box is convex and p is not in it. No sphere of them is inside of the box. So they are reached from such cells and
-// ghosts through cells whose spheres are not inside.
-static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    size_t count = w->ready ? paradt_mpi__place_count(w) : 0, place;
+// Lists the questions while points are inserted, when not all cells need be looked at. The cells and ghosts in conflict
+// with a point p of another rank are connected through facets, and one of them has p in it, or beyond it. That is a
+// ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. No sphere of them is inside
+// of the box. So they are reached from such cells and ghosts through cells whose spheres are not inside.
+static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
+    size_t place;
     int open, j;
-    for (place = 0; place < count && !w->inserting && !status; place++) status = paradt_mpi__look(w, q, place, &open);
-    if (!w->inserting || !count) return status;
     memset(&list, 0, sizeof list);
     list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
     if (!list.seen) return PARADT_ERROR_MEMORY;
@@ -1719,6 +1714,16 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     }
     paradt__release(&w->memory, list.seen);
     paradt__release(&w->memory, list.items);
+    return status;
+}
+
+// Lists all questions: about cells around own points, and their facets on the hull.
+static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
+    size_t count = w->ready ? paradt_mpi__place_count(w) : 0, place;
+    paradt_status status = PARADT_OK;
+    int open;
+    if (w->inserting) return paradt_mpi__collect_from_seam(w, q, count);
+    for (place = 0; place < count && !status; place++) status = paradt_mpi__look(w, q, place, &open);
     return status;
 }
 

@@ -95,7 +95,8 @@ same clang_x87 "double+down" clang -O2 -m32 -mno-sse
 same tcc "up" tcc
 runner=qemu-aarch64
 if has $runner; then same arm64_Ofast "" clang --target=aarch64-linux-gnu -Ofast -static -w; else skip arm64_Ofast "$runner is not installed"; fi
-runner="node --no-warnings tests/programs/wasi.mjs" # the stack that wasm-ld gives by default is smaller than that of the exact stages
+# The stack that wasm-ld gives if it is not told is too small for the exact stages.
+runner="node --no-warnings tests/programs/wasi.mjs"
 if has node; then
     same wasm_Ofast "" clang --target=wasm32-wasi -Ofast -msimd128 -Wl,-z,stack-size=262144 -w
 else
