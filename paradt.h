@@ -2986,7 +2986,7 @@ static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
 #define PARADT__NEEDLE     68719476736.0          // 2^36
-#define PARADT__STEEP      2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+#define PARADT__STEEP      2.0370359763344861e90  // 2^300: spheres that flat are left to the predicates
 
 typedef struct paradt__lane_query {
     double origin[PARADT_MAX_DIM];
