@@ -194,10 +194,13 @@
 // several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
 // keeps a copy of it for paradt_free.
 //
-// The result takes (2 cells (dim + 1) + points) indices; PARADT_NO_NEIGHBORS gives half of the cells' share back at the
-// end, the peak remains. memory_limit bounds the bytes that one call holds at any time, the result included; regions
-// get equal shares of what the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was
-// held at most (with regions: an upper bound, the sum of their peaks).
+// The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
+// In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
+// once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
+// 10^6 uniform points in space need 215 bytes a point instead of 263, and a quarter more time. memory_limit bounds the
+// bytes that one call holds at any time, the result included; regions get equal shares of what the points have left of
+// it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions: an upper bound, the sum
+// of their peaks).
 //
 // The stack is used moderately: the exact predicates take up to 64 KB of it for numbers of extreme exponents. Recursion
 // is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
@@ -371,8 +374,8 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
-// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called at most once by a
-// paradt_triangulate, from the thread that called that.
+// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called a few times by a
+// paradt_triangulate, one step of the work each, from the thread that called that.
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
 // fraction: 0..1, of the work done; an estimate. A nonzero return cancels. With a parallel_for it is called from its
@@ -397,7 +400,7 @@ typedef struct paradt_points {
 
 typedef struct paradt_options {
     paradt_method method;             // PARADT_AUTO
-    size_t regions;                   // 0 or 1: undivided; at most as many as there are points
+    size_t regions;                   // 0 or 1: undivided (but see MEMORY); at most as many as there are points
     paradt_partition partition;       // PARADT_BISECTION
     paradt_parallel_for parallel_for; // NULL: regions run one after another in the calling thread
     paradt_progress progress;         // NULL: none
@@ -4806,7 +4809,8 @@ typedef struct paradt__spheres3 {
     size_t large_star, large_row; // for so many new cells
 
     // The vertices around have small numbers: that of v is number[v + 1], if vertex[that] is v.
-    uint16_t *number; // [points + 1]
+    uint16_t *number; // [numbers]
+    size_t numbers;   // points + 1, at least
     int count;        // numbers given
     paradt_index vertex[PARADT__STAR_VERTICES];
     double place[PARADT__STAR_VERTICES][4];
@@ -4897,12 +4901,12 @@ static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
 }
 
 // Lends it the places of the cells from `first` on.
-static paradt_status paradt__bw_lend(paradt__bw *bw, const paradt__cells *cells, size_t first, size_t capacity) {
+static paradt_status paradt__bw_lend(paradt__bw *bw, paradt_index *vertices, paradt_index *neighbors, size_t capacity) {
     bw->conflict = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
     if (!bw->conflict) return PARADT_ERROR_MEMORY;
     memset(bw->conflict, 0, capacity);
-    bw->cells.vertices = cells->vertices + first * (size_t)cells->corners;
-    bw->cells.neighbors = cells->neighbors + first * (size_t)cells->corners;
+    bw->cells.vertices = vertices;
+    bw->cells.neighbors = neighbors;
     bw->cells.capacity = capacity;
     bw->cells.lent = 1;
     return PARADT_OK;
@@ -5797,6 +5801,17 @@ PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt
 }
 #endif
 
+// Room for the numbers of more vertices
+static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
+    paradt__spheres3 *s = bw->spheres;
+    void *array = s->number;
+    if (!paradt__grow(bw->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
+    s->number = (uint16_t *)array;
+    memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
+    s->numbers = numbers;
+    return 1;
+}
+
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
@@ -5809,9 +5824,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     memset(s, 0, offsetof(paradt__spheres3, vertex)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
-    s->number = (uint16_t *)paradt__alloc(bw->memory, bw->count + 1, sizeof *s->number);
-    if (!s->number) return PARADT_ERROR_MEMORY;
-    memset(s->number, 0, (bw->count + 1) * sizeof *s->number);
+    if (!paradt__bw3_more_numbers(bw, bw->count + 1)) return PARADT_ERROR_MEMORY;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
@@ -5940,6 +5953,14 @@ static void paradt__bw_span_first(paradt__set *set) {
     }
 }
 
+// Where the last round of an order of insertion begins.
+static size_t paradt__last_round(const paradt__keyed *order, size_t count) {
+    size_t begin = count;
+    while (begin && order[begin - 1].key >> PARADT__HILBERT_BITS == order[count - 1].key >> PARADT__HILBERT_BITS)
+        begin--;
+    return begin;
+}
+
 // The points in the order of insertion, as a set of their own. origin: their positions in the set.
 static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, paradt__memory *memory) {
     paradt__keyed *order = paradt__keyed_order(set, NULL, set->count, memory);
@@ -6004,6 +6025,28 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
         bw->inserted = i + 1;
     }
     return status;
+}
+
+// Inserts one more point than there were, the last, in conflict with the cell.
+static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index cell) {
+    paradt__spheres3 *s = bw->spheres;
+    paradt_index point = (paradt_index)(bw->count - 1);
+    bw->last = cell;
+    if (s) {
+        if (bw->count + 1 > s->numbers && !paradt__bw3_more_numbers(bw, bw->count + bw->count / 8 + 64))
+            return PARADT_ERROR_MEMORY;
+        s->start = cell;
+        s->missed = 0; // such points are here and there: no larger table would have their spheres
+        s->next = paradt__seen3_of(s, paradt__bw_record(bw, point));
+    }
+    return paradt__choose_inserter(bw)(bw, point);
+}
+
+// The i-th of the cells that the last insertion made, of bw->rim_count.
+PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
+    const paradt__spheres3 *s = bw->spheres;
+    if (s && (bw->rim_count <= PARADT__SMALL_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
+    return paradt__bw_cell(bw, bw->rim[i]);
 }
 
 // The cells of the set, which it reorders. adjacency: whether their neighbours are wanted.
@@ -6415,16 +6458,17 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // conflict with q are connected through facets, and one of them contains q (or, q being outside of the hull, is a ghost
 // that q is strictly beyond). K is convex: a cell with all its vertices in K contains no point outside. So the cells in
 // conflict are reached from ghosts, from the cells on them, and from cells with a vertex outside K, through cells in
-// conflict. A cell without a vertex of the region may stay wrong: it is only passed through, and unasked, unless its
-// sphere is inside K. New cells have a new vertex outside K, so all of them are asked about. When the list is empty,
-// every cell with a vertex of the region is one of T(P): the region's vertices have all their cells, and those whose
-// smallest vertex is the region's are its own.
+// conflict. A cell without a vertex of the region may stay wrong: it is only passed through, unasked. New cells have a
+// new vertex outside K, so all of them are asked about. When the list is empty, every cell with a vertex of the region
+// is one of T(P): the region's vertices have all their cells, and those whose smallest vertex is the region's are its
+// own.
 //
 // Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
 //
-// Points that span the set are inserted first everywhere, so a region may have flat sets of points, or none.
+// Where the region's points don't span the set, others that do are inserted first: it may have flat sets of points, or
+// none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit,
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit_*,
 // paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, in
@@ -6459,8 +6503,10 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
     size_t list_count, list_capacity;
-    paradt_index own_end; // vertices from dim + 1 up to here are the region's
-    size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
+    paradt_index own_begin, own_end; // vertices that are the region's; there are others
+    size_t made;                     // cells of the triangulation, of which bw.cells are owned in the end
+    uint64_t hull_facets;            // whose smallest vertex is the region's
+    int impatient;                   // 1: it may give up
 } paradt__patch;
 
 // Lays the grid of a field over the positions [begin, end) of the set.
@@ -6517,7 +6563,7 @@ static int paradt__within(const double *x, const double *low, const double *high
     return 1;
 }
 
-// Adds the points of a field's box that are in K and not of the basis.
+// Lists the points of a field's box that are in K and not of the basis.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
                                           const double *low, const double *high, const paradt_index *basis) {
     int dim = patch->set->space.dim, axis;
@@ -6534,7 +6580,9 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
             status = paradt__patch_gather(patch, field, level - 1, i, low, high, basis);
         } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim) &&
                    !paradt__is_among(basis, dim + 1, field->begin + i)) {
-            status = paradt__patch_add(patch, field->begin + i);
+            status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
+                                     patch->list_count + 1);
+            if (!status) patch->list[patch->list_count++] = (paradt_index)(field->begin + i);
         }
     }
     return status;
@@ -6560,24 +6608,19 @@ static double paradt__patch_margin(const paradt__field *field) {
     return 0.7 * sides[SAMPLE / 2];
 }
 
-// The points to begin with: the basis, the region's, those in the margin.
-static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *basis) {
+// Lists the points of the others in the margin, which K has then.
+static paradt_status paradt__patch_find_margin(paradt__patch *patch, const paradt_index *basis) {
     const paradt__field *own = patch->fields + patch->own;
-    int dim = patch->set->space.dim, axis;
     double margin = paradt__patch_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    size_t count = own->set.count, i;
-    paradt_status status = paradt__patch_reserve(patch, count + count / 16 + 256);
-    for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
-    for (i = own->begin; i < own->begin + own->set.count && !status; i++) {
-        if (!paradt__is_among(basis, dim + 1, i)) status = paradt__patch_add(patch, i);
-    }
-    patch->own_end = (paradt_index)patch->bw.count;
-    for (axis = 0; axis < dim; axis++) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    int axis;
+    for (axis = 0; axis < patch->set->space.dim; axis++) {
         patch->room[2 * axis] = low[axis] = own->low[axis] - margin;
         patch->room[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
     patch->roomy = margin > 0.0;
-    for (i = 0; i < patch->field_count && margin > 0.0 && !status; i++) {
+    for (i = 0; i < patch->field_count && patch->roomy && !status; i++) {
         const paradt__field *field = patch->fields + i;
         int level = field->grid.levels - 1;
         size_t box;
@@ -6588,21 +6631,88 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     return status;
 }
 
+// Points of the region that span the set, or, if it has none, those of `whole`. Points far away would give the hull
+// cells so large that their spheres can't be told without exact arithmetic.
+static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole, paradt_index *basis) {
+    const paradt__field *own = patch->fields + patch->own;
+    paradt__set view = own->set;
+    const double *points[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim, spans = 0, i;
+    if (view.count > (size_t)dim) {
+        points[0] = view.records;
+        view.space.ambient = dim; // only the axes that orient
+        view.space.counters = patch->search.space.counters;
+        spans = paradt__span(&view, points, axes, 0, 0) == dim;
+        patch->search.space.counters = view.space.counters;
+    }
+    for (i = 0; i <= dim; i++) {
+        basis[i] = whole[i];
+        if (spans) basis[i] = (paradt_index)(own->begin + (size_t)(points[i] - view.records) / view.width);
+    }
+}
+
+// The points to begin with: the basis, the region's, those in the margin. All but the last round of the margin come
+// before the region's: each of them would see much of a flat hull later.
+static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
+    const paradt__field *own = patch->fields + patch->own;
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__keyed *margin = NULL;
+    int dim = patch->set->space.dim;
+    size_t count, early, i;
+    paradt_status status;
+    paradt__patch_basis(patch, whole, basis);
+    status = paradt__patch_find_margin(patch, basis);
+    count = patch->list_count;
+    patch->list_count = 0;
+    if (!status && count) {
+        margin = paradt__keyed_order(patch->set, patch->list, count, patch->memory);
+        if (!margin) status = PARADT_ERROR_MEMORY;
+    }
+    early = margin ? paradt__last_round(margin, count) : 0;
+    if (!status) status = paradt__patch_reserve(patch, own->set.count + count + own->set.count / 64 + 256);
+    for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
+    for (i = 0; i < early && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i].point);
+    patch->own_begin = (paradt_index)patch->bw.count;
+    for (i = own->begin; i < own->begin + own->set.count && !status; i++) {
+        if (!paradt__is_among(basis, dim + 1, i)) status = paradt__patch_add(patch, i);
+    }
+    patch->own_end = (paradt_index)patch->bw.count;
+    for (i = early; i < count && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i].point);
+    paradt__release(patch->memory, margin);
+    return status;
+}
+
 // --- cells
 
 PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
     return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
 }
 
-// Has the cell a vertex of the region?
-static int paradt__patch_matters(const paradt__patch *patch, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+// Is the vertex a point of the region?
+PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index vertex) {
     const paradt__field *own = patch->fields + patch->own;
-    int i;
+    return (size_t)patch->origin[vertex] - own->begin < own->set.count;
+}
+
+// How many vertices of the cell are the region's? If none, the cell does not matter to it.
+static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    int i, share = 0;
+    for (i = 0; i < patch->bw.cells.corners; i++) share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
+    return share;
+}
+
+// Is the smallest vertex of the cell, or of the facet of a ghost, the region's?
+static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int ghost) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    paradt_index own[PARADT_MAX_DIM + 1], positions[PARADT_MAX_DIM + 1];
+    int i, count = 0;
     for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (vertices[i] >= 0 && (size_t)patch->origin[vertices[i]] - own->begin < own->set.count) return 1;
+        if (i == ghost) continue;
+        own[count] = vertices[i];
+        positions[count++] = patch->origin[vertices[i]];
     }
-    return 0;
+    return paradt__patch_has(patch, own[paradt__extreme(patch->set, positions, count, -1)]);
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
@@ -6693,14 +6803,13 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     paradt__bw *bw = &patch->bw;
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
-    bw->last = cell;
-    if (!status) status = paradt__bw_insert(bw, (paradt_index)(bw->count - 1));
+    if (!status) status = paradt__bw_insert_one_more(bw, cell);
     if (!status) status = paradt__patch_states(patch);
     for (i = 0; i < bw->cavity_count && !status; i++) {
         patch->state[paradt__bw_cell(bw, bw->cavity[i])] = PARADT__UNKNOWN;
     }
     for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt_index made = paradt__bw_cell(bw, bw->rim[i]);
+        paradt_index made = paradt__bw_made(bw, i);
         patch->state[made] = PARADT__UNKNOWN;
         status = paradt__patch_wait(patch, made);
     }
@@ -6723,13 +6832,12 @@ static paradt_status paradt__patch_spread(paradt__patch *patch, paradt_index cel
 // region has no vertex the answer would not change the cell: it is passed through unasked.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), patch->bw.cells.corners);
-    int matters = paradt__patch_matters(patch, cell);
     paradt_index answer = -1;
     size_t number;
     patch->state[cell] = PARADT__ASKED;
-    if (matters || ghost < 0) paradt__patch_aim(patch, cell, ghost);
+    if (!paradt__patch_share(patch, cell)) return paradt__patch_spread(patch, cell, -1);
+    paradt__patch_aim(patch, cell, ghost);
     if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
-    if (!matters) return paradt__patch_spread(patch, cell, -1);
     for (number = 0; number < patch->field_count && answer < 0; number++) {
         if (number != patch->own && patch->fields[number].set.count)
             answer = paradt__patch_ask(patch, number, cell, ghost);
@@ -6780,68 +6888,80 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
 
 // Drops ghosts and cells of other regions; those of the region are the first then. The links to what is dropped: a
 // facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are open.
-static void paradt__patch_close(paradt__patch *patch, const paradt__region_view *view) {
+static void paradt__patch_close(paradt__patch *patch) {
     paradt__bw *bw = &patch->bw;
     int corners = bw->cells.corners, j;
     size_t i;
     paradt__bw_mark_free(bw);
     for (i = 0; i < bw->cells.count; i++) {
-        paradt_index *vertices = bw->cells.vertices + i * (size_t)corners, cell[PARADT_MAX_DIM + 1];
+        paradt_index *vertices = bw->cells.vertices + i * (size_t)corners;
         paradt_index *links = bw->cells.neighbors + i * (size_t)corners;
-        int ghost;
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, corners, patch->own_end))) {
+        int ghost, share;
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, patch->own_begin, patch->own_end))) {
             patch->made++;
             continue;
         }
         if (vertices[0] == PARADT__DEAD) continue;
         ghost = paradt__bw_ghost(vertices, corners);
+        share = paradt__patch_share(patch, (paradt_index)i);
         if (ghost < 0) {
             patch->made++;
-            for (j = 0; j < corners; j++) cell[j] = patch->origin[vertices[j]];
-            if (paradt__owns(view, patch->set, cell, corners)) continue;
+            if (share == corners || (share && paradt__patch_owns(patch, (paradt_index)i, -1))) continue;
             for (j = 0; j < corners; j++) {
                 if (links[j] >= 0) bw->cells.neighbors[links[j]] = PARADT__OPEN;
             }
-        } else if (links[ghost] >= 0) { // the cell of its facet is still there
-            bw->cells.neighbors[links[ghost]] =
-                paradt__patch_matters(patch, (paradt_index)i) ? PARADT__HULL : PARADT__OPEN;
+        } else {
+            patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)i, ghost));
+            if (links[ghost] >= 0) // the cell of its facet is still there
+                bw->cells.neighbors[links[ghost]] = share ? PARADT__HULL : PARADT__OPEN;
         }
         vertices[0] = PARADT__DEAD;
     }
     paradt__bw_close_gaps(bw);
 }
 
+// Do the questions take longer than the insertion? They do where many spheres are too close to others' points for
+// boxes to tell: exactly cospherical points are the worst.
+static int paradt__patch_is_stuck(const paradt__patch *patch) {
+    enum { PATIENCE = 2, FIRST_PATIENCE = 10000 };
+    const paradt__counters *c = &patch->search.space.counters;
+    uint64_t looked = patch->search.grid_cells_visited + c->insphere_calls + c->orient_calls;
+    return looked > PATIENCE * (uint64_t)patch->bw.count + FIRST_PATIENCE;
+}
+
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
-// vertex of the region are in it. basis: dim + 1 positions that span the set.
-static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__region_view *view,
-                                         const paradt__progress *progress) {
+// vertex of the region are in it.
+static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt_status status = paradt__bw_build(&patch->bw, progress);
     if (!status) status = paradt__patch_suspects(patch);
     while (!status && patch->list_count) {
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+        if (!status && patch->impatient && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
     }
-    if (!status) paradt__patch_close(patch, view);
+    if (!status) paradt__patch_close(patch);
     return status;
 }
 
-// Writes the region's cells to the arrays, in the caller's indices, numbered from `offset` on, and lists the facets
-// that are open. The arrays may be those that the patch has the cells in. *hull: facets of the hull that are known to
-// be.
-PARADT__INLINE paradt_status paradt__patch_emit_shape(paradt__patch *patch, paradt_index *all_vertices,
-                                                      paradt_index *all_neighbors, size_t offset, uint64_t *hull,
+// Writes the vertices of the region's cells, in the caller's indices. It may be to where the patch has them.
+static void paradt__patch_emit_vertices(paradt__patch *patch, paradt_index *to) {
+    const paradt__cells *cells = &patch->bw.cells;
+    size_t count = cells->count * (size_t)cells->corners, i;
+    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
+    for (i = 0; i < count; i++) to[i] = patch->origin[cells->vertices[i]];
+}
+
+// Writes the links of the region's cells, numbered from `offset` on, and lists the facets that are open. It may be to
+// where the patch has them.
+PARADT__INLINE paradt_status paradt__patch_emit_shape(paradt__patch *patch, paradt_index *to, size_t offset,
                                                       paradt_index corners) {
     const paradt__cells *cells = &patch->bw.cells;
     size_t i, count = cells->count * (size_t)corners;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
-    for (i = 0; i < count; i++) all_vertices[i] = patch->origin[cells->vertices[i]];
     for (i = 0; i < count && !status; i++) {
         paradt_index link = cells->neighbors[i];
-        all_neighbors[i] = link < 0 ? link : link / corners + (paradt_index)offset;
-        if (PARADT__LIKELY(link >= 0)) continue;
-        *hull += link == PARADT__HULL;
-        if (link == PARADT__HULL) continue;
+        to[i] = link < 0 ? link : link / corners + (paradt_index)offset;
+        if (PARADT__LIKELY(link >= 0) || link == PARADT__HULL) continue;
         status =
             paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
         if (!status) patch->list[patch->list_count++] = (paradt_index)(i + offset * (size_t)corners);
@@ -6849,11 +6969,10 @@ PARADT__INLINE paradt_status paradt__patch_emit_shape(paradt__patch *patch, para
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, paradt_index *all_vertices, paradt_index *all_neighbors,
-                                        size_t offset, uint64_t *hull) {
-    if (patch->bw.cells.corners == 4)
-        return paradt__patch_emit_shape(patch, all_vertices, all_neighbors, offset, hull, 4);
-    return paradt__patch_emit_shape(patch, all_vertices, all_neighbors, offset, hull, patch->bw.cells.corners);
+static paradt_status paradt__patch_emit_links(paradt__patch *patch, paradt_index *to, size_t offset) {
+    int corners = patch->bw.cells.corners;
+    return corners == 4 ? paradt__patch_emit_shape(patch, to, offset, 4)
+                        : paradt__patch_emit_shape(patch, to, offset, corners);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -6958,6 +7077,7 @@ typedef struct paradt__work {
     int impatient;        // 1: it may give up
     double done;          // part of the work that one that gave up has reported
     size_t regions;
+    int in_turn; // 1: insertion builds one after another, without neighbours
     paradt_stats *stats;
     paradt__cells cells;
     uint32_t *owner;                        // [set.count] region of each point
@@ -7102,7 +7222,6 @@ static void paradt__field_task(void *context, size_t index) {
         size_t to = part->begin + i;
         memcpy(permuted->records + to * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
         permuted->origin[to] = set->origin[order[i].point];
-        work->owner[to] = (uint32_t)index;
     }
     paradt__release(&region->memory, order);
     if (!region->status) region->status = paradt__field_begin(field, permuted, part->begin, part->end, &region->memory);
@@ -7121,14 +7240,15 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
-    paradt__region_view view = paradt__view_of(work, index);
     paradt__progress progress = paradt__part_of_progress(work, index, work->regions);
-    region->status = paradt__patch_build(patch, &view, &progress);
+    region->status = paradt__patch_build(patch, &progress);
+    region->done = progress.begin + progress.length;
     paradt__count_predicates(&region->stats, &patch->bw.space.counters);
     paradt__count_predicates(&region->stats, &patch->search.space.counters);
     region->stats.distance_evaluations += patch->search.distance_evaluations;
     region->stats.grid_cells_visited += patch->search.grid_cells_visited;
     region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
+    region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
 }
 
@@ -7139,9 +7259,9 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__cells *own = &region->patch.bw.cells;
     size_t first = region->offset * (size_t)own->corners;
     int in_place = work->cells.vertices == work->slices.vertices;
-    region->status = paradt__patch_emit(&region->patch, in_place ? own->vertices : work->cells.vertices + first,
-                                        in_place ? own->neighbors : work->cells.neighbors + first, region->offset,
-                                        &region->hull_facets);
+    paradt__patch_emit_vertices(&region->patch, in_place ? own->vertices : work->cells.vertices + first);
+    region->status = paradt__patch_emit_links(&region->patch, in_place ? own->neighbors : work->cells.neighbors + first,
+                                              region->offset);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -7192,12 +7312,9 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     }
     for (i = 0; i < work->regions && !status; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        work->stats->hull_facets += work->region[i].hull_facets;
         for (j = 0; j < patch->list_count; j++) {
             paradt_index *link = work->cells.neighbors + patch->list[j];
-            if (*link != PARADT__OPEN) continue;
-            *link = PARADT__HULL;
-            work->stats->hull_facets++;
+            if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
     paradt__active_free(&active, &work->memory);
@@ -7232,7 +7349,8 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
         size_t capacity = paradt__bw_places(patch->bw.count, dim);
-        status = paradt__bw_lend(&patch->bw, slices, first, capacity);
+        status = paradt__bw_lend(&patch->bw, slices->vertices + first * (size_t)slices->corners,
+                                 slices->neighbors + first * (size_t)slices->corners, capacity);
         first += capacity;
     }
     return status;
@@ -7288,6 +7406,10 @@ static paradt_status paradt__permute_set(paradt__work *work) {
     if (!status) status = paradt__run_regions(work, paradt__field_task);
     *set = *permuted;
     paradt__set_free(&view, &work->memory);
+    paradt__release(&work->memory, work->owner); // now a range of positions says it
+    paradt__release(&work->memory, work->points);
+    work->owner = NULL;
+    work->points = NULL;
     if (status) return status;
     view = *set;
     view.space.ambient = set->space.dim; // only the axes that orient
@@ -7299,6 +7421,81 @@ static paradt_status paradt__permute_set(paradt__work *work) {
     return PARADT_OK;
 }
 
+// All regions at once, each step a task for each.
+static paradt_status paradt__build_together(paradt__work *work) {
+    paradt_status status = paradt__run_regions(work, paradt__points_task);
+    paradt__share_memory(work);
+    if (!status) status = paradt__lend_slices(work);
+    paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__patch_task);
+    paradt__share_memory(work);
+    if (!status) status = paradt__collect_patches(work);
+    paradt__share_memory(work);
+    return status;
+}
+
+// --- regions in turn: without neighbours, a region's links are given back before the next one begins
+
+// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
+    paradt__cells *cells = &work->cells;
+    size_t corners = (size_t)cells->corners;
+    void *vertices = cells->vertices;
+    if (cells->count + count <= cells->capacity) return PARADT_OK;
+    count += cells->count + expected;
+    if (!paradt__grow(&work->memory, &vertices, cells->count * corners, count * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    cells->vertices = (paradt_index *)vertices;
+    cells->capacity = count;
+    return PARADT_OK;
+}
+
+// Builds a region, at the end of the result while its cells fit there.
+static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
+    paradt__patch *patch = &work->region[index].patch;
+    paradt__cells *cells = &work->cells, *own = &patch->bw.cells, *lent = &work->slices;
+    size_t corners = (size_t)cells->corners, capacity, rest;
+    paradt_status status;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
+    patch->impatient = 1;
+    status = paradt__patch_points(patch, work->basis);
+    capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
+    rest = paradt__bw_places(work->set.count - work->parts[index].end, work->set.space.dim);
+    if (!status) status = paradt__turn_room(work, capacity, rest);
+    if (status) return status;
+    lent->neighbors = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->neighbors) return PARADT_ERROR_MEMORY;
+    status = paradt__bw_lend(&patch->bw, cells->vertices + cells->count * corners, lent->neighbors, capacity);
+    if (!status) paradt__patch_task(work, index);
+    if (!status) status = work->region[index].status;
+    if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
+    if (status) return status;
+    paradt__patch_emit_vertices(patch, cells->vertices + cells->count * corners);
+    cells->count += own->count;
+    paradt__patch_end(patch);
+    memset(patch, 0, sizeof *patch);
+    paradt__cells_free(lent, &work->memory);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_in_turn(paradt__work *work) {
+    paradt__cells *cells = &work->cells;
+    size_t corners = (size_t)cells->corners, i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < work->regions && !status; i++) {
+        status = paradt__build_turn(work, i);
+        work->done = work->region[i].done;
+    }
+    if (!status && cells->capacity > cells->count + cells->count / 8 + 64) {
+        void *vertices = cells->vertices;
+        size_t used = cells->count * corners;
+        if (paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index)))
+            cells->vertices = (paradt_index *)vertices;
+    }
+    return status;
+}
+
+// Regions by insertion.
 static paradt_status paradt__build_patches(paradt__work *work) {
     paradt_status status;
     size_t i;
@@ -7307,18 +7504,12 @@ static paradt_status paradt__build_patches(paradt__work *work) {
     memset(work->fields, 0, work->regions * sizeof *work->fields);
     status = paradt__permute_set(work);
     paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__points_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__lend_slices(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__patch_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
-    paradt__share_memory(work);
-    work->translated = 1;
+    if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
+    work->translated = !status;
     for (i = 0; i < work->regions; i++) {
         paradt__region *region = work->region + i;
         paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->hull_facets;
         region->patch.memory = region->patch.bw.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
@@ -7400,23 +7591,6 @@ static void paradt__translate(paradt__work *work) {
     for (i = 0; i < count; i++) vertices[i] = origin[vertices[i]];
 }
 
-// The cells, by work->method. *sorted: when the points were ready for it.
-static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
-    paradt_status status = PARADT_OK;
-    int divided = work->regions > 1;
-    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
-    if (!paradt__choose_front(work->method)) {
-        if (divided) status = paradt__set_grade(&work->set, &work->memory); // for the questions
-        if (!status) status = divided ? paradt__build_regions(work) : paradt__build_by_insertion(work);
-        return status;
-    }
-    status = paradt__set_grade(&work->set, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
-    *sorted = paradt__now();
-    if (!status) status = divided ? paradt__build_regions(work) : paradt__build_undivided(work);
-    return status;
-}
-
 // Gives back what the building of cells needs beside the set.
 static void paradt__release_helpers(paradt__work *work) {
     paradt__memory *memory = &work->memory;
@@ -7434,6 +7608,48 @@ static void paradt__release_helpers(paradt__work *work) {
     work->region = NULL;
 }
 
+// Forgets what a way that gave up has built.
+static void paradt__begin_again(paradt__work *work) {
+    paradt__release_helpers(work);
+    paradt__cells_free(&work->cells, &work->memory);
+    work->stats->cells_recomputed = work->stats->hull_facets = 0;
+}
+
+// Without neighbours, how many regions to build one after another. Five need 215 bytes a point where one needs 263, and
+// a quarter more time; small sets would take more.
+static size_t paradt__turns(const paradt__work *work) {
+    enum { TURNS = 5, LEAST_POINTS = 500000 };
+    if (work->regions > 1 || work->set.count < LEAST_POINTS) return work->regions;
+    return TURNS;
+}
+
+// By insertion. When regions in turn give up, the set is permuted, but whole.
+static paradt_status paradt__insert_all(paradt__work *work) {
+    paradt_status status;
+    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && work->set.space.dim <= 3 &&
+                    (work->regions == 1 || !work->options.parallel_for);
+    if (work->in_turn) work->regions = paradt__turns(work);
+    if (work->regions == 1) return paradt__build_by_insertion(work);
+    status = paradt__set_grade(&work->set, &work->memory); // for the questions
+    if (!status) status = paradt__build_regions(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__begin_again(work);
+    work->regions = 1;
+    return paradt__build_by_insertion(work);
+}
+
+// The cells, by work->method. *sorted: when the points were ready for it.
+static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
+    paradt_status status;
+    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
+    if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
+    status = paradt__set_grade(&work->set, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    *sorted = paradt__now();
+    if (status) return status;
+    return work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
+}
+
 // AUTO. In four dimensions and more, what insertion makes only to destroy it again costs more than InCoDe's searches,
 // unless these have to decide ties.
 static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
@@ -7445,10 +7661,7 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
     work->impatient = 1;
     status = paradt__build_cells(work, sorted);
     if (status != PARADT__GAVE_UP) return status;
-    paradt__release_helpers(work);
-    paradt__cells_free(&work->cells, &work->memory);
-    memset(&work->cells, 0, sizeof work->cells);
-    work->stats->cells_recomputed = 0;
+    paradt__begin_again(work);
     work->method = PARADT_BOWYER_WATSON;
     return paradt__build_cells(work, sorted);
 }
