@@ -965,6 +965,12 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
+static void paradt__range_join(paradt__range *range, const paradt__range *other) {
+    range->unit = paradt__min(range->unit, other->unit);
+    range->bottom = paradt__min(range->bottom, other->bottom);
+    range->top = paradt__max(range->top, other->top);
+}
+
 // Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
     memset(s, 0, sizeof *s);
@@ -1040,6 +1046,16 @@ static int paradt__precise(void) {
 PARADT__INLINE double paradt__rounded(double x) {
     volatile double rounded = x;
     return rounded;
+}
+
+// Adds what another has measured.
+static void paradt__space_join(paradt__space *s, const paradt__space *other) {
+    for (int j = 0; j < s->ambient; j++) {
+        if (other->low[j] < s->low[j]) s->low[j] = other->low[j];
+        if (other->high[j] > s->high[j]) s->high[j] = other->high[j];
+    }
+    paradt__range_join(&s->coordinates, &other->coordinates);
+    paradt__range_join(&s->weights, &other->weights);
 }
 
 // Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
@@ -1931,7 +1947,31 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
 // loses no bit, and with the coordinates permuted so that the first `dim` of them orient (dim: the affine dimension).
 // The axes are taken greedily from the first to the last, so the lexicographic order over them equals that over all
 // coordinates: a coordinate passed over is an affine function of those taken before it.
-// Doors: paradt__set_load, paradt__set_free, paradt__record.
+// What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_free, paradt__record.
+
+// Tasks that may run at once, for work that is divided by points
+typedef struct paradt__team {
+    paradt_parallel_for parallel_for; // NULL: one after another
+    void *user;
+    size_t tasks; // 1..PARADT__MOST_TASKS
+} paradt__team;
+
+enum { PARADT__MOST_TASKS = 4 };
+
+static paradt__team paradt__team_of(const paradt_options *options, size_t regions) {
+    paradt__team team;
+    team.parallel_for = options->parallel_for;
+    team.user = options->user;
+    team.tasks = !options->parallel_for ? 1 : regions < PARADT__MOST_TASKS ? regions : PARADT__MOST_TASKS;
+    return team;
+}
+
+static const paradt__team paradt__alone = {NULL, NULL, 1};
+
+static void paradt__team_run(const paradt__team *team, void (*task)(void *context, size_t index), void *context) {
+    if (team->tasks > 1) team->parallel_for(team->user, team->tasks, task, context);
+    else task(context, 0);
+}
 
 enum {
     PARADT__UNGRADED,
@@ -1954,6 +1994,17 @@ typedef struct paradt__set {
 
 PARADT__INLINE const double *paradt__record(const paradt__set *set, paradt_index point) {
     return set->records + (size_t)point * set->width;
+}
+
+PARADT__INLINE void paradt__copy_record(double *to, const double *from, size_t width) {
+    size_t i;
+    if (width == 3) {
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = from[2];
+        return;
+    }
+    for (i = 0; i < width; i++) to[i] = from[i];
 }
 
 static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
@@ -2020,11 +2071,41 @@ static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
     return h;
 }
 
-// Copies the records. *bad is the first point with a coordinate or weight that is no number.
-static paradt_status paradt__set_read(paradt__set *set, const paradt_points *points, size_t *bad) {
-    size_t i;
+typedef struct paradt__loader {
+    const paradt__team *team;
+    const paradt_points *points;
+    paradt__set *set;
+    size_t bad[PARADT__MOST_TASKS]; // first point with a coordinate or weight that is no number; SIZE_MAX: none
+    paradt__space space[PARADT__MOST_TASKS];
+    paradt_index *representative; // [points->count]
+    paradt_index *table;          // [tasks][slots]
+    size_t slots;                 // a power of two, more than points
+} paradt__loader;
+
+static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt_points *points,
+                                 const paradt__team *team) {
+    memset(loader, 0, sizeof *loader);
+    loader->set = set;
+    loader->points = points;
+    loader->team = team;
+}
+
+// The positions of `count` that are a task's: [*begin, its result).
+static size_t paradt__loader_share(const paradt__loader *loader, size_t count, size_t index, size_t *begin) {
+    size_t tasks = loader->team->tasks;
+    *begin = count / tasks * index;
+    return index + 1 == tasks ? count : count / tasks * (index + 1);
+}
+
+// Copies records.
+static void paradt__read_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt_points *points = loader->points;
+    paradt__set *set = loader->set;
+    size_t i, end = paradt__loader_share(loader, points->count, index, &i);
     int axis, ambient = points->dim;
-    for (i = 0; i < points->count; i++) {
+    loader->bad[index] = SIZE_MAX;
+    for (; i < end; i++) {
         double *record = set->records + i * set->width;
         int finite = 1;
         for (axis = 0; axis < ambient; axis++) {
@@ -2039,56 +2120,91 @@ static paradt_status paradt__set_read(paradt__set *set, const paradt_points *poi
             finite &= paradt__is_finite(record[ambient]);
         }
         if (!finite) {
-            *bad = i;
-            return PARADT_ERROR_NOT_FINITE;
+            loader->bad[index] = i;
+            return;
         }
         set->origin[i] = (paradt_index)i;
     }
-    set->count = points->count;
+}
+
+// Copies the records. *bad is the first point with a coordinate or weight that is no number.
+static paradt_status paradt__set_read(paradt__loader *loader, size_t *bad) {
+    size_t i;
+    paradt__team_run(loader->team, paradt__read_task, loader);
+    for (i = 0; i < loader->team->tasks; i++) {
+        if (loader->bad[i] == SIZE_MAX) continue;
+        *bad = loader->bad[i];
+        return PARADT_ERROR_NOT_FINITE;
+    }
+    loader->set->count = loader->points->count;
     return PARADT_OK;
 }
 
-// Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
-// smallest index, with weights the largest weight first. The slots are fetched a batch ahead of their use.
-static paradt_status paradt__set_merge(paradt__set *set, paradt__memory *memory, paradt_index *representative) {
-    enum { BATCH = 32 };
-    size_t slots = 16, i, kept = 0, ahead[BATCH];
-    size_t coordinates = (size_t)set->space.ambient * sizeof(double);
-    paradt_index *table;
-    while (slots < set->count * 2) slots *= 2;
-    table = (paradt_index *)paradt__alloc(memory, slots, sizeof *table);
-    if (!table) return PARADT_ERROR_MEMORY;
-    memset(table, 0xff, slots * sizeof *table);
-    for (i = 0; i < set->count; i++) {
-        const double *record = set->records + i * set->width;
-        size_t slot, next;
-        double *twin = NULL;
-        for (next = i; i % BATCH == 0 && next < i + BATCH && next < set->count; next++) {
-            slot = (size_t)paradt__hash_coordinates(set->records + next * set->width, set->space.ambient) & (slots - 1);
-            PARADT__PREFETCH(table + slot);
-            ahead[next % BATCH] = slot;
-        }
-        slot = ahead[i % BATCH];
-        while (table[slot] >= 0) {
-            twin = set->records + (size_t)table[slot] * set->width;
-            if (!memcmp(twin, record, coordinates)) break;
-            slot = (slot + 1) & (slots - 1);
-            twin = NULL;
-        }
-        if (!twin) {
-            memmove(set->records + kept * set->width, record, set->width * sizeof(double));
-            set->origin[kept] = (paradt_index)i;
-            table[slot] = (paradt_index)kept++;
-        } else if (set->space.weighted &&
-                   paradt__ordered_bits(record[set->space.ambient]) > paradt__ordered_bits(twin[set->space.ambient])) {
-            twin[set->space.ambient] = record[set->space.ambient];
+// Finds the first point at the place of point i, which is a new one's if there is none, from a slot of the table on.
+static void paradt__merge_point(paradt__loader *loader, paradt_index *table, size_t slot, size_t i) {
+    paradt__set *set = loader->set;
+    size_t ambient = (size_t)set->space.ambient;
+    const double *record = set->records + i * set->width;
+    double *twin;
+    for (; table[slot] >= 0; slot = (slot + 1) & (loader->slots - 1)) {
+        twin = set->records + (size_t)table[slot] * set->width;
+        if (memcmp(twin, record, ambient * sizeof(double))) continue;
+        loader->representative[i] = table[slot];
+        if (set->space.weighted && paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(twin[ambient])) {
+            twin[ambient] = record[ambient];
             set->origin[table[slot]] = (paradt_index)i;
         }
-        representative[i] = table[slot];
+        return;
+    }
+    loader->representative[i] = table[slot] = (paradt_index)i;
+}
+
+// Looks at the points whose hash is in the task's share. The slots are fetched a batch ahead of their use.
+static void paradt__merge_task(void *context, size_t index) {
+    enum { BATCH = 32 };
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt__set *set = loader->set;
+    paradt_index *table = loader->table + index * loader->slots;
+    uint64_t tasks = loader->team->tasks;
+    size_t i = 0, points[BATCH], slots[BATCH];
+    memset(table, 0xff, loader->slots * sizeof *table);
+    while (i < set->count) {
+        size_t count = 0, j;
+        for (; i < set->count && count < BATCH; i++) {
+            uint64_t hash = paradt__hash_coordinates(set->records + i * set->width, set->space.ambient);
+            if (tasks > 1 && (hash >> 32) * tasks >> 32 != index) continue;
+            points[count] = i;
+            slots[count] = (size_t)hash & (loader->slots - 1);
+            PARADT__PREFETCH(table + slots[count++]);
+        }
+        for (j = 0; j < count; j++) paradt__merge_point(loader, table, slots[j], points[j]);
+    }
+}
+
+// Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
+// smallest index, with weights the largest weight first.
+static paradt_status paradt__set_merge(paradt__loader *loader, paradt__memory *memory) {
+    paradt__set *set = loader->set;
+    paradt_index *representative = loader->representative;
+    size_t tasks = loader->team->tasks, i, kept = 0;
+    loader->slots = 16;
+    while (loader->slots <= set->count * (tasks > 1 ? 1 : 2)) loader->slots *= 2;
+    loader->table = (paradt_index *)paradt__alloc(memory, tasks * loader->slots, sizeof *loader->table);
+    if (!loader->table) return PARADT_ERROR_MEMORY;
+    paradt__team_run(loader->team, paradt__merge_task, loader);
+    for (i = 0; i < set->count; i++) {
+        if ((size_t)representative[i] != i) {
+            representative[i] = representative[representative[i]];
+            continue;
+        }
+        if (kept < i)
+            memcpy(set->records + kept * set->width, set->records + i * set->width, set->width * sizeof(double));
+        set->origin[kept] = set->origin[i];
+        representative[i] = (paradt_index)kept++;
     }
     for (i = 0; i < set->count; i++) representative[i] = set->origin[representative[i]];
     set->count = kept;
-    paradt__release(memory, table);
+    paradt__release(memory, loader->table);
     return PARADT_OK;
 }
 
@@ -2174,16 +2290,26 @@ static void paradt__set_permute(paradt__set *set) {
     }
 }
 
+static void paradt__measure_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt__set *set = loader->set;
+    size_t i, end = paradt__loader_share(loader, set->count, index, &i);
+    loader->space[index] = set->space;
+    for (; i < end; i++) paradt__space_add(&loader->space[index], set->records + i * set->width);
+}
+
 // Tells the predicates what they may rely on.
-static void paradt__set_measure(paradt__set *set, int dim) {
+static void paradt__set_measure(paradt__loader *loader, int dim) {
+    paradt__space *space = &loader->set->space;
     size_t i;
-    paradt__space_begin(&set->space, dim, set->space.ambient, set->space.weighted);
-    for (i = 0; i < set->count; i++) paradt__space_add(&set->space, set->records + i * set->width);
-    if (dim > 0) paradt__space_end(&set->space);
+    paradt__space_begin(space, dim, space->ambient, space->weighted);
+    paradt__team_run(loader->team, paradt__measure_task, loader);
+    for (i = 0; i < loader->team->tasks; i++) paradt__space_join(space, &loader->space[i]);
+    if (dim > 0) paradt__space_end(space);
 }
 
 // Finds the affine dimension and puts the axes that orient first.
-static void paradt__set_orient(paradt__set *set) {
+static int paradt__set_orient(paradt__set *set) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, i, dim, taken = 0, ambient = set->space.ambient;
     if (set->count) {
@@ -2197,13 +2323,16 @@ static void paradt__set_orient(paradt__set *set) {
         if (!known) set->axes[taken++] = axis;
     }
     paradt__set_permute(set);
-    paradt__set_measure(set, dim);
+    return dim;
 }
 
 // Makes the set of the caller's points. representative: [points->count].
-static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, paradt__memory *memory,
-                                      paradt_index *representative, size_t *bad) {
+static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, const paradt__team *team,
+                                      paradt__memory *memory, paradt_index *representative, size_t *bad) {
+    paradt__loader loader;
     paradt_status status;
+    paradt__loader_begin(&loader, set, points, team);
+    loader.representative = representative;
     memset(set, 0, sizeof *set);
     set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
     set->width = (size_t)points->dim + (points->weights != NULL);
@@ -2211,11 +2340,11 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     set->records = (double *)paradt__alloc(memory, points->count, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, points->count, sizeof(paradt_index));
     if (!set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    status = paradt__set_read(set, points, bad);
-    if (!status) status = paradt__set_merge(set, memory, representative);
+    status = paradt__set_read(&loader, bad);
+    if (!status) status = paradt__set_merge(&loader, memory);
     if (status) return status;
     paradt__set_scale(set);
-    paradt__set_orient(set);
+    paradt__set_measure(&loader, paradt__set_orient(set));
     return PARADT_OK;
 }
 
@@ -5974,7 +6103,7 @@ static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *s
     sorted->origin = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted->origin);
     if (sorted->records && sorted->origin) {
         for (i = 0; i < set->count; i++) {
-            memcpy(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+            paradt__copy_record(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width);
             sorted->origin[i] = order[i].point;
         }
         paradt__bw_span_first(sorted);
@@ -6243,16 +6372,29 @@ typedef struct paradt__partitioner {
     size_t regions;       // in all
     paradt_index *points; // [set.count] permuted, so that a box is a range
     int64_t *keys;        // [set.count] room for the coordinates of a box along one axis, as ordered bits
-    uint32_t *owner;      // [set.count]
+    uint32_t *owner;      // [set.count], or NULL: not asked for
     paradt__part *parts;  // [regions]
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the box at hand, unbounded at +-PARADT__FAR
 } paradt__partitioner;
+
+// A key near the nth smallest: that of a sample.
+static int64_t paradt__pivot_key(const int64_t *keys, size_t count, size_t nth) {
+    enum { SAMPLE = 31 };
+    int64_t sample[SAMPLE];
+    size_t i, j, some = count < SAMPLE ? 1 : SAMPLE;
+    for (i = 0; i < some; i++) {
+        int64_t key = keys[count / some * i + count / some / 2];
+        for (j = i; j > 0 && sample[j - 1] > key; j--) sample[j] = sample[j - 1];
+        sample[j] = key;
+    }
+    return sample[(size_t)((double)nth / (double)count * (double)some)];
+}
 
 // The nth smallest key (quickselect).
 static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
     size_t begin = 0, end = count;
     while (end - begin > 1) {
-        int64_t pivot = keys[begin + (end - begin) / 2];
+        int64_t pivot = paradt__pivot_key(keys + begin, end - begin, nth - begin);
         size_t i = begin, j = end - 1;
         for (;;) {
             int64_t t;
@@ -6288,24 +6430,19 @@ static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, s
                              const double *low, const double *high) {
     double part = (double)share / (double)regions;
     size_t i, nth = (size_t)((double)(end - begin) * part);
-    int64_t key;
     if (p->partition == PARADT_UNIFORM || begin == end) return low[axis] * (1.0 - part) + high[axis] * part;
     for (i = begin; i < end; i++) p->keys[i - begin] = paradt__ordered_bits(paradt__record(p->set, p->points[i])[axis]);
-    key = paradt__select_key(p->keys, end - begin, nth);
-    for (i = begin; i < end; i++) {
-        double x = paradt__record(p->set, p->points[i])[axis];
-        if (paradt__ordered_bits(x) == key) return x;
-    }
-    return low[axis];
+    return paradt__from_ordered_bits(paradt__select_key(p->keys, end - begin, nth));
 }
 
 static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t end, const double *low,
                                   const double *high, size_t first, size_t regions) {
     double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut;
     size_t share = regions / 2, i, middle = begin, bytes = sizeof(double) * (size_t)p->set->space.dim;
+    int64_t bound;
     int axis, longest = 0;
     if (regions == 1) {
-        for (i = begin; i < end; i++) p->owner[p->points[i]] = (uint32_t)first;
+        for (i = begin; i < end && p->owner; i++) p->owner[p->points[i]] = (uint32_t)first;
         p->parts[first].begin = begin;
         p->parts[first].end = end;
         memcpy(p->parts[first].low, p->low, sizeof p->low);
@@ -6321,11 +6458,12 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
         if (above[axis] * 0.5 - below[axis] * 0.5 > above[longest] * 0.5 - below[longest] * 0.5) longest = axis;
     }
     cut = paradt__cut_of(p, begin, end, share, regions, longest, below, above);
+    bound = paradt__ordered_bits(cut);
     for (i = begin; i < end; i++) {
         paradt_index point = p->points[i];
-        if (paradt__ordered_bits(paradt__record(p->set, point)[longest]) >= paradt__ordered_bits(cut)) continue;
-        p->points[i] = p->points[middle];
-        p->points[middle++] = point;
+        p->points[i] = p->points[middle]; // without a branch: half of them would be foreseen wrongly
+        p->points[middle] = point;
+        middle += paradt__ordered_bits(paradt__record(p->set, point)[longest]) < bound;
     }
     {
         double low_cut[PARADT_MAX_DIM], high_cut[PARADT_MAX_DIM], before = p->low[longest], after = p->high[longest];
@@ -6341,8 +6479,8 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
     }
 }
 
-// Fills owner[set->count] with the region of each point, points[set->count] with the positions ordered by region, and
-// parts[regions].
+// Fills owner[set->count] (or NULL) with the region of each point, points[set->count] with the positions ordered by
+// region, and parts[regions].
 static paradt_status paradt__regions_assign(const paradt__set *set, size_t regions, paradt_partition partition,
                                             paradt__memory *memory, uint32_t *owner, paradt_index *points,
                                             paradt__part *parts) {
@@ -6540,7 +6678,7 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     size_t at = patch->bw.count, width = patch->bw.width;
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
-    memcpy(patch->records + at * width, patch->set->records + position * patch->set->width, width * sizeof(double));
+    paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
     patch->origin[at] = (paradt_index)position;
     patch->bw.count++;
     return PARADT_OK;
@@ -7220,7 +7358,7 @@ static void paradt__field_task(void *context, size_t index) {
     }
     for (i = 0; i < count && order; i++) {
         size_t to = part->begin + i;
-        memcpy(permuted->records + to * set->width, paradt__record(set, order[i].point), set->width * sizeof(double));
+        paradt__copy_record(permuted->records + to * set->width, paradt__record(set, order[i].point), set->width);
         permuted->origin[to] = set->origin[order[i].point];
     }
     paradt__release(&region->memory, order);
@@ -7406,9 +7544,7 @@ static paradt_status paradt__permute_set(paradt__work *work) {
     if (!status) status = paradt__run_regions(work, paradt__field_task);
     *set = *permuted;
     paradt__set_free(&view, &work->memory);
-    paradt__release(&work->memory, work->owner); // now a range of positions says it
     paradt__release(&work->memory, work->points);
-    work->owner = NULL;
     work->points = NULL;
     if (status) return status;
     view = *set;
@@ -7528,13 +7664,14 @@ static paradt_status paradt__build_fronts(paradt__work *work) {
 
 static paradt_status paradt__build_regions(paradt__work *work) {
     paradt__memory *memory = &work->memory;
+    int front = paradt__choose_front(work->method) != NULL;
     size_t i;
     paradt_status status;
-    work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
+    if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
     work->points = (paradt_index *)paradt__alloc(memory, work->set.count, sizeof *work->points);
     work->parts = (paradt__part *)paradt__alloc(memory, work->regions, sizeof *work->parts);
     work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if (!work->owner || !work->points || !work->parts || !work->region) return PARADT_ERROR_MEMORY;
+    if ((front && !work->owner) || !work->points || !work->parts || !work->region) return PARADT_ERROR_MEMORY;
     memset(work->region, 0, work->regions * sizeof *work->region);
     status = paradt__regions_assign(&work->set, work->regions, work->options.partition, memory, work->owner,
                                     work->points, work->parts);
@@ -7544,7 +7681,7 @@ static paradt_status paradt__build_regions(paradt__work *work) {
         work->region[i].cells.corners = work->set.space.dim + 1;
     }
     work->cells.corners = work->set.space.dim + 1;
-    return paradt__choose_front(work->method) ? paradt__build_fronts(work) : paradt__build_patches(work);
+    return front ? paradt__build_fronts(work) : paradt__build_patches(work);
 }
 
 // The cell of a set of one point, or of none.
@@ -7668,10 +7805,11 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
 
 static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now(), loaded, sorted;
+    paradt__team team = paradt__team_of(&work->options, work->regions);
     paradt_status status;
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
     if (!out->representative) return PARADT_ERROR_MEMORY;
-    status = paradt__set_load(&work->set, points, &work->memory, out->representative, &out->error_point);
+    status = paradt__set_load(&work->set, points, &team, &work->memory, out->representative, &out->error_point);
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
     loaded = sorted = paradt__now();
@@ -8084,7 +8222,8 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
     out->allocator = part.memory.allocator;
     out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
     if (out->representative)
-        status = paradt__set_load(&part.set, points, &part.memory, out->representative, &out->error_point);
+        status =
+            paradt__set_load(&part.set, points, &paradt__alone, &part.memory, out->representative, &out->error_point);
     if (!status)
         status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
                                         : paradt__remote_trivial(&part, region);
@@ -8247,13 +8386,15 @@ static void paradt__check_measure(paradt__check *check, int dim) {
 
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__set *set = &check->set;
+    paradt__loader loader;
     paradt_status status = PARADT_ERROR_MEMORY;
     size_t bad = 0;
     set->width = (size_t)points->dim + (points->weights != NULL);
     set->records = (double *)paradt__alloc(&check->memory, points->count, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(&check->memory, points->count, sizeof(paradt_index));
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    if (set->records && set->origin) status = paradt__set_read(set, points, &bad);
+    paradt__loader_begin(&loader, set, points, &paradt__alone);
+    if (set->records && set->origin) status = paradt__set_read(&loader, &bad);
     paradt__release(&check->memory, set->origin);
     set->origin = NULL;
     if (status == PARADT_ERROR_NOT_FINITE)
