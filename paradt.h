@@ -2082,11 +2082,9 @@ typedef struct paradt__loader {
     size_t slots;                 // a power of two, more than points
 } paradt__loader;
 
-static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt_points *points,
-                                 const paradt__team *team) {
+static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__team *team) {
     memset(loader, 0, sizeof *loader);
     loader->set = set;
-    loader->points = points;
     loader->team = team;
 }
 
@@ -2128,15 +2126,19 @@ static void paradt__read_task(void *context, size_t index) {
 }
 
 // Copies the records. *bad is the first point with a coordinate or weight that is no number.
-static paradt_status paradt__set_read(paradt__loader *loader, size_t *bad) {
+static paradt_status paradt__set_read(paradt__set *set, const paradt__team *team, const paradt_points *points,
+                                      size_t *bad) {
+    paradt__loader loader;
     size_t i;
-    paradt__team_run(loader->team, paradt__read_task, loader);
-    for (i = 0; i < loader->team->tasks; i++) {
-        if (loader->bad[i] == SIZE_MAX) continue;
-        *bad = loader->bad[i];
+    paradt__loader_begin(&loader, set, team);
+    loader.points = points;
+    paradt__team_run(team, paradt__read_task, &loader);
+    for (i = 0; i < team->tasks; i++) {
+        if (loader.bad[i] == SIZE_MAX) continue;
+        *bad = loader.bad[i];
         return PARADT_ERROR_NOT_FINITE;
     }
-    loader->set->count = loader->points->count;
+    set->count = points->count;
     return PARADT_OK;
 }
 
@@ -2183,15 +2185,17 @@ static void paradt__merge_task(void *context, size_t index) {
 
 // Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
 // smallest index, with weights the largest weight first.
-static paradt_status paradt__set_merge(paradt__loader *loader, paradt__memory *memory) {
-    paradt__set *set = loader->set;
-    paradt_index *representative = loader->representative;
-    size_t tasks = loader->team->tasks, i, kept = 0;
-    loader->slots = 16;
-    while (loader->slots <= set->count * (tasks > 1 ? 1 : 2)) loader->slots *= 2;
-    loader->table = (paradt_index *)paradt__alloc(memory, tasks * loader->slots, sizeof *loader->table);
-    if (!loader->table) return PARADT_ERROR_MEMORY;
-    paradt__team_run(loader->team, paradt__merge_task, loader);
+static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                       paradt_index *representative) {
+    paradt__loader loader;
+    size_t i, kept = 0;
+    paradt__loader_begin(&loader, set, team);
+    loader.representative = representative;
+    loader.slots = 16;
+    while (loader.slots <= set->count * (team->tasks > 1 ? 1 : 2)) loader.slots *= 2;
+    loader.table = (paradt_index *)paradt__alloc(memory, team->tasks * loader.slots, sizeof *loader.table);
+    if (!loader.table) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__merge_task, &loader);
     for (i = 0; i < set->count; i++) {
         if ((size_t)representative[i] != i) {
             representative[i] = representative[representative[i]];
@@ -2204,7 +2208,7 @@ static paradt_status paradt__set_merge(paradt__loader *loader, paradt__memory *m
     }
     for (i = 0; i < set->count; i++) representative[i] = set->origin[representative[i]];
     set->count = kept;
-    paradt__release(memory, loader->table);
+    paradt__release(memory, loader.table);
     return PARADT_OK;
 }
 
@@ -2299,12 +2303,14 @@ static void paradt__measure_task(void *context, size_t index) {
 }
 
 // Tells the predicates what they may rely on.
-static void paradt__set_measure(paradt__loader *loader, int dim) {
-    paradt__space *space = &loader->set->space;
+static void paradt__set_measure(paradt__set *set, const paradt__team *team, int dim) {
+    paradt__space *space = &set->space;
+    paradt__loader loader;
     size_t i;
+    paradt__loader_begin(&loader, set, team);
     paradt__space_begin(space, dim, space->ambient, space->weighted);
-    paradt__team_run(loader->team, paradt__measure_task, loader);
-    for (i = 0; i < loader->team->tasks; i++) paradt__space_join(space, &loader->space[i]);
+    paradt__team_run(team, paradt__measure_task, &loader);
+    for (i = 0; i < team->tasks; i++) paradt__space_join(space, &loader.space[i]);
     if (dim > 0) paradt__space_end(space);
 }
 
@@ -2329,10 +2335,7 @@ static int paradt__set_orient(paradt__set *set) {
 // Makes the set of the caller's points. representative: [points->count].
 static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, const paradt__team *team,
                                       paradt__memory *memory, paradt_index *representative, size_t *bad) {
-    paradt__loader loader;
     paradt_status status;
-    paradt__loader_begin(&loader, set, points, team);
-    loader.representative = representative;
     memset(set, 0, sizeof *set);
     set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
     set->width = (size_t)points->dim + (points->weights != NULL);
@@ -2340,11 +2343,11 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     set->records = (double *)paradt__alloc(memory, points->count, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, points->count, sizeof(paradt_index));
     if (!set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    status = paradt__set_read(&loader, bad);
-    if (!status) status = paradt__set_merge(&loader, memory);
+    status = paradt__set_read(set, team, points, bad);
+    if (!status) status = paradt__set_merge(set, team, memory, representative);
     if (status) return status;
     paradt__set_scale(set);
-    paradt__set_measure(&loader, paradt__set_orient(set));
+    paradt__set_measure(set, team, paradt__set_orient(set));
     return PARADT_OK;
 }
 
@@ -6636,6 +6639,7 @@ typedef struct paradt__patch {
     double *records;                 // [capacity][bw.width]
     paradt_index *origin;            // [capacity] positions in the set
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
+    int spans;                       // 1: the region has points that span the set, and they are the first inserted
     int roomy;                       // all points in K are in the set, with those on its border
     unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
@@ -6682,6 +6686,16 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     patch->origin[at] = (paradt_index)position;
     patch->bw.count++;
     return PARADT_OK;
+}
+
+// Adds the points of a range of positions, for which there is room.
+static void paradt__patch_add_range(paradt__patch *patch, size_t begin, size_t end) {
+    size_t at = patch->bw.count, width = patch->bw.width, i;
+    for (i = begin; i < end; i++, at++) {
+        paradt__copy_record(patch->records + at * width, patch->set->records + i * patch->set->width, width);
+        patch->origin[at] = (paradt_index)i;
+    }
+    patch->bw.count = at;
 }
 
 static int paradt__is_among(const paradt_index *points, int count, size_t position) {
@@ -6775,17 +6789,17 @@ static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole,
     const paradt__field *own = patch->fields + patch->own;
     paradt__set view = own->set;
     const double *points[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim, spans = 0, i;
+    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim, i;
     if (view.count > (size_t)dim) {
         points[0] = view.records;
         view.space.ambient = dim; // only the axes that orient
         view.space.counters = patch->search.space.counters;
-        spans = paradt__span(&view, points, axes, 0, 0) == dim;
+        patch->spans = paradt__span(&view, points, axes, 0, 0) == dim;
         patch->search.space.counters = view.space.counters;
     }
     for (i = 0; i <= dim; i++) {
         basis[i] = whole[i];
-        if (spans) basis[i] = (paradt_index)(own->begin + (size_t)(points[i] - view.records) / view.width);
+        if (patch->spans) basis[i] = (paradt_index)(own->begin + (size_t)(points[i] - view.records) / view.width);
     }
 }
 
@@ -6795,8 +6809,8 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     const paradt__field *own = patch->fields + patch->own;
     paradt_index basis[PARADT_MAX_DIM + 1];
     paradt__keyed *margin = NULL;
-    int dim = patch->set->space.dim;
-    size_t count, early, i;
+    int dim = patch->set->space.dim, j;
+    size_t begin = own->begin, end = begin + own->set.count, count, early, stop, i;
     paradt_status status;
     paradt__patch_basis(patch, whole, basis);
     status = paradt__patch_find_margin(patch, basis);
@@ -6811,8 +6825,10 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
     for (i = 0; i < early && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i].point);
     patch->own_begin = (paradt_index)patch->bw.count;
-    for (i = own->begin; i < own->begin + own->set.count && !status; i++) {
-        if (!paradt__is_among(basis, dim + 1, i)) status = paradt__patch_add(patch, i);
+    for (i = begin; i < end && !status; i = stop + 1) { // up to the next point of the basis
+        for (stop = end, j = 0; j <= dim; j++)
+            stop = (size_t)basis[j] >= i && (size_t)basis[j] < stop ? (size_t)basis[j] : stop;
+        paradt__patch_add_range(patch, i, stop);
     }
     patch->own_end = (paradt_index)patch->bw.count;
     for (i = early; i < count && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i].point);
@@ -6875,24 +6891,42 @@ static paradt_status paradt__patch_states(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, which are those of the
-// basis. Places that are free stay out of it.
-static paradt_status paradt__patch_suspects(paradt__patch *patch) {
+// Lists the ghosts, which are connected, and the cells on them.
+static paradt_status paradt__patch_suspect_hull(paradt__patch *patch) {
     paradt__bw *bw = &patch->bw;
-    int corners = bw->cells.corners, i;
-    size_t cell;
-    paradt_status status = paradt__patch_states(patch);
-    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
-    for (cell = 0; cell < bw->cells.count && !status; cell++) {
-        const paradt_index *vertices = bw->cells.vertices + cell * (size_t)corners;
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, corners, PARADT__NOWHERE))) continue;
-        status = paradt__patch_wait(patch, (paradt_index)cell);
-        i = paradt__bw_ghost(vertices, corners);
-        if (i >= 0 && patch->state[cell] == PARADT__WAITING && !status) {
+    int corners = bw->cells.corners, ghost = -1, i;
+    size_t cell, next;
+    paradt_status status;
+    for (cell = 0; ghost < 0; cell++) {
+        if (patch->state[cell] != PARADT__ASKED) // free places are marked so
+            ghost = paradt__bw_ghost(bw->cells.vertices + cell * (size_t)corners, corners);
+    }
+    status = paradt__patch_wait(patch, (paradt_index)(cell - 1));
+    for (next = 0; next < patch->list_count && !status; next++) {
+        cell = (size_t)patch->list[next];
+        if (paradt__bw_ghost(bw->cells.vertices + cell * (size_t)corners, corners) < 0) continue;
+        for (i = 0; i < corners && !status; i++) {
             paradt_index handle = bw->cells.neighbors[cell * (size_t)corners + (size_t)i];
             status = paradt__patch_wait(patch, paradt__bw_cell(bw, handle));
         }
     }
+    return status;
+}
+
+// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, which are those of a basis
+// that is not the region's. Places that are free stay out of it.
+static paradt_status paradt__patch_suspects(paradt__patch *patch) {
+    paradt__bw *bw = &patch->bw;
+    int corners = bw->cells.corners;
+    size_t cell;
+    paradt_status status = paradt__patch_states(patch);
+    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
+    for (cell = 0; cell < bw->cells.count && !patch->spans && !status; cell++) {
+        const paradt_index *vertices = bw->cells.vertices + cell * (size_t)corners;
+        if (!paradt__vertices_among(vertices, corners, corners, PARADT__NOWHERE))
+            status = paradt__patch_wait(patch, (paradt_index)cell);
+    }
+    if (!status) status = paradt__patch_suspect_hull(patch);
     for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__UNKNOWN;
     return status;
 }
@@ -7390,15 +7424,21 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
+// Are the cells of the region in a slice of the result that they are not moved from yet? The first two slices' cells
+// can go to their places while they are written: there is nothing between them that anyone reads.
+static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
+    return index > 1 && work->cells.vertices == work->slices.vertices;
+}
+
 // By insertion, last step: into the result, or together at the begin of the region's slice.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__cells *own = &region->patch.bw.cells;
     size_t first = region->offset * (size_t)own->corners;
-    int in_place = work->cells.vertices == work->slices.vertices;
-    paradt__patch_emit_vertices(&region->patch, in_place ? own->vertices : work->cells.vertices + first);
-    region->status = paradt__patch_emit_links(&region->patch, in_place ? own->neighbors : work->cells.neighbors + first,
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__patch_emit_vertices(&region->patch, stays ? own->vertices : work->cells.vertices + first);
+    region->status = paradt__patch_emit_links(&region->patch, stays ? own->neighbors : work->cells.neighbors + first,
                                               region->offset);
 }
 
@@ -7494,13 +7534,13 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     return status;
 }
 
-// The slices' cells are at their begins: closes the gaps between them.
+// Other slices' cells are at their begins: closes the gaps between them.
 static void paradt__close_slices(paradt__work *work) {
     size_t corners = (size_t)work->cells.corners, i;
     for (i = 0; i < work->regions; i++) {
         const paradt__patch *patch = &work->region[i].patch;
         size_t first = work->region[i].offset * corners, bytes = patch->bw.cells.count * corners * sizeof(paradt_index);
-        if (!bytes) continue;
+        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
         memmove(work->cells.vertices + first, patch->bw.cells.vertices, bytes);
         memmove(work->cells.neighbors + first, patch->bw.cells.neighbors, bytes);
     }
@@ -7625,8 +7665,8 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
     if (!status && cells->capacity > cells->count + cells->count / 8 + 64) {
         void *vertices = cells->vertices;
         size_t used = cells->count * corners;
-        if (paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index)))
-            cells->vertices = (paradt_index *)vertices;
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        cells->vertices = (paradt_index *)vertices;
     }
     return status;
 }
@@ -8386,15 +8426,13 @@ static void paradt__check_measure(paradt__check *check, int dim) {
 
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__set *set = &check->set;
-    paradt__loader loader;
     paradt_status status = PARADT_ERROR_MEMORY;
     size_t bad = 0;
     set->width = (size_t)points->dim + (points->weights != NULL);
     set->records = (double *)paradt__alloc(&check->memory, points->count, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(&check->memory, points->count, sizeof(paradt_index));
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    paradt__loader_begin(&loader, set, points, &paradt__alone);
-    if (set->records && set->origin) status = paradt__set_read(&loader, &bad);
+    if (set->records && set->origin) status = paradt__set_read(set, &paradt__alone, points, &bad);
     paradt__release(&check->memory, set->origin);
     set->origin = NULL;
     if (status == PARADT_ERROR_NOT_FINITE)

@@ -952,7 +952,8 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
         set->origin[i] = (paradt_index)i;
     }
     set->count = w->received_count = count;
-    return paradt__set_merge(set, &w->memory, w->twin); // ids ascend, so the smallest index is the smallest id
+    return paradt__set_merge(set, &paradt__alone, &w->memory,
+                             w->twin); // ids ascend, so the smallest index is the smallest id
 }
 
 // Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that.
@@ -1033,7 +1034,7 @@ static void paradt_mpi__measure(paradt_mpi__work *w, int dim) {
     int64_t facts[6 + 2 * PARADT_MAX_DIM];
     paradt__range *ranges[2];
     int j;
-    paradt__set_measure(&w->set, dim);
+    paradt__set_measure(&w->set, &paradt__alone, dim);
     ranges[0] = &space->coordinates;
     ranges[1] = &space->weights;
     for (j = 0; j < 2; j++) {

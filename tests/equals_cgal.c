@@ -77,9 +77,7 @@ static void large_sets_equal_cgals(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++)
         for (int w = 0; w < 2; w++) {
-            int f = 0;
-            while (strcmp(families[f].name, chosen[i]) != 0)
-                f++;
+            int f = family_named(chosen[i]);
             sample s = family_make(&families[f], &weightings[w], 3, 20000, 5);
             expect_cgals_cells(&s, (int)(i + (size_t)w) % PARADT_METHOD_COUNT, 0);
             sample_free(&s);

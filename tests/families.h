@@ -463,6 +463,14 @@ static const weighting weightings[] = {
 };
 enum { WEIGHTING_COUNT = sizeof weightings / sizeof weightings[0] };
 
+// The number of a family, or of none: FAMILY_COUNT.
+static inline int family_named(const char *name) {
+    int f = 0;
+    while (f < FAMILY_COUNT && strcmp(families[f].name, name) != 0)
+        f++;
+    return f;
+}
+
 static inline sample family_make(const family *f, const weighting *w, int dim, int count, uint64_t seed) {
     uint64_t state = seed * 1000003u + (uint64_t)dim;
     char name[96];

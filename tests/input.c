@@ -97,9 +97,7 @@ static void a_negative_zero_is_a_zero(void **state) {
     (void)state;
     for (int dim = 2; dim <= 5; dim++)
         for (uint64_t seed = 1; seed < 20; seed++) {
-            int f = 0;
-            while (strcmp(families[f].name, "signed zeros") != 0)
-                f++;
+            int f = family_named("signed zeros");
             sample s = family_make(&families[f], NULL, dim, 24, seed);
             paradt_points points = points_of(&s);
             cell_set with = triangulate_points(&points, NULL);

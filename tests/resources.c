@@ -112,7 +112,12 @@ static int next_scene(int number, scene *out) {
         size_t regions;
         paradt_partition partition;
         int threads;
-    } ways[] = {{0, PARADT_BISECTION, 0}, {3, PARADT_BISECTION, 0}, {4, PARADT_UNIFORM, 0}, {3, PARADT_BISECTION, 1}};
+        unsigned flags;
+    } ways[] = {{0, PARADT_BISECTION, 0, 0},
+                {3, PARADT_BISECTION, 0, 0},
+                {3, PARADT_BISECTION, 0, PARADT_NO_NEIGHBORS},
+                {4, PARADT_UNIFORM, 0, 0},
+                {3, PARADT_BISECTION, 1, 0}};
     enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
     int input = number % INPUTS, way = number / INPUTS % WAYS, method = number / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
@@ -124,6 +129,7 @@ static int next_scene(int number, scene *out) {
     out->options.regions = ways[way].regions;
     out->options.partition = ways[way].partition;
     out->options.parallel_for = ways[way].threads ? run_on_threads : NULL;
+    out->options.flags = ways[way].flags;
     return 1;
 }
 
@@ -347,6 +353,7 @@ static void without_neighbors_the_cells_are_the_same(void **state) {
         paradt_points points = points_of(&c.s);
         paradt_triangulation with, without;
         paradt_fault fault;
+        c.options.flags = 0;
         assert_int_equal(paradt_triangulate(&with, &points, &c.options), PARADT_OK);
         c.options.flags = PARADT_NO_NEIGHBORS;
         assert_int_equal(paradt_triangulate(&without, &points, &c.options), PARADT_OK);
@@ -359,6 +366,52 @@ static void without_neighbors_the_cells_are_the_same(void **state) {
         paradt_free(&with);
         paradt_free(&without);
         sample_free(&c.s);
+    }
+}
+
+// The links of one region at a time, of five.
+static void large_sets_without_neighbors_take_220_bytes_a_point(void **state) {
+    int f = family_named("uniform");
+    sample s = family_make(&families[f], NULL, 3, 500000, 1);
+    paradt_points points = points_of(&s);
+    paradt_options options = {0};
+    paradt_triangulation t;
+    books b = books_open();
+    (void)state;
+    keep_books(&options, &b);
+    options.flags = PARADT_NO_NEIGHBORS;
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+    assert_true(t.stats.peak_bytes >= b.peak);
+    assert_in_range(b.peak, 1, 220 * points.count);
+    paradt_free(&t);
+    assert_int_equal(b.live, 0);
+    sample_free(&s);
+}
+
+// On points of one sphere the questions of regions take long. Without neighbours, when regions are built in turn only to save
+// memory, they are given up for the sake of time; on other sets they are not.
+static void regions_in_turn_give_up_on_a_sphere(void **state) {
+    static const struct {
+        const char *family;
+        int gives_up;
+    } cases[] = {{"cospherical", 1}, {"uniform", 0}, {"clusters", 0}, {"lattice", 0}, {"sphere", 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        sample s = family_make(&families[family_named(cases[i].family)], NULL, 3, 3000, 1);
+        paradt_points points = points_of(&s);
+        paradt_options options = {0};
+        paradt_triangulation whole, t;
+        assert_int_equal(paradt_triangulate(&whole, &points, &options), PARADT_OK);
+        options.flags = PARADT_NO_NEIGHBORS;
+        options.regions = 4;
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        assert_true(paradt_hash(&t) == paradt_hash(&whole));
+        assert_true(t.stats.hull_facets == whole.stats.hull_facets);
+        if (t.stats.regions != (cases[i].gives_up ? 1 : 4))
+            fail_on_sample(&s, "the number of regions built");
+        paradt_free(&whole);
+        paradt_free(&t);
+        sample_free(&s);
     }
 }
 
@@ -469,9 +522,7 @@ static void auto_gives_up_searching_where_ties_abound(void **state) {
                  {"lattice", 4, 600, 1}, {"lattice", 5, 600, 1}, {"lattice", 5, 300, 3}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        int f = 0, ties = strcmp(cases[i].family, "lattice") == 0;
-        while (strcmp(families[f].name, cases[i].family) != 0)
-            f++;
+        int f = family_named(cases[i].family), ties = strcmp(cases[i].family, "lattice") == 0;
         sample s = family_make(&families[f], NULL, cases[i].dim, cases[i].count, 2);
         paradt_points points = points_of(&s);
         uint64_t hashes[2], looked_at[2];
@@ -501,6 +552,8 @@ int main(void) {
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_progress_call_can_cancel),
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
+        cmocka_unit_test(large_sets_without_neighbors_take_220_bytes_a_point),
+        cmocka_unit_test(regions_in_turn_give_up_on_a_sphere),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
         cmocka_unit_test(a_small_stack_is_enough),
         cmocka_unit_test(searches_look_at_few_points),

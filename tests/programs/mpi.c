@@ -197,12 +197,6 @@ static void same_cells_on_family(const family *f, const weighting *w, int dim, i
     sample_free(&s);
 }
 
-static const family *family_named(const char *name) {
-    for (int f = 0; f < FAMILY_COUNT; f++)
-        if (strcmp(families[f].name, name) == 0) return &families[f];
-    return NULL;
-}
-
 static void same_cells_on_families(void) {
     static const int counts[] = {0, 0, 250, 200, 60, 25};
     for (int dim = 2; dim <= 5; dim++) {
@@ -220,7 +214,7 @@ static void same_cells_with_weights(void) {
     for (int dim = 2; dim <= 4; dim++) {
         for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
             for (int v = 1; v < WEIGHTING_COUNT; v++)
-                same_cells_on_family(family_named(names[i]), &weightings[v], dim, counts[dim], (uint64_t)(v + i), 4);
+                same_cells_on_family(&families[family_named(names[i])], &weightings[v], dim, counts[dim], (uint64_t)(v + i), 4);
             finish_test("same cells with weights: %s, d = %d", names[i], dim);
         }
     }
@@ -232,7 +226,7 @@ static void same_cells_of_many_points(void) {
                                         "fcc",     "cube surface", "near plane", "duplicates", "cylinder"};
     for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
         for (int dim = 2; dim <= 3; dim++) {
-            sample s = family_make(family_named(names[i]), NULL, dim, 4000, (uint64_t)i);
+            sample s = family_make(&families[family_named(names[i])], NULL, dim, 4000, (uint64_t)i);
             for (int j = 1; j < SIZES; j += 2) check_sample(&s, comms[j], (sharing)(j % SHARINGS), NULL);
             check_sample(&s, comms[SIZES - 1], DEALT, NULL);
             sample_free(&s);
@@ -245,7 +239,7 @@ static void same_cells_of_few_points(void) {
     for (int count = 0; count <= 9; count++) {
         for (int dim = 2; dim <= 4; dim++) {
             for (int seed = 0; seed < 3; seed++) {
-                const family *f = family_named(seed ? "lattice" : "uniform");
+                const family *f = &families[family_named(seed ? "lattice" : "uniform")];
                 sample s = family_make(f, NULL, dim, count, (uint64_t)seed);
                 check_sample(&s, comms[SIZES - 1], (sharing)(seed + 1), NULL);
                 check_sample(&s, comms[2], (sharing)seed, NULL);
@@ -262,7 +256,7 @@ static void same_cells_of_replicated_points(void) {
         for (int v = 0; v < 4; v += 3) {
             for (int j = 0; j < SIZES; j++) {
                 paradt_mpi_options options;
-                sample s = family_make(family_named(names[i]), &weightings[v], 2 + j % 3, 200, (uint64_t)i);
+                sample s = family_make(&families[family_named(names[i])], &weightings[v], 2 + j % 3, 200, (uint64_t)i);
                 memset(&options, 0, sizeof options);
                 options.flags = PARADT_MPI_REPLICATED;
                 options.local.method = j % 2 ? PARADT_DEWALL : PARADT_INCODE;
@@ -278,7 +272,7 @@ static void same_cells_of_replicated_points(void) {
 static void same_cells_by_other_options(void) {
     for (int m = 0; m < PARADT_METHOD_COUNT; m++) {
         paradt_mpi_options options;
-        sample s = family_make(family_named("lattice off by ulps"), NULL, 3, 500, 1);
+        sample s = family_make(&families[family_named("lattice off by ulps")], NULL, 3, 500, 1);
         memset(&options, 0, sizeof options);
         options.local.method = (paradt_method)m;
         options.local.partition = m % 2 ? PARADT_UNIFORM : PARADT_BISECTION;
@@ -325,7 +319,7 @@ static void errors_are_agreed_on(void) {
     paradt_mpi_triangulation t;
     for (int culprit = 0; culprit < 4; culprit++) {
         int order[400], good = 1, cancel = rank == culprit;
-        sample s = family_make(family_named("uniform"), NULL, 3, 400, 5),
+        sample s = family_make(&families[family_named("uniform")], NULL, 3, 400, 5),
                share = share_of(&s, BLOCKS, rank % 4, 4, order);
         paradt_points points = points_of(&share), wrong = points;
         paradt_mpi_options options;
@@ -365,7 +359,7 @@ static void errors_are_agreed_on(void) {
 
 // Every allocation of one rank fails once; nothing is kept, nobody waits for ever.
 static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
-    sample s = family_make(family_named("uniform"), &weightings[weighted], 3, 120, 5);
+    sample s = family_make(&families[family_named("uniform")], &weightings[weighted], 3, 120, 5);
     int order[120], culprit = 1;
     sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
     paradt_points points = flags ? points_of(&s) : points_of(&share);
@@ -394,7 +388,7 @@ static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
 }
 
 static void empty_communicator_of_one(void) {
-    sample s = family_make(family_named("uniform"), NULL, 2, 50, 1);
+    sample s = family_make(&families[family_named("uniform")], NULL, 2, 50, 1);
     check_sample(&s, MPI_COMM_SELF, BLOCKS, NULL);
     sample_free(&s);
     finish_test("all ranks alone at once");
