@@ -1014,8 +1014,8 @@ static double paradt__quantum(int exponent) {
 //          d + 1 <= 9 additions, and 3 for the last product and sum: 19
 //   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
 //   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
-// so the error is at most c u n! P to first order. Twice that is taken, for the higher orders, for m_j being computed
-// values and for the roundings of the bound itself.
+// so the error is at most c u S to first order, S the sum of the monomials' sizes, and S <= n! P. Twice that is taken,
+// for the higher orders, for m_j being computed values and for the roundings of the bound itself.
 //
 // Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
 // 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
@@ -1170,6 +1170,23 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
                           &s->insphere[2]);
 }
 
+// The sum of the sizes of all monomials of four rows: never larger than 24 times the product of the columns' largest
+// entries, and much smaller where some rows are, as among points on a curve.
+static double paradt__monomials4(const double *x, const double *y, const double *z, const double *lift) {
+    double a[4], b[4], c[4], sum = 0;
+    for (int i = 0; i < 4; i++) {
+        a[i] = paradt__abs(x[i]);
+        b[i] = paradt__abs(y[i]);
+        c[i] = paradt__abs(z[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        int j = (i + 1) & 3, k = (i + 2) & 3, l = (i + 3) & 3;
+        sum += lift[i] * ((a[j] * b[k] + a[k] * b[j]) * c[l] + (a[k] * b[l] + a[l] * b[k]) * c[j] +
+                          (a[l] * b[j] + a[j] * b[l]) * c[k]);
+    }
+    return sum;
+}
+
 PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[4];
     double x[4], y[4], z[4], lift[4], size[4], det;
@@ -1187,7 +1204,9 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
-    return paradt__decide(s, det, largest, &s->insphere[3]);
+    int sign = paradt__decide(s, det, largest, &s->insphere[3]);
+    if (sign != PARADT__UNDECIDED) return sign;
+    return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
 }
 
 // Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
@@ -4985,6 +5004,7 @@ typedef struct paradt__bw {
     const double *records; // [count][width] in the order of insertion
     size_t width, count;
     size_t inserted;         // points so far
+    double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
     paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
     unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
     paradt_index *spare;     // [spare_capacity] places that are free
@@ -5060,13 +5080,18 @@ static size_t paradt__bw_places(size_t count, int dim) {
     return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
 }
 
-// The number of cells to make room for when `needed` is too much for now: what the cells per point so far let expect,
-// and somewhat more, for they become more.
-static size_t paradt__bw_expected(const paradt__bw *bw, size_t needed) {
+// The number of cells to make room for when `needed` is too much for now: what the cells per point now, and what they
+// were when there was last made room, let expect, and somewhat more. Along curves they grow with the points.
+static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
-    double expected = (double)needed / ((double)bw->inserted + 1.0) * (double)bw->count * PARADT__EXPECT_MORE;
+    double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
+    int known = bw->rate_at > count / 32 && inserted > bw->rate_at; // before, the hull has too large a share
+    double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
+    double expected = (rate + rise * (count - inserted)) * count * PARADT__EXPECT_MORE;
     double most = dim <= 3 ? (double)paradt__bw_places(bw->count, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
+    bw->rate = rate;
+    bw->rate_at = inserted;
     if (expected > most && (double)least < most) expected = most;
     return bw->inserted > bw->count / 32 && expected > (double)least ? (size_t)expected : least;
 }
@@ -5408,16 +5433,32 @@ PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__see
     return cell;
 }
 
+PARADT__INLINE void paradt__bw3_corners(const paradt__bw *bw, paradt_index cell, const double *x, const double **p) {
+    int i;
+    for (i = 0; i < 4; i++) p[i] = paradt__bw_record(bw, bw->cells.vertices[4 * (size_t)cell + (size_t)i]);
+    p[4] = x;
+}
+
 // Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
 PARADT__INLINE unsigned paradt__bw3_tie(paradt__bw *bw, paradt_index cell, const double *x) {
-    const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)cell;
     const double *p[PARADT_MAX_DIM + 2];
-    int i;
-    for (i = 0; i < 4; i++) p[i] = paradt__bw_record(bw, vertices[i]);
-    p[4] = x;
+    paradt__bw3_corners(bw, cell, x, p);
     bw->space.counters.insphere_calls++;
     bw->space.counters.exact_small++;
     return (unsigned)paradt__perturbed(&bw->space, p);
+}
+
+// Is the cell in conflict with the point? Where nothing is known.
+PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int sign;
+    if (!paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
+        return (unsigned)paradt__bw_conflicts(bw, cell, x);
+    paradt__bw3_corners(bw, cell, x, p);
+    bw->space.counters.insphere_calls++;
+    sign = paradt__filter_insphere3(&bw->space, p, 3, 0);
+    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&bw->space, p);
+    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&bw->space, p));
 }
 
 // Is the cell in conflict with the point? Where its sphere is not in the table, or the power does not tell. Marks of
@@ -5439,7 +5480,7 @@ PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, 
     power = paradt__sphere3_power(sphere, seen);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
     if (paradt__abs(power) + sphere->error < s->nil) return paradt__bw3_tie(bw, cell, x);
-    return (unsigned)paradt__bw_conflicts(bw, cell, x);
+    return paradt__bw3_decide(bw, cell, x);
 }
 
 // What the search for the cavity works with
