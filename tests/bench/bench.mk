@@ -27,9 +27,9 @@ $(B)/library-native.o: tests/bench/library.c paradt.h
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) -march=native $(DEPENDS) -c -o $@ $<
 
-$(B)/points: tests/bench/points.c
+$(B)/points: tests/bench/points.c $(B)/library.o
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(DEPENDS) -o $@ $<
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lm
 
 $(B)/predicates: tests/bench/predicates_bench.c paradt.h
 	@mkdir -p $(@D)

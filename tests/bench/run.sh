@@ -3,7 +3,8 @@
 # also to standard output, from the raw lines in build/bench/runs.json. Run it from the top folder, as `make bench` does.
 #
 #   BENCH=full|quick          everything (an hour or more), or small sets of a few families (a few minutes)
-#   BENCH_SECTIONS="..."      of families sizes dimensions weighted threads small predicates; all by default
+#   BENCH_SECTIONS="..."      of families sizes scans dimensions weighted threads small predicates; all by default
+#   BENCH_SCANS="..."         files of points in space for the section scans; none by default
 #   BENCH_METHODS="..."       methods of ParaDT; auto incode dewall by default
 #   BENCH_PEERS="..."         peers; all that can be built by default
 #   BENCH_LIMIT=SECONDS       after which a run is stopped; 120 by default, 20 for quick
@@ -133,6 +134,7 @@ run() {
 
 # --- one case ---------------------------------------------------------------------------------------------------------
 # measure SECTION KIND N D WEIGHTED CALLS REFERENCE PROGRAMS...
+# KIND may be a file, whose number of points is found out.
 # Programs run by turns, each right after the reference or after others that together took no longer than it does, so
 # that the two times of a ratio are near each other. Rounds are repeated three times or more. A slow or failing program
 # is not repeated; one that was stopped is not tried on larger sets.
@@ -143,9 +145,15 @@ measure() {
     section=$1 kind=$2 n=$3 d=$4 weighted=$5 calls=$6 reference=$7
     shift 7
     available "$reference" || { echo "$section: $kind $n left out, for want of $reference"; return; }
-    echo "$section: $kind $n, d = $d"
     rm -f "$POINTS"
-    "$B/points" "gen:$kind:$((n * calls)):1" "$d" "$weighted" "$POINTS" || return
+    if [ -f "$kind" ]; then
+        "$B/points" "$kind" "$d" "$weighted" "$POINTS" || return
+        n=$(od -An -t u8 -j 8 -N 8 "$POINTS" | tr -d ' ')
+        kind=$(basename "$kind")
+    else
+        "$B/points" "gen:$kind:$((n * calls)):1" "$d" "$weighted" "$POINTS" || return
+    fi
+    echo "$section: $kind $n, d = $d"
     if [ "$n" -gt 200000 ]; then rounds=3; elif [ "$n" -gt 20000 ]; then rounds=5; else rounds=9; fi
     [ "$BENCH" = full ] || rounds=3
     slow=
@@ -176,7 +184,7 @@ measure() {
 
 # --- the cases --------------------------------------------------------------------------------------------------------
 
-SECTIONS=${BENCH_SECTIONS:-families sizes dimensions weighted threads small predicates}
+SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted threads small predicates}
 wants() { case " $SECTIONS " in *" $1 "*) ;; *) false ;; esac; }
 
 # The first word of a list, for the method that stands for ParaDT where one is enough.
@@ -204,6 +212,11 @@ measure_all() {
         measure sizes cospherical 10000 3 0 1 cgal $METHODS tetgen hxt
         measure sizes duplicates "$large" 3 0 1 cgal $METHODS tetgen hxt
         if [ "$BENCH" = full ]; then measure sizes uniform 5000000 3 0 1 cgal "$main" hxt; fi
+    fi
+    if wants scans; then
+        for file in ${BENCH_SCANS:-}; do
+            measure scans "$file" 0 3 0 1 cgal $METHODS tetgen hxt
+        done
     fi
     if wants dimensions; then
         for n in $sizes; do
