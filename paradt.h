@@ -5087,7 +5087,8 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
     int known = bw->rate_at > count / 32 && inserted > bw->rate_at; // before, the hull has too large a share
     double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
-    double expected = (rate + rise * (count - inserted)) * count * PARADT__EXPECT_MORE;
+    double more = rise * (count - inserted),
+           expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
     double most = dim <= 3 ? (double)paradt__bw_places(bw->count, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     bw->rate = rate;
