@@ -17,7 +17,7 @@ PARALLEL = $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run test bench thesis clean help test-programs
+.PHONY: all run test bench thesis study clean help test-programs
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -133,6 +133,13 @@ bench: ## Compare speed and memory with the peers that Debian packages (CGAL, Te
 
 thesis: $(TOOLS) ## Repeat the thesis' experiment over MPI, beside its own figures (about 20 minutes)
 	sh tests/bench/thesis.sh
+
+$(BUILD)/bench/study: tests/bench/study.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -Itests/bench/alone -I. -o $@ $< -pthread -lm
+
+study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
+	sh tests/bench/study.sh
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

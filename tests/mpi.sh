@@ -136,6 +136,12 @@ report $? writes_a_piece_for_each_rank "$work/log"
     awk '{ sum += $NF } END { print sum }')" = "$(awk 'NR == 1 { print $1 }' "$work/serial.ele")" ]
 report $? pieces_have_every_cell_once
 
+# --- the study's own MPI of one process
+
+$CC -O2 -Wall -Wextra -Wshadow -Werror -Itests/bench/alone -I. -o "$work/study" tests/bench/study.c -pthread -lm \
+    2>"$work/log" && timeout 200 "$work/study" gen:clusters:20000:1 1 2 7 100 >>"$work/log" 2>&1
+report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
+
 echo "1..$number"
 
 # --- the cells: a program of its own, whose plan and lines follow

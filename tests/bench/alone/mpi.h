@@ -1,0 +1,370 @@
+// An MPI of one process, for measuring: ranks are threads that run one at a time, each until it has to wait for others.
+// So what a rank does between two calls is timed alone, whatever the number of ranks, and what its calls would send is
+// counted. It has just what paradt_mpi.h and study.c call.
+//
+// The clock of the ranks. A collective call ends a step: the time of the whole grows by that of the step's slowest rank
+// (in CPU time of its thread), and by what the step's messages cost: for the rank that sends and gets the most,
+// LATENCY for each message and 1 / BANDWIDTH for each byte, both ways counted; for the collective call itself LATENCY
+// for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it.
+#ifndef ALONE_MPI_H
+#define ALONE_MPI_H
+
+#include <pthread.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+typedef int MPI_Comm, MPI_Status, MPI_Request;
+typedef enum { MPI_BYTE, MPI_UINT8_T, MPI_INT, MPI_INT64_T, MPI_UINT64_T, MPI_DOUBLE } MPI_Datatype;
+typedef enum { MPI_SUM, MPI_MIN, MPI_MAX } MPI_Op;
+
+enum { MPI_COMM_WORLD = 0, MPI_SUCCESS = 0, ALONE_MOST_RANKS = 1024 };
+#define MPI_IN_PLACE      ((void *)-1)
+#define MPI_STATUS_IGNORE NULL
+
+static const double ALONE_LATENCY = 2e-6, ALONE_BANDWIDTH = 1e10; // seconds a message, bytes a second
+
+typedef struct alone_message {
+    struct alone_message *next;
+    int from;
+    size_t bytes;
+    char *data;
+} alone_message;
+
+typedef struct alone_rank {
+    pthread_t thread;
+    pthread_cond_t turn;
+    const void *in; // of the collective call that it waits in
+    void *out;
+    double began;                 // the thread's time when the last call ended
+    double step, messages, bytes; // of this step
+    double work;                  // of all steps
+    int ended;
+    alone_message *mail; // sent to it, first come first
+    alone_message **last;
+} alone_rank;
+
+static struct {
+    int ranks, runs; // runs: whose turn it is
+    pthread_mutex_t lock;
+    alone_rank rank[ALONE_MOST_RANKS];
+    int arrived; // at the collective call at hand
+    unsigned long calls;
+    double computing, talking; // seconds of the whole
+    void (*program)(int rank);
+} alone;
+
+static _Thread_local int alone_me;
+static _Thread_local struct {
+    char *data;
+    int from; // negative: a send, done already
+} alone_requests[2 * ALONE_MOST_RANKS + 64];
+static _Thread_local int alone_request_count;
+
+static double alone_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static alone_rank *alone_enter(void) {
+    alone_rank *me = &alone.rank[alone_me];
+    me->step += alone_now() - me->began;
+    return me;
+}
+
+static int alone_leave(void) {
+    alone.rank[alone_me].began = alone_now();
+    return MPI_SUCCESS;
+}
+
+// Gives the turn to the next rank that has not ended.
+static void alone_pass(void) {
+    int next = alone_me;
+    do next = (next + 1) % alone.ranks;
+    while (alone.rank[next].ended && next != alone_me);
+    alone.runs = next;
+    pthread_cond_signal(&alone.rank[next].turn);
+}
+
+static void alone_await_turn(void) {
+    while (alone.runs != alone_me) pthread_cond_wait(&alone.rank[alone_me].turn, &alone.lock);
+}
+
+// Lets the others run until it is this one's turn again.
+static void alone_yield(void) {
+    pthread_mutex_lock(&alone.lock);
+    alone_pass();
+    alone_await_turn();
+    pthread_mutex_unlock(&alone.lock);
+}
+
+// received: bytes that each rank gets in the call that ends the step
+static void alone_end_step(double received) {
+    double slowest = 0, longest = 0, rounds = 0;
+    for (int r = 0; r < alone.ranks; r++) {
+        alone_rank *rank = &alone.rank[r];
+        double talk = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
+        slowest = rank->step > slowest ? rank->step : slowest;
+        longest = talk > longest ? talk : longest;
+        rank->work += rank->step;
+        rank->step = rank->messages = rank->bytes = 0;
+    }
+    for (int reached = 1; reached < alone.ranks; reached *= 2) rounds++;
+    alone.computing += slowest;
+    alone.talking += longest + rounds * ALONE_LATENCY + (alone.ranks > 1 ? received / ALONE_BANDWIDTH : 0);
+}
+
+// All ranks come here with their `in` and `out`; the last one lets `finish` move the data of all of them.
+static int alone_collective(const void *in, void *out, double received, void (*finish)(void *facts), void *facts) {
+    alone_rank *me = alone_enter();
+    unsigned long call = alone.calls;
+    me->in = in == MPI_IN_PLACE ? out : in;
+    me->out = out;
+    if (++alone.arrived == alone.ranks) {
+        finish(facts);
+        alone_end_step(received);
+        alone.arrived = 0;
+        alone.calls++;
+    }
+    while (alone.calls == call) alone_yield();
+    return alone_leave();
+}
+
+// --- the calls
+
+static size_t alone_size(MPI_Datatype type) {
+    static const size_t sizes[] = {1, 1, sizeof(int), 8, 8, 8};
+    return sizes[type];
+}
+
+typedef struct alone_facts {
+    size_t count;
+    MPI_Datatype type;
+    MPI_Op op;
+    int root;
+} alone_facts;
+
+#define ALONE_COMBINE(name, value)                                                                                     \
+    static void name(value *sum, const value *x, size_t count, MPI_Op op) {                                            \
+        for (size_t i = 0; i < count; i++)                                                                             \
+            sum[i] = op == MPI_SUM ? (value)(sum[i] + x[i]) : (op == MPI_MIN) == (x[i] < sum[i]) ? x[i] : sum[i];      \
+    }
+ALONE_COMBINE(alone_combine_bytes, uint8_t)
+ALONE_COMBINE(alone_combine_ints, int)
+ALONE_COMBINE(alone_combine_signed, int64_t)
+ALONE_COMBINE(alone_combine_unsigned, uint64_t)
+ALONE_COMBINE(alone_combine_doubles, double)
+
+static void alone_combine(void *sum, const void *x, const alone_facts *f) {
+    switch (f->type) {
+    case MPI_BYTE:
+    case MPI_UINT8_T: alone_combine_bytes((uint8_t *)sum, (const uint8_t *)x, f->count, f->op); break;
+    case MPI_INT: alone_combine_ints((int *)sum, (const int *)x, f->count, f->op); break;
+    case MPI_INT64_T: alone_combine_signed((int64_t *)sum, (const int64_t *)x, f->count, f->op); break;
+    case MPI_UINT64_T: alone_combine_unsigned((uint64_t *)sum, (const uint64_t *)x, f->count, f->op); break;
+    case MPI_DOUBLE: alone_combine_doubles((double *)sum, (const double *)x, f->count, f->op); break;
+    }
+}
+
+static void alone_finish_allreduce(void *context) {
+    const alone_facts *f = (const alone_facts *)context;
+    size_t bytes = f->count * alone_size(f->type);
+    void *sum = malloc(bytes + 1);
+    memcpy(sum, alone.rank[0].in, bytes);
+    for (int r = 1; r < alone.ranks; r++) alone_combine(sum, alone.rank[r].in, f);
+    for (int r = 0; r < alone.ranks; r++) memcpy(alone.rank[r].out, sum, bytes);
+    free(sum);
+}
+
+static void alone_finish_exscan(void *context) {
+    const alone_facts *f = (const alone_facts *)context;
+    size_t bytes = f->count * alone_size(f->type);
+    void *sum = calloc(bytes + 1, 1), *next = malloc(bytes + 1);
+    for (int r = 0; r < alone.ranks; r++) {
+        memcpy(next, sum, bytes);
+        alone_combine(sum, alone.rank[r].in, f);
+        if (r > 0) memcpy(alone.rank[r].out, next, bytes);
+    }
+    free(sum);
+    free(next);
+}
+
+static void alone_finish_allgather(void *context) {
+    const alone_facts *f = (const alone_facts *)context;
+    size_t bytes = f->count * alone_size(f->type);
+    for (int r = 0; r < alone.ranks; r++)
+        for (int from = 0; from < alone.ranks; from++)
+            memcpy((char *)alone.rank[r].out + (size_t)from * bytes, alone.rank[from].in, bytes);
+}
+
+static void alone_finish_alltoall(void *context) {
+    const alone_facts *f = (const alone_facts *)context;
+    size_t bytes = f->count * alone_size(f->type);
+    for (int r = 0; r < alone.ranks; r++)
+        for (int from = 0; from < alone.ranks; from++)
+            memcpy((char *)alone.rank[r].out + (size_t)from * bytes,
+                   (const char *)alone.rank[from].in + (size_t)r * bytes, bytes);
+}
+
+static void alone_finish_bcast(void *context) {
+    const alone_facts *f = (const alone_facts *)context;
+    for (int r = 0; r < alone.ranks; r++)
+        if (r != f->root) memcpy(alone.rank[r].out, alone.rank[f->root].in, f->count * alone_size(f->type));
+}
+
+static int MPI_Allreduce(const void *in, void *out, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {
+    alone_facts f = {(size_t)count, type, op, 0};
+    (void)comm;
+    return alone_collective(in, out, (double)(f.count * alone_size(type)), alone_finish_allreduce, &f);
+}
+
+static int MPI_Exscan(const void *in, void *out, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {
+    alone_facts f = {(size_t)count, type, op, 0};
+    (void)comm;
+    return alone_collective(in, out, (double)(f.count * alone_size(type)), alone_finish_exscan, &f);
+}
+
+static int MPI_Allgather(const void *in, int count, MPI_Datatype type, void *out, int got, MPI_Datatype got_type,
+                         MPI_Comm comm) {
+    alone_facts f = {(size_t)count, type, MPI_SUM, 0};
+    (void)comm, (void)got, (void)got_type;
+    return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1),
+                            alone_finish_allgather, &f);
+}
+
+static int MPI_Alltoall(const void *in, int count, MPI_Datatype type, void *out, int got, MPI_Datatype got_type,
+                        MPI_Comm comm) {
+    alone_facts f = {(size_t)count, type, MPI_SUM, 0};
+    (void)comm, (void)got, (void)got_type;
+    return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1),
+                            alone_finish_alltoall, &f);
+}
+
+static int MPI_Bcast(void *data, int count, MPI_Datatype type, int root, MPI_Comm comm) {
+    alone_facts f = {(size_t)count, type, MPI_SUM, root};
+    (void)comm;
+    return alone_collective(data, data, (double)(f.count * alone_size(type)), alone_finish_bcast, &f);
+}
+
+static void alone_count_message(int rank, size_t bytes) {
+    alone.rank[rank].messages++;
+    alone.rank[rank].bytes += (double)bytes;
+}
+
+// The message is copied, so that a send never waits.
+static int MPI_Isend(const void *data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm,
+                     MPI_Request *request) {
+    size_t bytes = (size_t)count * alone_size(type);
+    alone_message *message;
+    (void)tag, (void)comm;
+    alone_enter();
+    message = (alone_message *)malloc(sizeof *message);
+    message->next = NULL;
+    message->from = alone_me;
+    message->bytes = bytes;
+    message->data = (char *)malloc(bytes + 1);
+    memcpy(message->data, data, bytes);
+    *alone.rank[to].last = message;
+    alone.rank[to].last = &message->next;
+    alone_count_message(alone_me, bytes);
+    *request = alone_request_count++;
+    alone_requests[*request].from = -1;
+    return alone_leave();
+}
+
+static int MPI_Irecv(void *data, int count, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Request *request) {
+    (void)tag, (void)comm;
+    alone_enter();
+    alone_count_message(alone_me, (size_t)count * alone_size(type));
+    *request = alone_request_count++;
+    alone_requests[*request].from = from;
+    alone_requests[*request].data = (char *)data;
+    return alone_leave();
+}
+
+// The first message from a rank, or NULL: messages do not overtake each other, and are waited for in the order of the
+// requests or in the opposite one, but there is one between two ranks, unless it is longer than a piece.
+static alone_message *alone_take_message(int from) {
+    alone_rank *me = &alone.rank[alone_me];
+    for (alone_message **at = &me->mail; *at; at = &(*at)->next) {
+        alone_message *message = *at;
+        if (message->from != from) continue;
+        *at = message->next;
+        if (!*at) me->last = at;
+        return message;
+    }
+    return NULL;
+}
+
+static int MPI_Wait(MPI_Request *request, MPI_Status *status) {
+    alone_message *message = NULL;
+    (void)status;
+    alone_enter();
+    while (alone_requests[*request].from >= 0 && !(message = alone_take_message(alone_requests[*request].from)))
+        alone_yield();
+    if (message) {
+        memcpy(alone_requests[*request].data, message->data, message->bytes);
+        free(message->data);
+        free(message);
+    }
+    alone_request_count--;
+    return alone_leave();
+}
+
+static int MPI_Comm_dup(MPI_Comm comm, MPI_Comm *copy) {
+    *copy = comm;
+    return MPI_SUCCESS;
+}
+
+static int MPI_Comm_free(MPI_Comm *comm) {
+    (void)comm;
+    return MPI_SUCCESS;
+}
+
+static int MPI_Comm_rank(MPI_Comm comm, int *rank) {
+    (void)comm;
+    *rank = alone_me;
+    return MPI_SUCCESS;
+}
+
+static int MPI_Comm_size(MPI_Comm comm, int *size) {
+    (void)comm;
+    *size = alone.ranks;
+    return MPI_SUCCESS;
+}
+
+// --- running
+
+static void *alone_thread(void *context) {
+    alone_me = (int)(intptr_t)context;
+    pthread_mutex_lock(&alone.lock);
+    alone_await_turn();
+    pthread_mutex_unlock(&alone.lock);
+    alone_leave();
+    alone.program(alone_me);
+    pthread_mutex_lock(&alone.lock);
+    alone.rank[alone_me].ended = 1;
+    alone_pass();
+    pthread_mutex_unlock(&alone.lock);
+    return NULL;
+}
+
+// Runs the program as so many ranks.
+static void alone_run(int ranks, void (*program)(int rank)) {
+    memset(&alone, 0, sizeof alone);
+    alone.ranks = ranks;
+    alone.program = program;
+    pthread_mutex_init(&alone.lock, NULL);
+    for (int r = 0; r < ranks; r++) {
+        pthread_cond_init(&alone.rank[r].turn, NULL);
+        alone.rank[r].last = &alone.rank[r].mail;
+    }
+    for (int r = 0; r < ranks; r++)
+        if (pthread_create(&alone.rank[r].thread, NULL, alone_thread, (void *)(intptr_t)r)) abort();
+    for (int r = 0; r < ranks; r++) pthread_join(alone.rank[r].thread, NULL);
+}
+
+#endif

@@ -1,0 +1,85 @@
+// study KIND N RANKS...: how paradt_mpi_triangulate would scale, on one processor. The ranks' work is measured alone,
+// one after another, by the MPI of alone/mpi.h, which tells what the model of messages is. A line of a table for each
+// number of ranks, from that of one on:
+//   work      seconds of all ranks together; slowest: of the rank with most
+//   time      of the whole: of each step the slowest rank, and the messages
+//   talking   the messages' part of it
+//   efficiency  the time of one rank / (ranks * time)
+//   guessed, asked  points got from others, of all
+//   again     cells made for others' sake, of all
+//   bytes     a point: the largest rank's peak, * ranks / points, and sent by all ranks
+#define PARADT_MPI_IMPLEMENTATION
+#include "paradt_mpi.h"
+#define PARADT_POINTS_IMPLEMENTATION
+#include "examples/paradt_points.h"
+
+#include <stdio.h>
+
+enum { DIM = 3 };
+
+static struct {
+    paradt_gen_spec spec;
+    uint64_t cells, hash; // of the first run; all others must have the same
+    paradt_mpi_triangulation whole;
+    double sum_of_work, most_work;
+} study;
+
+static void fail(const char *what) {
+    fprintf(stderr, "study: %s\n", what);
+    exit(1);
+}
+
+// Each rank makes its share, which is in no time.
+static void rank_program(int rank) {
+    size_t ranks = (size_t)alone.ranks, n = (size_t)study.spec.count;
+    size_t first = n / ranks * (size_t)rank, end = rank + 1 == alone.ranks ? n : first + n / ranks;
+    double *coordinates = (double *)malloc((end - first + 1) * DIM * sizeof(double));
+    paradt_points points = {coordinates, end - first, DIM, 0, PARADT_F64, NULL};
+    paradt_mpi_triangulation t;
+    uint64_t hash;
+    if (!coordinates) fail("no memory");
+    paradt_gen_points(&study.spec, DIM, first, end - first, coordinates);
+    alone_leave(); // the time begins
+    if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, NULL)) fail("it was not triangulated");
+    alone_enter();
+    if (rank == 0) {
+        study.sum_of_work = study.most_work = 0;
+        for (int r = 0; r < alone.ranks; r++) {
+            study.sum_of_work += alone.rank[r].work;
+            study.most_work = alone.rank[r].work > study.most_work ? alone.rank[r].work : study.most_work;
+        }
+        study.whole = t;
+        study.whole.stats.seconds = alone.computing + alone.talking;
+        study.whole.stats.seconds_ask = alone.talking;
+    }
+    hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
+    if (rank == 0 && study.cells && (study.cells != t.cell_total || study.hash != hash))
+        fail("the cells are not those of the first run");
+    if (rank == 0) {
+        study.cells = t.cell_total;
+        study.hash = hash;
+    }
+    paradt_mpi_free(&t);
+    free(coordinates);
+}
+
+int main(int argc, char **argv) {
+    const char *wrong = argc < 3 ? "study gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[1]);
+    double one = 0;
+    if (wrong) fail(wrong);
+    for (int i = 2; i < argc; i++) {
+        int ranks = atoi(argv[i]);
+        double n = (double)study.spec.count, time;
+        if (ranks < 1 || ranks > ALONE_MOST_RANKS) fail("so many ranks can't be");
+        alone_run(ranks, rank_program);
+        time = study.whole.stats.seconds;
+        one = one > 0 ? one : time * ranks;
+        printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", argv[1],
+               ranks, study.sum_of_work, study.most_work, time, study.whole.stats.seconds_ask, one / (ranks * time),
+               100 * (double)study.whole.sum.points_guessed / n, 100 * (double)study.whole.sum.points_asked / n,
+               100 * (double)study.whole.sum.cells_recomputed / (double)study.whole.cell_total,
+               (double)study.whole.largest.peak_bytes * ranks / n, (double)study.whole.sum.bytes_sent / n);
+        fflush(stdout);
+    }
+    return 0;
+}
