@@ -1981,7 +1981,8 @@ static paradt__team paradt__team_of(const paradt_options *options, size_t region
     paradt__team team;
     team.parallel_for = options->parallel_for;
     team.user = options->user;
-    team.tasks = !options->parallel_for ? 1 : regions < PARADT__MOST_TASKS ? regions : PARADT__MOST_TASKS;
+    team.tasks = options->parallel_for ? regions : 1;
+    if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
     return team;
 }
 
@@ -2196,7 +2197,8 @@ static void paradt__merge_task(void *context, size_t index) {
             if (tasks > 1 && (hash >> 32) * tasks >> 32 != index) continue;
             points[count] = i;
             slots[count] = (size_t)hash & (loader->slots - 1);
-            PARADT__PREFETCH(table + slots[count++]);
+            PARADT__PREFETCH(table + slots[count]);
+            count++;
         }
         for (j = 0; j < count; j++) paradt__merge_point(loader, table, slots[j], points[j]);
     }
@@ -6201,10 +6203,12 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     return status;
 }
 
-// Inserts one more point than there were, the last, in conflict with the cell.
+// Inserts one more point than there were, the last. cell: where to begin the search for it; negative: the last one
+// made.
 static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index cell) {
     paradt__spheres3 *s = bw->spheres;
     paradt_index point = (paradt_index)(bw->count - 1);
+    if (cell < 0) cell = s ? s->start : bw->last;
     bw->last = cell;
     if (s) {
         if (bw->count + 1 > s->numbers && !paradt__bw3_more_numbers(bw, bw->count + bw->count / 8 + 64))
@@ -8131,7 +8135,7 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
     memcpy(sorted->records + at * set->width, paradt__record(set, position), set->width * sizeof(double));
     sorted->origin[at] = position;
     engine->bw.count = ++sorted->count;
-    return paradt__bw_insert(&engine->bw, (paradt_index)at);
+    return paradt__bw_insert_one_more(&engine->bw, -1);
 }
 
 // Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
