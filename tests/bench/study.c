@@ -20,8 +20,8 @@ enum { DIM = 3 };
 static struct {
     paradt_gen_spec spec;
     uint64_t cells, hash; // of the first run; all others must have the same
-    paradt_mpi_triangulation whole;
-    double sum_of_work, most_work;
+    paradt_mpi_stats sum, largest;
+    double all_work, most_work, time, talking; // of the last run
 } study;
 
 static void fail(const char *what) {
@@ -43,14 +43,15 @@ static void rank_program(int rank) {
     if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, NULL)) fail("it was not triangulated");
     alone_enter();
     if (rank == 0) {
-        study.sum_of_work = study.most_work = 0;
+        study.all_work = study.most_work = 0;
         for (int r = 0; r < alone.ranks; r++) {
-            study.sum_of_work += alone.rank[r].work;
+            study.all_work += alone.rank[r].work;
             study.most_work = alone.rank[r].work > study.most_work ? alone.rank[r].work : study.most_work;
         }
-        study.whole = t;
-        study.whole.stats.seconds = alone.computing + alone.talking;
-        study.whole.stats.seconds_ask = alone.talking;
+        study.sum = t.sum;
+        study.largest = t.largest;
+        study.talking = alone.talking;
+        study.time = alone.computing + alone.talking;
     }
     hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
     if (rank == 0 && study.cells && (study.cells != t.cell_total || study.hash != hash))
@@ -69,16 +70,15 @@ int main(int argc, char **argv) {
     if (wrong) fail(wrong);
     for (int i = 2; i < argc; i++) {
         int ranks = atoi(argv[i]);
-        double n = (double)study.spec.count, time;
+        double n = (double)study.spec.count;
         if (ranks < 1 || ranks > ALONE_MOST_RANKS) fail("so many ranks can't be");
         alone_run(ranks, rank_program);
-        time = study.whole.stats.seconds;
-        one = one > 0 ? one : time * ranks;
+        one = one > 0 ? one : study.time * ranks;
         printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", argv[1],
-               ranks, study.sum_of_work, study.most_work, time, study.whole.stats.seconds_ask, one / (ranks * time),
-               100 * (double)study.whole.sum.points_guessed / n, 100 * (double)study.whole.sum.points_asked / n,
-               100 * (double)study.whole.sum.cells_recomputed / (double)study.whole.cell_total,
-               (double)study.whole.largest.peak_bytes * ranks / n, (double)study.whole.sum.bytes_sent / n);
+               ranks, study.all_work, study.most_work, study.time, study.talking, one / (ranks * study.time),
+               100 * (double)study.sum.points_guessed / n, 100 * (double)study.sum.points_asked / n,
+               100 * (double)study.sum.cells_recomputed / (double)study.cells,
+               (double)study.largest.peak_bytes * ranks / n, (double)study.sum.bytes_sent / n);
         fflush(stdout);
     }
     return 0;

@@ -285,8 +285,8 @@ static int MPI_Irecv(void *data, int count, MPI_Datatype type, int from, int tag
     return alone_leave();
 }
 
-// The first message from a rank, or NULL: messages do not overtake each other, and are waited for in the order of the
-// requests or in the opposite one, but there is one between two ranks, unless it is longer than a piece.
+// The first message from a rank, or NULL. There is one at a time between two ranks, unless it is longer than
+// paradt_mpi.h's pieces, which are waited for in the wrong order here.
 static alone_message *alone_take_message(int from) {
     alone_rank *me = &alone.rank[alone_me];
     for (alone_message **at = &me->mail; *at; at = &(*at)->next) {
