@@ -227,20 +227,22 @@ static int MPI_Exscan(const void *in, void *out, int count, MPI_Datatype type, M
     return alone_collective(in, out, (double)(f.count * alone_size(type)), alone_finish_exscan, &f);
 }
 
+// Each rank gets `count` values from each of the others.
+static int alone_from_all(const void *in, int count, MPI_Datatype type, void *out, void (*finish)(void *facts)) {
+    alone_facts f = {(size_t)count, type, MPI_SUM, 0};
+    return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1), finish, &f);
+}
+
 static int MPI_Allgather(const void *in, int count, MPI_Datatype type, void *out, int got, MPI_Datatype got_type,
                          MPI_Comm comm) {
-    alone_facts f = {(size_t)count, type, MPI_SUM, 0};
-    (void)comm, (void)got, (void)got_type;
-    return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1),
-                            alone_finish_allgather, &f);
+    (void)got, (void)got_type, (void)comm;
+    return alone_from_all(in, count, type, out, alone_finish_allgather);
 }
 
 static int MPI_Alltoall(const void *in, int count, MPI_Datatype type, void *out, int got, MPI_Datatype got_type,
                         MPI_Comm comm) {
-    alone_facts f = {(size_t)count, type, MPI_SUM, 0};
-    (void)comm, (void)got, (void)got_type;
-    return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1),
-                            alone_finish_alltoall, &f);
+    (void)got, (void)got_type, (void)comm;
+    return alone_from_all(in, count, type, out, alone_finish_alltoall);
 }
 
 static int MPI_Bcast(void *data, int count, MPI_Datatype type, int root, MPI_Comm comm) {
