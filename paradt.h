@@ -4894,24 +4894,26 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
 // The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
 // the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
 //     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
-// Let m_j be the largest size of a_j, b_j, c_j, and L = |a|^2 + |b|^2 + |c|^2. A difference has an error of u relative
-// to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most 8.1u * 6
-// m_x m_y m_z < 64u m_x m_y m_z. |a|^2 is wrong by 5u of it, the terms of n by 12u: n_x by at most 12.1u * 2 L m_y m_z
-// < 32u L m_y m_z. Where det > 128u m_x m_y m_z, the true determinant is more than half of det, and w_x is wrong by at
-// most u |w_x| + 2 (64u m_x m_y m_z |w_x| + 32u L m_y m_z) / det. With s_p, s_x the computed differences of p and x to
-// the centre, h_j the largest size of an |s_j| in the set, and
+// Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
+// relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
+// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of it,
+// and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. With s_p, s_x the computed differences of p
+// and x to the centre, h_j the largest size of an |s_j| in the set, and
 //     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
 // a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
-// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det <= 6 m_x m_y m_z, W alone
-// counts less than 6 W m_x m_y m_z / det. In all less than
-//     u (64 H + (512 m_x m_y m_z W + 128 L Q) / det),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z;
-// the constants are rounded up so far that the roundings of this bound itself and of m, L and h don't matter.
+// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
+// less than 1.1 W P / det. In all less than
+//     64u (H + (P W + sum N_j h_j) / det);
+// 60 and less than 60 are rounded up so far that the roundings of this bound itself and of P, N and h don't matter. Two
+// choices of P and N: the sums themselves (sharp), or, with m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2,
+// the products P = m_x m_y m_z, N_x = L m_y m_z, N_y = m_x L m_z, N_z = m_x m_y L, for fewer operations. The sums are
+// taken once the products have left many powers open that the in-sphere filter decides: where cells are long and thin.
 // Sums may be associated in any order and contracted: that only drops roundings.
 // A power times det is the in-sphere determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a
 // power whose size is surely less than quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A
 // ghost's function is -t N . (x - p) + |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u * 2
 // m_y m_z, the terms N_j (x - p)_j pass 8 more roundings; the lift adds at most 1.1 H. In all less than
-//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q).
+//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
     PARADT__SPHERES = 1 << 14,       // of the table, for many points, and
@@ -4956,7 +4958,10 @@ typedef struct paradt__spheres3 {
     paradt__seen3 next;        // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
-    size_t made, missed; // new cells since the table was judged; spheres wanted that were not in it
+    // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
+    // in-sphere filter did
+    size_t made, missed, vague;
+    int sharp; // the bounds on the powers' errors are the sharp ones
     void *large_table;   // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
     size_t large_star, large_row; // for so many new cells
@@ -5311,34 +5316,52 @@ PARADT__INLINE double paradt__largest3(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
+// The size of the terms of a 2 x 2 determinant
+PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d) {
+    return paradt__abs(a * d) + paradt__abs(b * c);
+}
+
 // The sphere through p and p + a, p + b, p + c, positively oriented. Straight code, to be vectorised: where the
 // determinant is too small it is replaced, and the difference, scaled, is a bound on the error that leaves all in
 // doubt.
-PARADT__INLINE void paradt__sphere3_make(const double *half, double square, const paradt__seen3 *p, double ax,
-                                         double ay, double az, double bx, double by, double bz, double cx, double cy,
-                                         double cz, double *nx, double *ny, double *nz, double *constant,
+PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double square, const paradt__seen3 *p,
+                                         double ax, double ay, double az, double bx, double by, double bz, double cx,
+                                         double cy, double cz, double *nx, double *ny, double *nz, double *constant,
                                          double *error) {
     double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz, lc = cx * cx + cy * cy + cz * cz;
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
-    double det = ax * bcx + ay * bcy + az * bcz;
-    double mx = paradt__abs(ax) + paradt__abs(bx) + paradt__abs(cx);
-    double my = paradt__abs(ay) + paradt__abs(by) + paradt__abs(cy);
-    double mz = paradt__abs(az) + paradt__abs(bz) + paradt__abs(cz);
-    double box = mx * my * mz, lifts = la + lb + lc, sides = half[0] * my * mz + mx * half[1] * mz + mx * my * half[2];
-    double floor =
-        128.0 * PARADT__UNIT_ERROR * box + lifts * sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
-    double safe = det > floor ? det : floor, inverse = 1.0 / safe;
-    double wx = (la * bcx + lb * cax + lc * abx) * inverse;
-    double wy = (la * bcy + lb * cay + lc * aby) * inverse;
-    double wz = (la * bcz + lb * caz + lc * abz) * inverse;
-    double reach = paradt__abs(wx) * half[0] + paradt__abs(wy) * half[1] + paradt__abs(wz) * half[2];
+    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // P, sum N_j h_j
+    double floor, safe, inverse, wx, wy, wz, reach;
+    if (sharp) {
+        double sbcx = paradt__minor_size(by, bz, cy, cz), sbcy = paradt__minor_size(bz, bx, cz, cx);
+        double sbcz = paradt__minor_size(bx, by, cx, cy), scax = paradt__minor_size(cy, cz, ay, az);
+        double scay = paradt__minor_size(cz, cx, az, ax), scaz = paradt__minor_size(cx, cy, ax, ay);
+        double sabx = paradt__minor_size(ay, az, by, bz), saby = paradt__minor_size(az, ax, bz, bx);
+        double sabz = paradt__minor_size(ax, ay, bx, by);
+        size = paradt__abs(ax) * sbcx + paradt__abs(ay) * sbcy + paradt__abs(az) * sbcz;
+        sides = half[0] * (la * sbcx + lb * scax + lc * sabx) + half[1] * (la * sbcy + lb * scay + lc * saby) +
+                half[2] * (la * sbcz + lb * scaz + lc * sabz);
+    } else {
+        double mx = paradt__abs(ax) + paradt__abs(bx) + paradt__abs(cx);
+        double my = paradt__abs(ay) + paradt__abs(by) + paradt__abs(cy);
+        double mz = paradt__abs(az) + paradt__abs(bz) + paradt__abs(cz);
+        size = mx * my * mz;
+        sides = (la + lb + lc) * (half[0] * my * mz + mx * half[1] * mz + mx * my * half[2]);
+    }
+    floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
+    safe = det > floor ? det : floor;
+    inverse = 1.0 / safe;
+    wx = (la * bcx + lb * cax + lc * abx) * inverse;
+    wy = (la * bcy + lb * cay + lc * aby) * inverse;
+    wz = (la * bcz + lb * caz + lc * abz) * inverse;
+    reach = paradt__abs(wx) * half[0] + paradt__abs(wy) * half[1] + paradt__abs(wz) * half[2];
     *nx = -2.0 * p->s[0] - wx;
     *ny = -2.0 * p->s[1] - wy;
     *nz = -2.0 * p->s[2] - wz;
     *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
-    *error = PARADT__UNIT_ERROR * (64.0 * square + (512.0 * box * reach + 128.0 * lifts * sides) * inverse) +
+    *error = 64.0 * PARADT__UNIT_ERROR * (square + (size * reach + sides) * inverse) +
              (safe - det) * inverse * PARADT__NO_ERROR_BOUND;
 }
 
@@ -5385,7 +5408,7 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
         const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0], a[1] - p[1],
+        paradt__sphere3_make(s->sharp, s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0], a[1] - p[1],
                              a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal, sphere->normal + 1,
                              sphere->normal + 2, &sphere->constant, &sphere->error);
     }
@@ -5461,6 +5484,7 @@ PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, 
     bw->space.counters.insphere_calls++;
     sign = paradt__filter_insphere3(&bw->space, p, 3, 0);
     if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&bw->space, p);
+    else bw->spheres->vague++;
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&bw->space, p));
 }
 
@@ -5570,13 +5594,15 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
     s->count = 0;
 }
 
-// A table of four times the size, if many spheres have had to be made again: where points have long cells in common, or
-// hundreds of them. It takes at most half of the memory that the cells take.
-PARADT__NOINLINE paradt_status paradt__bw3_widen_table(paradt__bw *bw) {
+// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without, and
+// a table of four times the size if many spheres have had to be made again. It takes at most half of the memory that
+// the cells take.
+PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     int often = s->missed > s->made / 4;
-    s->made = s->missed = 0;
+    if (s->vague > s->made / 16) s->sharp = 1;
+    s->made = s->missed = s->vague = 0;
     if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
     paradt__release(bw->memory, s->large_table);
     s->large_table = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
@@ -5721,8 +5747,9 @@ static void paradt__four3_store_plain(paradt__four3 *four) {
 }
 
 // The spheres of the new cells that are no ghosts, four at a time in vectors, and the next point's powers.
-PARADT__INLINE void paradt__bw3_make_any(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen,
-                                         paradt__four3_move load, paradt__four3_move store) {
+PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, int count, const double *x,
+                                         const paradt__seen3 *seen, paradt__four3_move load,
+                                         paradt__four3_move store) {
     const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
     double least = PARADT__NO_ERROR_BOUND;
     paradt__seen3 p = *seen, next = s->next;
@@ -5740,7 +5767,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__spheres3 *s, int count, const d
         load(&four);
         for (lane = 0; lane < 4; lane++) {
             double nx, ny, nz, d, e;
-            paradt__sphere3_make(half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
+            paradt__sphere3_make(sharp, half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
                                  a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
                                  &nx, &ny, &nz, &d, &e);
             four.normal[0][lane] = nx;
@@ -5764,8 +5791,15 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__spheres3 *s, int count, const d
     s->start = s->base[best] >> 2;
 }
 
+PARADT__NOINLINE void paradt__bw3_make_sharp_plain(paradt__spheres3 *s, int count, const double *x,
+                                                   const paradt__seen3 *seen) {
+    paradt__bw3_make_any(1, s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+}
+
 static void paradt__bw3_make_plain(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
-    paradt__bw3_make_any(s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    if (PARADT__LIKELY(!s->sharp))
+        paradt__bw3_make_any(0, s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    else paradt__bw3_make_sharp_plain(s, count, x, seen);
 }
 
 // The spheres of the new cells, and where to start for the next point.
@@ -5823,7 +5857,7 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
     s->made += bw->rim_count;
-    if (!PARADT__LIKELY(s->missed <= s->mask)) status = paradt__bw3_widen_table(bw);
+    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) status = paradt__bw3_adapt(bw);
     small = bw->rim_count <= PARADT__SMALL_STAR;
     if (!PARADT__LIKELY(small) && !status) status = paradt__bw3_widen_star(bw);
     if (status) return status;
@@ -5967,9 +6001,16 @@ PARADT__AVX2 static void paradt__four3_store_avx2(paradt__four3 *four) {
     _mm256_store_pd(four->to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
+PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(paradt__spheres3 *s, int count, const double *x,
+                                                               const paradt__seen3 *seen) {
+    paradt__bw3_make_any(1, s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+}
+
 PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x,
                                                const paradt__seen3 *seen) {
-    paradt__bw3_make_any(s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+    if (PARADT__LIKELY(!s->sharp))
+        paradt__bw3_make_any(0, s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+    else paradt__bw3_make_sharp_avx2(s, count, x, seen);
 }
 
 PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {

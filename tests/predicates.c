@@ -49,6 +49,10 @@ static double shifted(int64_t i, int e) {
 
 // (No expression may call for two random numbers: compilers would call in different orders.)
 
+static double random_fraction(void) {
+    return (double)(random_bits() >> 11) * 0x1p-53;
+}
+
 // A mantissa of 53 random bits with its leading bit at 2^e; either sign
 static double random_with_exponent(int e) {
     int64_t mantissa = (int64_t)(random_bits() >> 12 | (uint64_t)1 << 52);
@@ -1045,6 +1049,69 @@ static void scaling_is_exact_or_says_so(void **state) {
     mpz_clear(largest);
 }
 
+// Four points in the cube [-1, 1]^3 and a fifth that is near their sphere, the last. Short: the points are in pairs, as
+// those of a curve are, so that the tetrahedron is long and thin.
+static void take_near_a_sphere(sample *s, int shortness) {
+    double centre[3], radius = random_fraction() / 2;
+    for (int j = 0; j < 3; j++)
+        centre[j] = random_fraction() - 0.5;
+    for (int i = 0; i < 5; i++) {
+        double v[3], length = 0;
+        for (int j = 0; j < 3; j++) {
+            double step = 2 * random_fraction() - 1;
+            v[j] = i % 2 && i < 4 ? s->memory[i - 1][j] + shifted(1, -shortness) * step - centre[j] : step;
+            length += v[j] * v[j];
+        }
+        length = sqrt(length);
+        if (i == 4)
+            length *= 1 + (2 * random_fraction() - 1) * shifted(1, -random_between(30, 50));
+        for (int j = 0; j < 3; j++)
+            s->memory[i][j] = centre[j] + v[j] / length * radius;
+        s->points[i] = s->memory[i];
+    }
+}
+
+// A power larger than the bound on its error has the sign of the in-sphere determinant, by either bound; and the sharp
+// one is not larger.
+static void powers_are_as_exact_as_they_claim(void **state) {
+    const double half[3] = {1, 1, 1};
+    uint64_t settled[2] = {0, 0}, doubtful = 0;
+    (void)state;
+    start_oracle();
+    for (int round = 0; round < 60000; round++) {
+        sample s = {3, 3, 0, {{0}}, {0}};
+        double normal[3], constant, error[2];
+        take_near_a_sphere(&s, round % 25);
+        if (oracle_orient(s.points, 3) < 0) {
+            const double *first = s.points[0];
+            s.points[0] = s.points[1], s.points[1] = first;
+        }
+        if (oracle_orient(s.points, 3) == 0)
+            continue;
+        const double *a = s.points[1], *b = s.points[0], *c = s.points[2], *p = s.points[3], *x = s.points[4];
+        paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+        int sign = oracle_insphere(s.points, 3, 3, 0);
+        for (int sharp = 0; sharp < 2; sharp++) {
+            paradt__sphere3_make(sharp, half, 3, &at, a[0] - p[0], a[1] - p[1], a[2] - p[2], b[0] - p[0], b[1] - p[1],
+                                 b[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], normal, normal + 1, normal + 2,
+                                 &constant, error + sharp);
+            double power = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + constant +
+                           (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]);
+            if (!(fabs(power) > error[sharp])) {
+                doubtful++;
+                continue;
+            }
+            settled[sharp]++;
+            expect(power < 0 ? 1 : -1, sign, sharp ? "power, sharp bound" : "power", &s, "near a sphere");
+        }
+        assert_true(error[1] <= error[0] * (1 + 1e-9));
+    }
+    stop_oracle();
+    print_message("%llu and %llu powers settled, %llu not\n", (unsigned long long)settled[0],
+                  (unsigned long long)settled[1], (unsigned long long)doubtful);
+    assert_true(settled[0] > 0 && settled[1] > settled[0] && doubtful > 0);
+}
+
 // The largest numbers of all fit into the room that the header promises.
 static void the_general_stage_keeps_its_room(void **state) {
     (void)state;
@@ -1098,6 +1165,7 @@ int main(void) {
         cmocka_unit_test(lattices_stay_in_the_filter),
         cmocka_unit_test(facts_hold_for_any_fewer_axes),
         cmocka_unit_test(the_least_determinants_are_told_from_zero),
+        cmocka_unit_test(powers_are_as_exact_as_they_claim),
         cmocka_unit_test(the_general_stage_keeps_its_room),
     };
     return cmocka_run_group_tests_name("predicates", tests, NULL, NULL);
