@@ -714,8 +714,12 @@ PARADT__INLINE double paradt__from_bits(uint64_t bits) {
     return x;
 }
 
+PARADT__INLINE int paradt__biased_exponent(double x) {
+    return (int)(paradt__bits(x) >> 52 & 2047);
+}
+
 PARADT__INLINE int paradt__is_finite(double x) {
-    return (paradt__bits(x) >> 52 & 2047) != 2047;
+    return paradt__biased_exponent(x) < 2047;
 }
 
 // A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
@@ -2006,6 +2010,7 @@ typedef struct paradt__set {
     double grade_error; // sagittas: bound on the error of each
     double grade_limit; // ... and on their size
     double centre[PARADT_MAX_DIM]; // ... and the reference sphere's centre
+    int exponent;                  // the largest of a coordinate, with IEEE's bias, when it was read
     size_t width;                  // doubles a record
     double *records;               // [count][width]
     paradt_index *origin;          // [count] the caller's index of the point
@@ -2095,7 +2100,9 @@ typedef struct paradt__loader {
     const paradt__team *team;
     const paradt_points *points;
     paradt__set *set;
-    size_t bad[PARADT__MOST_TASKS]; // first point with a coordinate or weight that is no number; SIZE_MAX: none
+    size_t bad[PARADT__MOST_TASKS];    // first point with a coordinate or weight that is no number; SIZE_MAX: none
+    int exponent[PARADT__MOST_TASKS];  // largest of a coordinate
+    size_t merged[PARADT__MOST_TASKS]; // points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
     paradt_index *representative; // [points->count]
     paradt_index *table;          // [tasks][slots]
@@ -2121,14 +2128,17 @@ static void paradt__read_task(void *context, size_t index) {
     const paradt_points *points = loader->points;
     paradt__set *set = loader->set;
     size_t i, end = paradt__loader_share(loader, points->count, index, &i);
-    int axis, ambient = points->dim;
+    int axis, ambient = points->dim, largest = 0;
     loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
         double *record = set->records + i * set->width;
         int finite = 1;
         for (axis = 0; axis < ambient; axis++) {
+            int exponent;
             record[axis] = paradt__coordinate(points, i, axis);
-            finite &= paradt__is_finite(record[axis]);
+            exponent = paradt__biased_exponent(record[axis]);
+            finite &= exponent < 2047;
+            largest = exponent > largest ? exponent : largest;
         }
         if (points->weights) {
             uint64_t bits;
@@ -2143,6 +2153,7 @@ static void paradt__read_task(void *context, size_t index) {
         }
         set->origin[i] = (paradt_index)i;
     }
+    loader->exponent[index] = largest;
 }
 
 // Copies the records. *bad is the first point with a coordinate or weight that is no number.
@@ -2154,6 +2165,7 @@ static paradt_status paradt__set_read(paradt__set *set, const paradt__team *team
     loader.points = points;
     paradt__team_run(team, paradt__read_task, &loader);
     for (i = 0; i < team->tasks; i++) {
+        if (loader.exponent[i] > set->exponent) set->exponent = loader.exponent[i];
         if (loader.bad[i] == SIZE_MAX) continue;
         *bad = loader.bad[i];
         return PARADT_ERROR_NOT_FINITE;
@@ -2163,7 +2175,8 @@ static paradt_status paradt__set_read(paradt__set *set, const paradt__team *team
 }
 
 // Finds the first point at the place of point i, which is a new one's if there is none, from a slot of the table on.
-static void paradt__merge_point(paradt__loader *loader, paradt_index *table, size_t slot, size_t i) {
+// Returns 1 if it is not its first.
+static int paradt__merge_point(paradt__loader *loader, paradt_index *table, size_t slot, size_t i) {
     paradt__set *set = loader->set;
     size_t ambient = (size_t)set->space.ambient;
     const double *record = set->records + i * set->width;
@@ -2176,19 +2189,21 @@ static void paradt__merge_point(paradt__loader *loader, paradt_index *table, siz
             twin[ambient] = record[ambient];
             set->origin[table[slot]] = (paradt_index)i;
         }
-        return;
+        return 1;
     }
     loader->representative[i] = table[slot] = (paradt_index)i;
+    return 0;
 }
 
-// Looks at the points whose hash is in the task's share. The slots are fetched a batch ahead of their use.
+// Looks at the points whose hash is in the task's share. The slots, and the points in them, are fetched a batch ahead
+// of their use.
 static void paradt__merge_task(void *context, size_t index) {
     enum { BATCH = 32 };
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__set *set = loader->set;
     paradt_index *table = loader->table + index * loader->slots;
     uint64_t tasks = loader->team->tasks;
-    size_t i = 0, points[BATCH], slots[BATCH];
+    size_t i = 0, merged = 0, points[BATCH], slots[BATCH];
     memset(table, 0xff, loader->slots * sizeof *table);
     while (i < set->count) {
         size_t count = 0, j;
@@ -2200,8 +2215,13 @@ static void paradt__merge_task(void *context, size_t index) {
             PARADT__PREFETCH(table + slots[count]);
             count++;
         }
-        for (j = 0; j < count; j++) paradt__merge_point(loader, table, slots[j], points[j]);
+        for (j = 0; j < count; j++) {
+            paradt_index first = table[slots[j]];
+            PARADT__PREFETCH(set->records + (first < 0 ? points[j] : (size_t)first) * set->width);
+        }
+        for (j = 0; j < count; j++) merged += (size_t)paradt__merge_point(loader, table, slots[j], points[j]);
     }
+    loader->merged[index] = merged;
 }
 
 // Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
@@ -2209,7 +2229,7 @@ static void paradt__merge_task(void *context, size_t index) {
 static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *team, paradt__memory *memory,
                                        paradt_index *representative) {
     paradt__loader loader;
-    size_t i, kept = 0;
+    size_t i, merged = 0, kept = 0;
     paradt__loader_begin(&loader, set, team);
     loader.representative = representative;
     loader.slots = 16;
@@ -2217,6 +2237,9 @@ static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *tea
     loader.table = (paradt_index *)paradt__alloc(memory, team->tasks * loader.slots, sizeof *loader.table);
     if (!loader.table) return PARADT_ERROR_MEMORY;
     paradt__team_run(team, paradt__merge_task, &loader);
+    paradt__release(memory, loader.table);
+    for (i = 0; i < team->tasks; i++) merged += loader.merged[i];
+    if (!merged) return PARADT_OK;
     for (i = 0; i < set->count; i++) {
         if ((size_t)representative[i] != i) {
             representative[i] = representative[representative[i]];
@@ -2229,7 +2252,6 @@ static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *tea
     }
     for (i = 0; i < set->count; i++) representative[i] = set->origin[representative[i]];
     set->count = kept;
-    paradt__release(memory, loader.table);
     return PARADT_OK;
 }
 
@@ -2237,17 +2259,7 @@ static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *tea
 // and sets far from 1 get the floating-point filter. Weights are squares of lengths.
 static void paradt__set_scale(paradt__set *set) {
     size_t i, pass;
-    int axis, ambient = set->space.ambient, largest = 0, shift, exact = 1;
-    for (i = 0; i < set->count; i++) {
-        for (axis = 0; axis < ambient; axis++) {
-            uint64_t bits;
-            int exponent;
-            memcpy(&bits, set->records + i * set->width + axis, sizeof bits);
-            exponent = (int)(bits >> 52 & 2047);
-            if (exponent > largest) largest = exponent;
-        }
-    }
-    shift = 1023 - largest;
+    int axis, ambient = set->space.ambient, shift = 1023 - set->exponent, exact = 1;
     if (shift >= -32 && shift <= 32) return;
     for (pass = 0; pass < 2 && exact; pass++) {
         for (i = 0; i < set->count && exact; i++) {
@@ -5063,7 +5075,6 @@ static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
 static paradt_status paradt__bw_lend(paradt__bw *bw, paradt_index *vertices, paradt_index *neighbors, size_t capacity) {
     bw->conflict = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
     if (!bw->conflict) return PARADT_ERROR_MEMORY;
-    memset(bw->conflict, 0, capacity);
     bw->cells.vertices = vertices;
     bw->cells.neighbors = neighbors;
     bw->cells.capacity = capacity;
@@ -6229,6 +6240,7 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     paradt__inserter insert;
     size_t i;
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
+    if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
     if (!status && bw->cells.corners <= 4 && bw->count < PARADT__FEW_POINTS) {
         status = paradt__bw_reserve(bw, paradt__bw_places(bw->count, bw->cells.corners - 1));
     }
@@ -6502,6 +6514,32 @@ static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
     return keys[begin];
 }
 
+PARADT__INLINE int64_t paradt__partition_key(const paradt__partitioner *p, size_t at, int axis) {
+    return paradt__ordered_bits(paradt__record(p->set, p->points[at])[axis]);
+}
+
+// The nth smallest coordinate of a box along an axis, as ordered bits. Where there are many, a sample tells between
+// which two it is, so that few have to be looked through.
+static int64_t paradt__nth_key(const paradt__partitioner *p, size_t begin, size_t end, size_t nth, int axis) {
+    enum { MANY = 1 << 16, SAMPLE = 1 << 12, MARGIN = 1 << 7 }; // 4 standard deviations of a rank in the sample
+    size_t count = end - begin, at = (size_t)((double)nth / (double)count * SAMPLE), below = 0, kept = 0, i;
+    if (count >= MANY) {
+        int64_t low = INT64_MIN, high = INT64_MAX;
+        for (i = 0; i < SAMPLE; i++) p->keys[i] = paradt__partition_key(p, begin + count / SAMPLE * i, axis);
+        if (at >= MARGIN) low = paradt__select_key(p->keys, SAMPLE, at - MARGIN);
+        if (at + MARGIN < SAMPLE) high = paradt__select_key(p->keys, SAMPLE, at + MARGIN);
+        for (i = begin; i < end; i++) {
+            int64_t key = paradt__partition_key(p, i, axis);
+            p->keys[kept] = key;
+            kept += (key >= low) & (key <= high);
+            below += key < low;
+        }
+        if (nth >= below && nth - below < kept) return paradt__select_key(p->keys, kept, nth - below);
+    }
+    for (i = begin; i < end; i++) p->keys[i - begin] = paradt__partition_key(p, i, axis);
+    return paradt__select_key(p->keys, count, nth);
+}
+
 // Bounding box of the points of a range.
 static void paradt__box_of(const paradt__partitioner *p, size_t begin, size_t end, double *low, double *high) {
     int axis;
@@ -6519,10 +6557,9 @@ static void paradt__box_of(const paradt__partitioner *p, size_t begin, size_t en
 static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, size_t share, size_t regions, int axis,
                              const double *low, const double *high) {
     double part = (double)share / (double)regions;
-    size_t i, nth = (size_t)((double)(end - begin) * part);
+    size_t nth = (size_t)((double)(end - begin) * part);
     if (p->partition == PARADT_UNIFORM || begin == end) return low[axis] * (1.0 - part) + high[axis] * part;
-    for (i = begin; i < end; i++) p->keys[i - begin] = paradt__ordered_bits(paradt__record(p->set, p->points[i])[axis]);
-    return paradt__from_ordered_bits(paradt__select_key(p->keys, end - begin, nth));
+    return paradt__from_ordered_bits(paradt__nth_key(p, begin, end, nth, axis));
 }
 
 static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t end, const double *low,
@@ -7566,12 +7603,18 @@ static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *
 
 // Links the open facets that the patches have listed. What finds no partner is the hull.
 static paradt_status paradt__join_patches(paradt__work *work) {
+    enum { AHEAD = 8 };
     paradt__active active;
-    paradt_status status = paradt__active_begin(&active, 0, &work->memory);
-    size_t i, j;
+    size_t facets = 0, i, j;
+    paradt_status status;
+    for (i = 0; i < work->regions; i++) facets += work->region[i].patch.list_count;
+    status = paradt__active_begin(&active, facets / 2, &work->memory);
     for (i = 0; i < work->regions && !status; i++) {
         const paradt__patch *patch = &work->region[i].patch;
         for (j = 0; j < patch->list_count && !status; j++) {
+            paradt_index soon = patch->list[j + AHEAD < patch->list_count ? j + AHEAD : j];
+            PARADT__PREFETCH(work->cells.vertices + soon);
+            PARADT__PREFETCH(work->cells.neighbors + soon);
             status = paradt__join_facet(&active, &work->cells, patch->list[j], &work->memory);
         }
     }
