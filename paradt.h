@@ -140,8 +140,12 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to four times. One region a thread is right where the points are alike everywhere;
+// threads, at once. It is called up to seven times. One region a thread is right where the points are alike everywhere;
 // a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
+//
+// Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
+// all the rest takes: among points exactly on a sphere, or almost on a line. stats.regions is 1 then. Threads may see the
+// progress go back.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
 //
@@ -6772,7 +6776,6 @@ typedef struct paradt__patch {
     paradt_index own_begin, own_end; // vertices that are the region's; there are others
     size_t made;                     // cells of the triangulation, of which bw.cells are owned in the end
     uint64_t hull_facets;            // whose smallest vertex is the region's
-    int impatient;                   // 1: it may give up
 } paradt__patch;
 
 // Lays the grid of a field over the positions [begin, end) of the set.
@@ -7233,7 +7236,7 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
     while (!status && patch->list_count) {
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
-        if (!status && patch->impatient && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
+        if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
     }
     if (!status) paradt__patch_close(patch);
     return status;
@@ -7729,11 +7732,15 @@ static paradt_status paradt__permute_set(paradt__work *work) {
 
 // All regions at once, each step a task for each.
 static paradt_status paradt__build_together(paradt__work *work) {
+    size_t i;
     paradt_status status = paradt__run_regions(work, paradt__points_task);
     paradt__share_memory(work);
     if (!status) status = paradt__lend_slices(work);
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__patch_task);
+    for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
+        if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
+    }
     paradt__share_memory(work);
     if (!status) status = paradt__collect_patches(work);
     paradt__share_memory(work);
@@ -7763,7 +7770,6 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     size_t corners = (size_t)cells->corners, capacity, rest;
     paradt_status status;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
-    patch->impatient = 1;
     status = paradt__patch_points(patch, work->basis);
     capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
     rest = paradt__bw_places(work->set.count - work->parts[index].end, work->set.space.dim);
@@ -7930,7 +7936,7 @@ static size_t paradt__turns(const paradt__work *work) {
     return TURNS;
 }
 
-// By insertion. When regions in turn give up, the set is permuted, but whole.
+// By insertion. When regions give up, the set is permuted, but whole.
 static paradt_status paradt__insert_all(paradt__work *work) {
     paradt_status status;
     work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && work->set.space.dim <= 3 &&

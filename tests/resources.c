@@ -389,29 +389,34 @@ static void large_sets_without_neighbors_take_220_bytes_a_point(void **state) {
     sample_free(&s);
 }
 
-// On points of one sphere the questions of regions take long. Without neighbours, when regions are built in turn only to save
-// memory, they are given up for the sake of time; on other sets they are not.
-static void regions_in_turn_give_up_on_a_sphere(void **state) {
+// Where the questions of regions take longer than all the rest, the regions are given up, with and without neighbours,
+// one after another and at once; on other sets they are not.
+static void regions_give_up_where_questions_abound(void **state) {
     static const struct {
         const char *family;
         int gives_up;
-    } cases[] = {{"cospherical", 1}, {"uniform", 0}, {"clusters", 0}, {"lattice", 0}, {"sphere", 0}};
+    } cases[] = {{"cospherical", 1}, {"helix", 1},   {"cylinder", 1}, {"uniform", 0},
+                 {"clusters", 0},    {"lattice", 0}, {"sphere", 0},   {"plummer", 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         sample s = family_make(&families[family_named(cases[i].family)], NULL, 3, 3000, 1);
         paradt_points points = points_of(&s);
-        paradt_options options = {0};
-        paradt_triangulation whole, t;
-        assert_int_equal(paradt_triangulate(&whole, &points, &options), PARADT_OK);
-        options.flags = PARADT_NO_NEIGHBORS;
-        options.regions = 4;
-        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
-        assert_true(paradt_hash(&t) == paradt_hash(&whole));
-        assert_true(t.stats.hull_facets == whole.stats.hull_facets);
-        if (t.stats.regions != (cases[i].gives_up ? 1 : 4))
-            fail_on_sample(&s, "the number of regions built");
+        paradt_triangulation whole;
+        assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
+        for (unsigned way = 0; way < 4; way++) {
+            paradt_options options = {0};
+            paradt_triangulation t;
+            options.regions = 4;
+            options.flags = way & 1 ? PARADT_NO_NEIGHBORS : 0;
+            options.parallel_for = way & 2 ? run_on_threads : NULL;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_true(paradt_hash(&t) == paradt_hash(&whole));
+            assert_true(t.stats.hull_facets == whole.stats.hull_facets);
+            if (t.stats.regions != (cases[i].gives_up ? 1 : 4))
+                fail_on_sample(&s, "the number of regions built");
+            paradt_free(&t);
+        }
         paradt_free(&whole);
-        paradt_free(&t);
         sample_free(&s);
     }
 }
@@ -554,7 +559,7 @@ int main(void) {
         cmocka_unit_test(every_progress_call_can_cancel),
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_without_neighbors_take_220_bytes_a_point),
-        cmocka_unit_test(regions_in_turn_give_up_on_a_sphere),
+        cmocka_unit_test(regions_give_up_where_questions_abound),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
         cmocka_unit_test(a_small_stack_is_enough),
         cmocka_unit_test(searches_look_at_few_points),
