@@ -109,6 +109,11 @@
 // ranks tell each other more than one box: up to 64 of them, around parts of their points; and near a sphere they
 // measure the points from there, as paradt.h does.
 //
+// There are sets of which the boxes of all ranks share nearly every cell, or whose spheres no box can tell from each
+// other: points exactly on a sphere, almost on a line, on a cylinder or a helix. Where a rank finds that its questions or
+// answers would take longer than building all of T(P), all points are sent to all ranks, and each builds the whole and
+// keeps its own cells: only then a rank has more than its own points and a seam.
+//
 //
 // REPLICATED POINTS
 //
@@ -368,6 +373,7 @@ typedef struct paradt_mpi__work {
     paradt__grid grid;        // of the own points
     paradt__search search;    // in it
     int ready;                // the grid is there: there are points here, not all equal, and other ranks
+    int stuck;                // questions or answers would take too long: see paradt_mpi__patience
     size_t known, room;       // points in set.records, and places for them
     paradt_mpi__home *home;   // [room]
     paradt_mpi__table others; // points of others that are known: value is the place in set.records
@@ -1678,6 +1684,26 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     return status;
 }
 
+// How many cells all ranks have, as far as one can tell: so much work questions are worth. Not collective.
+static size_t paradt_mpi__patience(const paradt_mpi__work *w) {
+    enum { FIRST_PATIENCE = 50000 };
+    size_t cells = w->inserting ? w->engine.bw.cells.count : w->local.cell_count;
+    return cells * (size_t)w->ranks + FIRST_PATIENCE;
+}
+
+// Does looking for answers take longer than building everything?
+static int paradt_mpi__answers_too_long(const paradt_mpi__work *w) {
+    const paradt__counters *c = &w->search.space.counters;
+    return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * (uint64_t)paradt_mpi__patience(w);
+}
+
+// Do the cells ask half of all ranks? Then there is nothing to be asked for.
+static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
+    if (q->count <= paradt_mpi__patience(w) / 2) return;
+    w->stuck = 1;
+    q->count = 0;
+}
+
 // Puts a place on the list unless it was there already.
 static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *list, size_t place) {
     void *items;
@@ -1707,9 +1733,10 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
         if (paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count))
             status = paradt_mpi__wait(w, &list, place);
     }
-    while (list.count && !status) {
+    while (list.count && !status && !w->stuck) {
         place = list.items[--list.count];
         status = paradt_mpi__look(w, q, place, &open);
+        paradt_mpi__limit_questions(w, q);
         for (j = 0; j <= w->set.space.dim && open && !status; j++)
             status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, place, j));
     }
@@ -1724,7 +1751,10 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     paradt_status status = PARADT_OK;
     int open;
     if (w->inserting) return paradt_mpi__collect_from_seam(w, q, count);
-    for (place = 0; place < count && !status; place++) status = paradt_mpi__look(w, q, place, &open);
+    for (place = 0; place < count && !status && !w->stuck; place++) {
+        status = paradt_mpi__look(w, q, place, &open);
+        paradt_mpi__limit_questions(w, q);
+    }
     return status;
 }
 
@@ -1875,8 +1905,9 @@ static int paradt_mpi__matters(paradt_mpi__work *w, const double *points, const 
 static size_t paradt_mpi__answer_rank(paradt_mpi__work *w, int r, double *points, const int32_t *cells, size_t count,
                                       paradt_mpi__list *answers, paradt_status *status) {
     size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), i, j, news = 0;
-    for (i = 0; i < count; i++, cells += k + 1) {
+    for (i = 0; i < count && !w->stuck; i++, cells += k + 1) {
         paradt_index found;
+        w->stuck = paradt_mpi__answers_too_long(w);
         if (!paradt_mpi__matters(w, points, cells, &found)) continue;
         if (found >= 0 && w->weighted && !*status) *status = paradt_mpi__list_add(w, answers, r, found);
         for (j = 0; j < k; j++) {
@@ -1939,18 +1970,43 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     return status;
 }
 
+// Where a rank is stuck: all points come to all ranks, to be triangulated from the beginning.
+static paradt_status paradt_mpi__share_all(paradt_mpi__work *w, size_t *news) {
+    paradt_mpi__list list;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    int r;
+    memset(&list, 0, sizeof list);
+    for (r = 0; r < w->ranks && !status; r++) {
+        if (r == w->rank || !w->directory.count[r]) continue;
+        for (i = 0; i < w->set.count && !status; i++)
+            status = paradt_mpi__list_add(w, &list, r, (paradt_index)i);
+    }
+    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, news));
+    w->stats.points_asked += *news;
+    paradt__release(&w->memory, list.items);
+    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    w->inserting = 0;
+    return status;
+}
+
 // Triangulates until the cells around own points are final.
 static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
     uint64_t news_of_all = 1;
     size_t news;
-    paradt_status status = paradt_mpi__agree(w, paradt_mpi__triangulate_known(w));
+    paradt_status status;
+    w->progress_length = 0.9;
+    status = paradt_mpi__agree(w, paradt_mpi__triangulate_known(w));
     while (!status && w->set.space.dim > 0 && w->ranks > 1 && news_of_all) {
         status = paradt_mpi__round(w, &news);
         if (status) break;
-        news_of_all = w->weighted ? paradt_mpi__sum(w, news) : 0;
-        w->progress_begin += 0.5 * w->progress_length;
-        w->progress_length *= 0.5;
-        status = paradt_mpi__agree(w, news ? paradt_mpi__triangulate_known(w) : PARADT_OK);
+        w->stuck = paradt_mpi__sum(w, (uint64_t)w->stuck) > 0;
+        if (w->stuck) status = paradt_mpi__share_all(w, &news);
+        if (status) break;
+        news_of_all = w->weighted && !w->stuck ? paradt_mpi__sum(w, news) : 0;
+        w->progress_begin += w->progress_length;
+        w->progress_length = 0.9 * (1.0 - w->progress_begin);
+        status = paradt_mpi__agree(w, news || w->stuck ? paradt_mpi__triangulate_known(w) : PARADT_OK);
     }
     if (!status) paradt_mpi__settle_cells(w);
     return status;

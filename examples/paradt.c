@@ -13,7 +13,6 @@
 
 #include <inttypes.h>
 #include <pthread.h>
-#include <time.h>
 
 enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
 enum { MAX_JOBS = 1024 };
@@ -198,17 +197,10 @@ static int parse(settings *s, int count, char **arguments) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>work: threads, progress, time
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
 typedef struct work {
     size_t jobs;
-    pthread_mutex_t lock; // guards what follows
-    double begun;
-    double shown; // when the bar was last drawn; 0: never
+    pthread_mutex_t lock; // guards the bar
+    paradt_io_bar bar;
 } work;
 
 typedef struct tasks {
@@ -251,24 +243,13 @@ static void parallel_for(void *user, size_t count, void (*task)(void *context, s
     pthread_mutex_destroy(&t.lock);
 }
 
-// A paradt_progress that draws a bar after a second, and then ten times a second.
+// A paradt_progress
 static int show_progress(void *user, double fraction) {
-    static const char full[] = "########################################";
     work *w = (work *)user;
-    double time = now();
     pthread_mutex_lock(&w->lock);
-    if (time - w->begun > 1 && time - w->shown > 0.1) {
-        fprintf(stderr, "\r[%-40.*s] %3d%% %.0f s ", (int)(fraction * 40), full, (int)(fraction * 100),
-                time - w->begun);
-        w->shown = time;
-    }
+    paradt_io_bar_draw(&w->bar, fraction);
     pthread_mutex_unlock(&w->lock);
     return 0;
-}
-
-static void clear_progress(const work *w) {
-    if (w->shown > 0)
-        fprintf(stderr, "\r%70s\r", "");
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -442,18 +423,18 @@ static int triangulate(job *j) {
     options.user = &w;
     pthread_mutex_init(&w.lock, NULL);
     w.jobs = j->jobs;
-    w.begun = now();
+    paradt_io_bar_begin(&w.bar);
     status = paradt_triangulate(&j->t, &points, &options);
-    j->seconds = now() - w.begun;
+    j->seconds = paradt_io_now() - w.bar.begun;
     snprintf(reason, sizeof reason, "%s", paradt_status_string(status));
     if (!status && j->s->check) {
         status = paradt_check(&j->t, &points, &options, &fault);
-        j->check_seconds = now() - w.begun - j->seconds;
+        j->check_seconds = paradt_io_now() - w.bar.begun - j->seconds;
         snprintf(reason, sizeof reason, "the check found: %s (cell %lld, point %lld)",
                  fault.reason ? fault.reason : paradt_status_string(status), (long long)fault.cell,
                  (long long)fault.point);
     }
-    clear_progress(&w);
+    paradt_io_bar_clear(&w.bar);
     pthread_mutex_destroy(&w.lock);
     if (!status)
         return EXIT_DONE;

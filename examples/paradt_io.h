@@ -8,9 +8,8 @@
 //     if (!paradt_io_read(&points, "cloud.ply", NULL, &error)) fprintf(stderr, "%s\n", error.text);
 //
 // Input, by extension (paradt_io_inputs lists them); every number is correctly rounded, NaN and infinities are refused:
-//   .xyz .txt .csv  a point a line; blanks, tabs, a comma or a semicolon between numbers; blank lines and what follows
-//   a
-//                   # are skipped. .xyz: three coordinates. .txt, .csv: every column is a coordinate. .csv: a first
+//   .xyz .txt .csv  a point a line; blanks, tabs, a comma or a semicolon between numbers; blank lines and comments, from
+//                   # on, are skipped. .xyz: three coordinates. .txt, .csv: every column is a coordinate. .csv: a first
 //                   line without numbers is a title.
 //   .node           TetGen and Triangle: first index 0 or 1, attributes, markers. The weight is the first attribute.
 //   .off            OFF and its relatives with normals, colours or n dimensions, in ASCII.
@@ -109,6 +108,17 @@ int paradt_io_write_text(paradt_io_stage *stage, const char *name, const char *t
 const char *paradt_io_inputs(void);  // ".xyz .txt ..."
 const char *paradt_io_outputs(void); // ".ele .vtu ..."
 
+// A progress bar on standard error, drawn when a second has passed and then ten times a second at most; for one thread
+// at a time. fraction: 0 to 1.
+typedef struct paradt_io_bar {
+    double begun, shown; // seconds; shown 0: never
+} paradt_io_bar;
+
+double paradt_io_now(void); // seconds since some time
+void paradt_io_bar_begin(paradt_io_bar *bar);
+void paradt_io_bar_draw(paradt_io_bar *bar, double fraction);
+void paradt_io_bar_clear(const paradt_io_bar *bar);
+
 #ifdef __cplusplus
 }
 #endif
@@ -133,6 +143,7 @@ const char *paradt_io_outputs(void); // ".ele .vtu ..."
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1962,6 +1973,35 @@ int paradt_io_write_text(paradt_io_stage *stage, const char *name, const char *t
     int good = scene && paradt_io__write_bytes(scene, text, strlen(text));
     free(scene);
     return good;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>progress
+
+double paradt_io_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+void paradt_io_bar_begin(paradt_io_bar *bar) {
+    bar->begun = paradt_io_now();
+    bar->shown = 0;
+}
+
+void paradt_io_bar_draw(paradt_io_bar *bar, double fraction) {
+    static const char full[] = "########################################";
+    double time = paradt_io_now();
+    if (time - bar->begun <= 1 || time - bar->shown <= 0.1)
+        return;
+    fprintf(stderr, "\r[%-40.*s] %3d%% %.0f s ", (int)(fraction * 40), full, (int)(fraction * 100), time - bar->begun);
+    fflush(stderr);
+    bar->shown = time;
+}
+
+void paradt_io_bar_clear(const paradt_io_bar *bar) {
+    if (bar->shown > 0)
+        fprintf(stderr, "\r%70s\r", "");
 }
 
 #endif // PARADT_IO_IMPLEMENTATION_DONE

@@ -6,7 +6,7 @@
 // It takes the inputs and options of `paradt` that make sense here; `paradt_mpi --help` lists them. Each rank makes or
 // reads its own part of gen:..., of .npy and of binary .ply; other inputs are read by rank 0, which hands in all
 // points. Each rank writes its own piece of a .pvtu; for other outputs and for --check the cells are gathered on rank
-// 0. Only rank 0 prints.
+// 0. Only rank 0 prints, and shows how far its own work is.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"
@@ -31,7 +31,7 @@ typedef struct settings {
     paradt_io_want want;
     paradt_method method;
     paradt_partition partition;
-    int replicated, check, hash, quiet, help, version;
+    int replicated, check, hash, progress, quiet, help, version;
 } settings;
 
 // Says on rank 0 what went wrong; returns the exit status.
@@ -96,6 +96,7 @@ static const struct {
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result on rank 0 in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
+    {"--progress", NULL, NULL, offsetof(settings, progress), "draw a progress bar, though mpiexec hides the terminal"},
     {"--quiet", NULL, NULL, offsetof(settings, quiet), "no summary"},
     {"--help", NULL, NULL, offsetof(settings, help), "this text"},
     {"--version", NULL, NULL, offsetof(settings, version), "the version"},
@@ -569,14 +570,25 @@ static int check_outputs(const settings *s) {
     return EXIT_DONE;
 }
 
+// A paradt_progress
+static int show_progress(void *user, double fraction) {
+    paradt_io_bar_draw((paradt_io_bar *)user, fraction);
+    return 0;
+}
+
 static int triangulate(const settings *s, const part *p, paradt_mpi_triangulation *t) {
     paradt_mpi_options options;
+    paradt_io_bar bar;
     paradt_status status;
     memset(&options, 0, sizeof options);
+    paradt_io_bar_begin(&bar);
+    if (rank == 0 && (s->progress || (!s->quiet && isatty(STDERR_FILENO)))) options.local.progress = show_progress;
+    options.local.user = &bar;
     options.local.method = s->method;
     options.local.partition = s->partition;
     options.flags = s->replicated ? PARADT_MPI_REPLICATED : 0;
     status = paradt_mpi_triangulate(t, MPI_COMM_WORLD, &p->points, &options);
+    paradt_io_bar_clear(&bar);
     if (status == PARADT_ERROR_NOT_FINITE)
         return fail(EXIT_INPUT, "%s: point %zu of rank %d is not finite", s->input, t->error_point, t->error_rank);
     if (status) return fail(EXIT_FAILED, "%s: rank %d: %s", s->input, t->error_rank, paradt_status_string(status));
