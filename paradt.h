@@ -140,7 +140,7 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to seven times. One region a thread is right where the points are alike everywhere;
+// threads, at once. It is called up to eight times. One region a thread is right where the points are alike everywhere;
 // a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
@@ -2111,6 +2111,7 @@ typedef struct paradt__loader {
     paradt_index *representative; // [points->count]
     paradt_index *table;          // [tasks][slots]
     size_t slots;                 // a power of two, more than points
+    uint32_t *hashes;             // [points->count]
 } paradt__loader;
 
 static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__team *team) {
@@ -2199,6 +2200,15 @@ static int paradt__merge_point(paradt__loader *loader, paradt_index *table, size
     return 0;
 }
 
+static void paradt__hash_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt__set *set = loader->set;
+    size_t i, end = paradt__loader_share(loader, set->count, index, &i);
+    for (; i < end; i++)
+        loader->hashes[i] =
+            (uint32_t)(paradt__hash_coordinates(set->records + i * set->width, set->space.ambient) >> 32);
+}
+
 // Looks at the points whose hash is in the task's share. The slots, and the points in them, are fetched a batch ahead
 // of their use.
 static void paradt__merge_task(void *context, size_t index) {
@@ -2212,12 +2222,12 @@ static void paradt__merge_task(void *context, size_t index) {
     while (i < set->count) {
         size_t count = 0, j;
         for (; i < set->count && count < BATCH; i++) {
-            uint64_t hash = paradt__hash_coordinates(set->records + i * set->width, set->space.ambient);
-            if (tasks > 1 && (hash >> 32) * tasks >> 32 != index) continue;
             points[count] = i;
-            slots[count] = (size_t)hash & (loader->slots - 1);
-            PARADT__PREFETCH(table + slots[count]);
-            count++;
+            count += loader->hashes[i] * tasks >> 32 == index;
+        }
+        for (j = 0; j < count; j++) {
+            slots[j] = loader->hashes[points[j]] & (loader->slots - 1);
+            PARADT__PREFETCH(table + slots[j]);
         }
         for (j = 0; j < count; j++) {
             paradt_index first = table[slots[j]];
@@ -2238,10 +2248,15 @@ static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *tea
     loader.representative = representative;
     loader.slots = 16;
     while (loader.slots <= set->count * (team->tasks > 1 ? 1 : 2)) loader.slots *= 2;
+    loader.hashes = (uint32_t *)paradt__alloc(memory, set->count, sizeof *loader.hashes);
     loader.table = (paradt_index *)paradt__alloc(memory, team->tasks * loader.slots, sizeof *loader.table);
-    if (!loader.table) return PARADT_ERROR_MEMORY;
-    paradt__team_run(team, paradt__merge_task, &loader);
+    if (loader.hashes && loader.table) {
+        paradt__team_run(team, paradt__hash_task, &loader);
+        paradt__team_run(team, paradt__merge_task, &loader);
+    }
+    paradt__release(memory, loader.hashes);
     paradt__release(memory, loader.table);
+    if (!loader.hashes || !loader.table) return PARADT_ERROR_MEMORY;
     for (i = 0; i < team->tasks; i++) merged += loader.merged[i];
     if (!merged) return PARADT_OK;
     for (i = 0; i < set->count; i++) {
@@ -7000,6 +7015,8 @@ static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
     paradt_status status;
     if (patch->state[cell] != PARADT__UNKNOWN) return PARADT_OK;
+    PARADT__PREFETCH(paradt__patch_cell(patch, cell));
+    PARADT__PREFETCH(patch->bw.cells.neighbors + (size_t)cell * (size_t)patch->bw.cells.corners);
     patch->state[cell] = PARADT__WAITING;
     status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
     if (!status) patch->list[patch->list_count++] = cell;

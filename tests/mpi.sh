@@ -148,7 +148,7 @@ report $? rank_0_shows_progress_that_never_goes_back "$work/log"
 # --- the study's own MPI of one process
 
 $CC -O2 -Wall -Wextra -Wshadow -Werror -Itests/bench/alone -I. -o "$work/study" tests/bench/study.c -pthread -lm \
-    2>"$work/log" && timeout 200 "$work/study" gen:clusters:20000:1 1 2 7 100 >>"$work/log" 2>&1
+    2>"$work/log" && timeout 200 "$work/study" 2 gen:clusters:20000:1 1 2 7 100 >>"$work/log" 2>&1
 report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
 
 echo "1..$number"

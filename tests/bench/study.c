@@ -1,4 +1,4 @@
-// study gen:KIND:N:SEED RANKS...: how paradt_mpi_triangulate would scale, on one processor. The ranks' work is measured alone,
+// study RUNS gen:KIND:N:SEED RANKS...: how paradt_mpi_triangulate would scale, on one processor. The ranks' work is measured alone,
 // one after another, by the MPI of alone/mpi.h, which tells what the model of messages is. A line of a table for each
 // number of ranks, from that of one on:
 //   work      seconds of all ranks together; slowest: of the rank with most
@@ -21,7 +21,7 @@ static struct {
     paradt_gen_spec spec;
     uint64_t cells, hash; // of the first run; all others must have the same
     paradt_mpi_stats sum, largest;
-    double all_work, most_work, time, talking; // of the last run
+    unsigned long steps; // of the last run, without those of its check
 } study;
 
 static void fail(const char *what) {
@@ -43,15 +43,9 @@ static void rank_program(int rank) {
     if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, NULL)) fail("it was not triangulated");
     alone_enter();
     if (rank == 0) {
-        study.all_work = study.most_work = 0;
-        for (int r = 0; r < alone.ranks; r++) {
-            study.all_work += alone.rank[r].work;
-            study.most_work = alone.rank[r].work > study.most_work ? alone.rank[r].work : study.most_work;
-        }
         study.sum = t.sum;
         study.largest = t.largest;
-        study.talking = alone.talking;
-        study.time = alone.computing + alone.talking;
+        study.steps = alone.calls;
     }
     hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
     if (rank == 0 && study.cells && (study.cells != t.cell_total || study.hash != hash))
@@ -65,17 +59,20 @@ static void rank_program(int rank) {
 }
 
 int main(int argc, char **argv) {
-    const char *wrong = argc < 3 ? "study gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[1]);
+    const char *wrong = argc < 4 ? "study RUNS gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[2]);
     double one = 0;
     if (wrong) fail(wrong);
-    for (int i = 2; i < argc; i++) {
+    for (int i = 3; i < argc; i++) {
         int ranks = atoi(argv[i]);
-        double n = (double)study.spec.count;
+        double n = (double)study.spec.count, time;
+        alone_sum sum;
         if (ranks < 1 || ranks > ALONE_MOST_RANKS) fail("so many ranks can't be");
-        alone_run(ranks, rank_program);
-        one = one > 0 ? one : study.time * ranks;
-        printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", argv[1],
-               ranks, study.all_work, study.most_work, study.time, study.talking, one / (ranks * study.time),
+        alone_run(ranks, atoi(argv[1]), rank_program);
+        sum = alone_add_up(study.steps);
+        time = sum.computing + sum.talking;
+        one = one > 0 ? one : time * ranks;
+        printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", argv[2],
+               ranks, sum.all_work, sum.most_work, time, sum.talking, one / (ranks * time),
                100 * (double)study.sum.points_guessed / n, 100 * (double)study.sum.points_asked / n,
                100 * (double)study.sum.cells_recomputed / (double)study.cells,
                (double)study.largest.peak_bytes * ranks / n, (double)study.sum.bytes_sent / n);

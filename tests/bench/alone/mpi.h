@@ -5,7 +5,9 @@
 // The clock of the ranks. A collective call ends a step: the time of the whole grows by that of the step's slowest rank
 // (in CPU time of its thread), and by what the step's messages cost: for the rank that sends and gets the most,
 // LATENCY for each message and 1 / BANDWIDTH for each byte, both ways counted; for the collective call itself LATENCY
-// for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it.
+// for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it. The program runs
+// several times, in the same steps; of each rank's each step the least time counts, so that what else the machine does
+// is not taken for the rank's work.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
@@ -40,7 +42,6 @@ typedef struct alone_rank {
     void *out;
     double began;                 // the thread's time when the last call ended
     double step, messages, bytes; // of this step
-    double work;                  // of all steps
     int ended;
     alone_message *mail; // sent to it, first come first
     alone_message **last;
@@ -51,10 +52,17 @@ static struct {
     pthread_mutex_t lock;
     alone_rank rank[ALONE_MOST_RANKS];
     int arrived; // at the collective call at hand
-    unsigned long calls;
-    double computing, talking; // seconds of the whole
+    unsigned long calls;       // that have ended, so many steps
     void (*program)(int rank);
 } alone;
+
+// Seconds of the steps, the least of the runs so far
+static struct {
+    int runs;
+    unsigned long steps, room;
+    double *work; // [steps][ranks]
+    double *talk; // [steps]
+} alone_times;
 
 static _Thread_local int alone_me;
 static _Thread_local struct {
@@ -103,18 +111,52 @@ static void alone_yield(void) {
 
 // received: bytes that each rank gets in the call that ends the step
 static void alone_end_step(double received) {
-    double slowest = 0, longest = 0, rounds = 0;
+    double longest = 0, rounds = 0, *work;
+    if (alone.calls == alone_times.room) {
+        alone_times.room = 2 * alone_times.room + 64;
+        alone_times.work =
+            (double *)realloc(alone_times.work, alone_times.room * (size_t)alone.ranks * sizeof *alone_times.work);
+        alone_times.talk = (double *)realloc(alone_times.talk, alone_times.room * sizeof *alone_times.talk);
+        if (!alone_times.work || !alone_times.talk) abort();
+    }
+    work = alone_times.work + alone.calls * (size_t)alone.ranks;
     for (int r = 0; r < alone.ranks; r++) {
         alone_rank *rank = &alone.rank[r];
         double talk = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
-        slowest = rank->step > slowest ? rank->step : slowest;
         longest = talk > longest ? talk : longest;
-        rank->work += rank->step;
+        work[r] = alone_times.runs && work[r] < rank->step ? work[r] : rank->step;
         rank->step = rank->messages = rank->bytes = 0;
     }
     for (int reached = 1; reached < alone.ranks; reached *= 2) rounds++;
-    alone.computing += slowest;
-    alone.talking += longest + rounds * ALONE_LATENCY + (alone.ranks > 1 ? received / ALONE_BANDWIDTH : 0);
+    alone_times.talk[alone.calls] =
+        longest + rounds * ALONE_LATENCY + (alone.ranks > 1 ? received / ALONE_BANDWIDTH : 0);
+}
+
+// What the first `steps` steps took
+typedef struct alone_sum {
+    double all_work, most_work; // seconds of all ranks, of the one with most
+    double computing, talking;  // of each step the slowest rank; the messages
+} alone_sum;
+
+static alone_sum alone_add_up(unsigned long steps) {
+    alone_sum sum = {0, 0, 0, 0};
+    for (unsigned long step = 0; step < steps; step++) {
+        double slowest = 0;
+        for (int r = 0; r < alone.ranks; r++) {
+            double work = alone_times.work[step * (size_t)alone.ranks + (size_t)r];
+            slowest = work > slowest ? work : slowest;
+        }
+        sum.computing += slowest;
+        sum.talking += alone_times.talk[step];
+    }
+    for (int r = 0; r < alone.ranks; r++) {
+        double work = 0;
+        for (unsigned long step = 0; step < steps; step++)
+            work += alone_times.work[step * (size_t)alone.ranks + (size_t)r];
+        sum.all_work += work;
+        sum.most_work = work > sum.most_work ? work : sum.most_work;
+    }
+    return sum;
 }
 
 // All ranks come here with their `in` and `out`; the last one lets `finish` move the data of all of them.
@@ -354,8 +396,8 @@ static void *alone_thread(void *context) {
     return NULL;
 }
 
-// Runs the program as so many ranks.
-static void alone_run(int ranks, void (*program)(int rank)) {
+// Runs the program once as so many ranks.
+static void alone_run_once(int ranks, void (*program)(int rank)) {
     memset(&alone, 0, sizeof alone);
     alone.ranks = ranks;
     alone.program = program;
@@ -367,6 +409,16 @@ static void alone_run(int ranks, void (*program)(int rank)) {
     for (int r = 0; r < ranks; r++)
         if (pthread_create(&alone.rank[r].thread, NULL, alone_thread, (void *)(intptr_t)r)) abort();
     for (int r = 0; r < ranks; r++) pthread_join(alone.rank[r].thread, NULL);
+}
+
+// Runs the program as so many ranks, several times.
+static void alone_run(int ranks, int runs, void (*program)(int rank)) {
+    alone_times.steps = alone_times.room = 0;
+    for (alone_times.runs = 0; alone_times.runs < runs; alone_times.runs++) {
+        alone_run_once(ranks, program);
+        if (alone_times.runs && alone.calls != alone_times.steps) abort(); // the runs did not do the same
+        alone_times.steps = alone.calls;
+    }
 }
 
 #endif
