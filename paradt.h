@@ -4881,13 +4881,28 @@ static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_
     }
 }
 
-// The points of the subset (NULL: of the set) in the order of insertion: a new block, or NULL when there is no memory.
-static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_index *subset, size_t count,
+// How many rounds come after the first, for so many points
+static int paradt__round_count(size_t count) {
+    int rounds = 0;
+    while (rounds < 15 && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND) rounds++;
+    return rounds;
+}
+
+// The round in which the i-th point is inserted, at random: 0 to rounds
+static int paradt__round_of(size_t i, int rounds) {
+    uint64_t draw = paradt__mix((uint64_t)i + 1) | (uint64_t)1 << 60;
+    int back = paradt__trailing_zeros(draw) / PARADT__ROUND_SHIFT;
+    return back < rounds ? rounds - back : 0;
+}
+
+// The points of the subset (NULL: of the set) by rounds, and in each along the curve: a new block, or NULL when there is
+// no memory.
+static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_index *subset, size_t count, int rounds,
                                           paradt__memory *memory) {
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed), *other;
     paradt__hilbert curve;
     paradt__lattice lattice;
-    int rounds = 0, dim = set->space.dim;
+    int dim = set->space.dim;
     size_t i;
     other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed);
     if (!keyed || !other) {
@@ -4895,17 +4910,14 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
         paradt__release(memory, other);
         return NULL;
     }
-    while (rounds < 15 && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND) rounds++;
     paradt__hilbert_begin(&curve, dim);
     paradt__lattice_begin(&lattice, set, subset, count, curve.levels);
     for (i = 0; i < count; i++) {
         paradt_index point = subset ? subset[i] : (paradt_index)i;
-        uint64_t draw = paradt__mix((uint64_t)i + 1) | (uint64_t)1 << 60;
-        int back = paradt__trailing_zeros(draw) / PARADT__ROUND_SHIFT;
         uint32_t x[PARADT_MAX_DIM];
         paradt__lattice_point(&lattice, paradt__record(set, point), dim, x);
         keyed[i].key =
-            (uint64_t)(back < rounds ? rounds - back : 0) << PARADT__HILBERT_BITS | paradt__hilbert_key(&curve, x);
+            (uint64_t)paradt__round_of(i, rounds) << PARADT__HILBERT_BITS | paradt__hilbert_key(&curve, x);
         keyed[i].point = point;
     }
     paradt__keyed_sort(keyed, other, count, 56);
@@ -6208,9 +6220,10 @@ static size_t paradt__last_round(const paradt__keyed *order, size_t count) {
     return begin;
 }
 
-// The points in the order of insertion, as a set of their own. origin: their positions in the set.
-static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, paradt__memory *memory) {
-    paradt__keyed *order = paradt__keyed_order(set, NULL, set->count, memory);
+// The points in an order, as a set of their own. origin: their positions in the set. It takes the order, which may be
+// NULL: there is no memory.
+static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *set, paradt__keyed *order,
+                                       paradt__memory *memory) {
     size_t i;
     *sorted = *set;
     sorted->records = NULL;
@@ -6219,21 +6232,18 @@ static paradt_status paradt__bw_gather(paradt__set *sorted, const paradt__set *s
     memset(&sorted->space.counters, 0, sizeof sorted->space.counters);
     sorted->records = (double *)paradt__alloc(memory, set->count, set->width * sizeof(double));
     sorted->origin = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted->origin);
-    if (sorted->records && sorted->origin) {
-        for (i = 0; i < set->count; i++) {
-            paradt__copy_record(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width);
-            sorted->origin[i] = order[i].point;
-        }
-        paradt__bw_span_first(sorted);
+    for (i = 0; i < set->count && sorted->records && sorted->origin; i++) {
+        paradt__copy_record(sorted->records + i * set->width, paradt__record(set, order[i].point), set->width);
+        sorted->origin[i] = order[i].point;
     }
     paradt__release(memory, order);
     return sorted->records && sorted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
-// Puts the points of the set into the order of insertion.
-static paradt_status paradt__bw_order(paradt__set *set, paradt__memory *memory) {
+// Puts the points of the set into an order, which it takes.
+static paradt_status paradt__bw_order(paradt__set *set, paradt__keyed *order, paradt__memory *memory) {
     paradt__set sorted;
-    paradt_status status = paradt__bw_gather(&sorted, set, memory);
+    paradt_status status = paradt__bw_gather(&sorted, set, order, memory);
     size_t i;
     for (i = 0; i < set->count && !status; i++) sorted.origin[i] = set->origin[sorted.origin[i]];
     if (status) {
@@ -6304,8 +6314,10 @@ static paradt_status paradt__bowyer_watson(paradt__set *set, paradt__memory *mem
                                            int adjacency, const paradt__progress *progress, paradt__counters *counters,
                                            uint64_t *hull_facets) {
     paradt__bw bw;
-    paradt_status status = paradt__bw_order(set, memory);
+    paradt__keyed *order = paradt__keyed_order(set, NULL, set->count, paradt__round_count(set->count), memory);
+    paradt_status status = paradt__bw_order(set, order, memory);
     if (status) return status;
+    paradt__bw_span_first(set);
     memset(&bw, 0, sizeof bw);
     bw.cells.corners = set->space.dim + 1;
     bw.space = set->space;
@@ -6959,7 +6971,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     count = patch->list_count;
     patch->list_count = 0;
     if (!status && count) {
-        margin = paradt__keyed_order(patch->set, patch->list, count, patch->memory);
+        margin = paradt__keyed_order(patch->set, patch->list, count, paradt__round_count(count), patch->memory);
         if (!margin) status = PARADT_ERROR_MEMORY;
     }
     early = margin ? paradt__last_round(margin, count) : 0;
@@ -7531,7 +7543,7 @@ static void paradt__field_task(void *context, size_t index) {
     memcpy(field->low, part->low, sizeof field->low);
     memcpy(field->high, part->high, sizeof field->high);
     if (count) {
-        order = paradt__keyed_order(set, work->points + part->begin, count, &region->memory);
+        order = paradt__keyed_order(set, work->points + part->begin, count, paradt__round_count(count), &region->memory);
         if (!order) region->status = PARADT_ERROR_MEMORY;
     }
     for (i = 0; i < count && order; i++) {
@@ -8140,9 +8152,9 @@ static unsigned paradt__remote_boxes(const paradt__search *s, const double *grou
     return mask && !s->conflict && s->q.n_floor == 0.0 ? mask & paradt__remote_beyond(s, group) : mask;
 }
 
-// Lies the sphere of the cell in the room of the whole set, so that points outside of it are no answers?
-static int paradt__remote_confined(const paradt__search *s) {
-    return s->space.filtered && paradt__search_inside(s, s->grid->levels - 1, 0);
+// Lies the sphere of the cell in the room, so that points outside of it are no answers? room: low and high of each axis
+static int paradt__remote_confined(const paradt__search *s, const double *room) {
+    return s->space.filtered && paradt__search_within(s, room);
 }
 
 // Is the point strictly beyond the facet?
@@ -8207,13 +8219,27 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
     memset(engine, 0, sizeof *engine);
 }
 
-// Inserts all points of the set. It is measured with all points that are to come, spans them, and has no sagittas.
+// An order of insertion, by rounds, of points that are in the order of a curve already: a new block, or NULL.
+static paradt__keyed *paradt__remote_order(size_t count, paradt__memory *memory) {
+    paradt__keyed *order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *order);
+    size_t place[16 + 1] = {0}, i;
+    int rounds = paradt__round_count(count), r;
+    if (!order) return NULL;
+    for (i = 0; i < count; i++) place[paradt__round_of(i, rounds) + 1]++;
+    for (r = 0; r < rounds; r++) place[r + 1] += place[r];
+    for (i = 0; i < count; i++) order[place[paradt__round_of(i, rounds)]++].point = (paradt_index)i;
+    return order;
+}
+
+// Inserts all points of the set, which are in the order of a curve, or of a few. It is measured with all points that
+// are to come, spans them, and has no sagittas.
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
                                                  paradt__memory *memory, const paradt__progress *progress) {
     paradt_status status;
     memset(engine, 0, sizeof *engine);
-    status = paradt__bw_gather(&engine->sorted, set, memory);
+    status = paradt__bw_gather(&engine->sorted, set, paradt__remote_order(set->count, memory), memory);
     if (status) return status;
+    paradt__bw_span_first(&engine->sorted);
     engine->capacity = set->count;
     engine->bw.space = engine->sorted.space;
     engine->bw.memory = memory;

@@ -369,8 +369,9 @@ typedef struct paradt_mpi__work {
     uint64_t *first;          // [ranks + 1] first global id of each rank's points
     int dim, weighted;        // of the points as handed in
     int shift;                // the coordinates were multiplied by 2^shift
-    paradt__set set;          // own points in grid order; behind them in records those of others
+    paradt__set set;          // own points along a curve; behind them in records those of others
     paradt__grid grid;        // of the own points
+    double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point of another rank is in there
     paradt__search search;    // in it
     int ready;                // the grid is there: there are points here, not all equal, and other ranks
     int stuck;                // questions or answers would take too long: see paradt_mpi__patience
@@ -1129,10 +1130,10 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     return PARADT_OK;
 }
 
-// Sorts the own points into their grid; its room is this rank's box, where that is known on the axes that orient.
+// Puts the own points into the order of a curve, and their grid over them. Their room is this rank's box, where that is
+// known on the axes that orient.
 static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
     paradt__set *set = &w->set;
-    double *room;
     int axis, bounded = w->shift != 0;
     size_t i;
     paradt_status status;
@@ -1140,15 +1141,18 @@ static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
     if (!w->home) return PARADT_ERROR_MEMORY;
     w->known = w->room = set->count;
     w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
+    if (set->count && set->space.dim > 0) {
+        status = paradt__bw_order(set, paradt__keyed_order(set, NULL, set->count, 0, &w->memory), &w->memory);
+        if (status) return status;
+    }
     if (w->ready) {
-        status = paradt__grid_build(&w->grid, set, &w->memory);
+        status = paradt__grid_lay(&w->grid, set, &w->memory);
         if (status) return status;
         for (axis = set->space.dim; axis < w->dim; axis++)
             bounded |= w->below[set->axes[axis]] > -PARADT__FAR || w->above[set->axes[axis]] < PARADT__FAR;
-        room = w->grid.rooms[w->grid.levels - 1];
         for (axis = 0; axis < set->space.dim; axis++) {
-            room[2 * axis] = bounded ? PARADT__FAR : w->below[set->axes[axis]];
-            room[2 * axis + 1] = bounded ? -PARADT__FAR : w->above[set->axes[axis]];
+            w->inside[2 * axis] = bounded ? PARADT__FAR : w->below[set->axes[axis]];
+            w->inside[2 * axis + 1] = bounded ? -PARADT__FAR : w->above[set->axes[axis]];
         }
         paradt__search_begin(&w->search, set, &w->grid);
     }
@@ -1654,10 +1658,10 @@ static int paradt_mpi__surely_inside3(const double *room, const double *const *p
 
 // Can no point of another rank be inside of the sphere of a cell? The search is set to the cell if that is not so.
 static int paradt_mpi__confined(paradt_mpi__work *w, const double **corners, const paradt_index *own, int count) {
-    const double *room = w->grid.rooms[w->grid.levels - 1];
-    if (count == 4 && w->search.plain3 && w->set.space.filtered && paradt_mpi__surely_inside3(room, corners)) return 1;
+    if (count == 4 && w->search.plain3 && w->set.space.filtered && paradt_mpi__surely_inside3(w->inside, corners))
+        return 1;
     paradt__remote_cell(&w->search, corners, own);
-    return count == w->set.space.dim + 1 && paradt__remote_confined(&w->search);
+    return count == w->set.space.dim + 1 && paradt__remote_confined(&w->search, w->inside);
 }
 
 // Lists the questions for the sake of a place. *open: may a point of another rank be in conflict with what is there?

@@ -140,7 +140,7 @@ report $? writes_a_piece_for_each_rank "$work/log"
     awk '{ sum += $NF } END { print sum }')" = "$(awk 'NR == 1 { print $1 }' "$work/serial.ele")" ]
 report $? pieces_have_every_cell_once
 
-on 2 "$tool" --quiet --progress gen:uniform:1000000:1 2>"$work/log" &&
+on 2 "$tool" --quiet --progress gen:uniform:3000000:1 2>"$work/log" &&
     tr '\r' '\n' <"$work/log" | grep -o '[0-9]*%' | tr -d % >"$work/percents" && [ -s "$work/percents" ] &&
     sort -n -c "$work/percents" 2>>"$work/log"
 report $? rank_0_shows_progress_that_never_goes_back "$work/log"
