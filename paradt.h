@@ -144,8 +144,8 @@
 // a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
-// all the rest takes: among points exactly on a sphere, or almost on a line. stats.regions is 1 then. Threads may see the
-// progress go back.
+// all the rest takes: among points exactly on a sphere, or almost on a line. stats.regions is 1 then. Threads may see
+// the progress go back.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
 //
@@ -4895,8 +4895,8 @@ static int paradt__round_of(size_t i, int rounds) {
     return back < rounds ? rounds - back : 0;
 }
 
-// The points of the subset (NULL: of the set) by rounds, and in each along the curve: a new block, or NULL when there is
-// no memory.
+// The points of the subset (NULL: of the set) by rounds, and in each along the curve: a new block, or NULL when there
+// is no memory.
 static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_index *subset, size_t count, int rounds,
                                           paradt__memory *memory) {
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed), *other;
@@ -4916,8 +4916,7 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
         paradt_index point = subset ? subset[i] : (paradt_index)i;
         uint32_t x[PARADT_MAX_DIM];
         paradt__lattice_point(&lattice, paradt__record(set, point), dim, x);
-        keyed[i].key =
-            (uint64_t)paradt__round_of(i, rounds) << PARADT__HILBERT_BITS | paradt__hilbert_key(&curve, x);
+        keyed[i].key = (uint64_t)paradt__round_of(i, rounds) << PARADT__HILBERT_BITS | paradt__hilbert_key(&curve, x);
         keyed[i].point = point;
     }
     paradt__keyed_sort(keyed, other, count, 56);
@@ -4939,9 +4938,9 @@ static paradt__keyed *paradt__keyed_order(const paradt__set *set, const paradt_i
 //     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
 // Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
 // relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
-// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of it,
-// and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. With s_p, s_x the computed differences of p
-// and x to the centre, h_j the largest size of an |s_j| in the set, and
+// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of
+// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. With s_p, s_x the computed differences
+// of p and x to the centre, h_j the largest size of an |s_j| in the set, and
 //     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
 // a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
 // h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
@@ -5004,8 +5003,8 @@ typedef struct paradt__spheres3 {
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
     // in-sphere filter did
     size_t made, missed, vague;
-    int sharp; // the bounds on the powers' errors are the sharp ones
-    void *large_table;   // its block; NULL: it is in the same block, behind this
+    int sharp;         // the bounds on the powers' errors are the sharp ones
+    void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
     size_t large_star, large_row; // for so many new cells
 
@@ -5450,9 +5449,9 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
         const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->sharp, s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0], a[1] - p[1],
-                             a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal, sphere->normal + 1,
-                             sphere->normal + 2, &sphere->constant, &sphere->error);
+        paradt__sphere3_make(s->sharp, s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0],
+                             a[1] - p[1], a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal,
+                             sphere->normal + 1, sphere->normal + 2, &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
@@ -5636,9 +5635,9 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
     s->count = 0;
 }
 
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without, and
-// a table of four times the size if many spheres have had to be made again. It takes at most half of the memory that
-// the cells take.
+// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
+// and a table of four times the size if many spheres have had to be made again. It takes at most half of the memory
+// that the cells take.
 PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
@@ -5790,8 +5789,7 @@ static void paradt__four3_store_plain(paradt__four3 *four) {
 
 // The spheres of the new cells that are no ghosts, four at a time in vectors, and the next point's powers.
 PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, int count, const double *x,
-                                         const paradt__seen3 *seen, paradt__four3_move load,
-                                         paradt__four3_move store) {
+                                         const paradt__seen3 *seen, paradt__four3_move load, paradt__four3_move store) {
     const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
     double least = PARADT__NO_ERROR_BOUND;
     paradt__seen3 p = *seen, next = s->next;
@@ -5809,9 +5807,9 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, int cou
         load(&four);
         for (lane = 0; lane < 4; lane++) {
             double nx, ny, nz, d, e;
-            paradt__sphere3_make(sharp, half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
-                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
-                                 &nx, &ny, &nz, &d, &e);
+            paradt__sphere3_make(sharp, half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2,
+                                 a[0][lane] - x0, a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1,
+                                 c[2][lane] - x2, &nx, &ny, &nz, &d, &e);
             four.normal[0][lane] = nx;
             four.normal[1][lane] = ny;
             four.normal[2][lane] = nz;
@@ -6553,7 +6551,7 @@ PARADT__INLINE int64_t paradt__partition_key(const paradt__partitioner *p, size_
 // which two it is, so that few have to be looked through.
 static int64_t paradt__nth_key(const paradt__partitioner *p, size_t begin, size_t end, size_t nth, int axis) {
     enum { MANY = 1 << 16, SAMPLE = 1 << 12, MARGIN = 1 << 7 }; // 4 standard deviations of a rank in the sample
-    size_t count = end - begin, at = (size_t)((double)nth / (double)count * SAMPLE), below = 0, kept = 0, i;
+    size_t count = end - begin, at = (size_t)((double)nth / (double)count * (double)SAMPLE), below = 0, kept = 0, i;
     if (count >= MANY) {
         int64_t low = INT64_MIN, high = INT64_MAX;
         for (i = 0; i < SAMPLE; i++) p->keys[i] = paradt__partition_key(p, begin + count / SAMPLE * i, axis);
@@ -7543,7 +7541,8 @@ static void paradt__field_task(void *context, size_t index) {
     memcpy(field->low, part->low, sizeof field->low);
     memcpy(field->high, part->high, sizeof field->high);
     if (count) {
-        order = paradt__keyed_order(set, work->points + part->begin, count, paradt__round_count(count), &region->memory);
+        order =
+            paradt__keyed_order(set, work->points + part->begin, count, paradt__round_count(count), &region->memory);
         if (!order) region->status = PARADT_ERROR_MEMORY;
     }
     for (i = 0; i < count && order; i++) {

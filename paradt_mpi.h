@@ -110,9 +110,9 @@
 // measure the points from there, as paradt.h does.
 //
 // There are sets of which the boxes of all ranks share nearly every cell, or whose spheres no box can tell from each
-// other: points exactly on a sphere, almost on a line, on a cylinder or a helix. Where a rank finds that its questions or
-// answers would take longer than building all of T(P), all points are sent to all ranks, and each builds the whole and
-// keeps its own cells: only then a rank has more than its own points and a seam.
+// other: points exactly on a sphere, almost on a line, on a cylinder or a helix. Where a rank finds that its questions
+// or answers would take longer than building all of T(P), all points are sent to all ranks, and each builds the whole
+// and keeps its own cells: only then a rank has more than its own points and a seam.
 //
 //
 // REPLICATED POINTS
@@ -364,24 +364,25 @@ typedef struct paradt_mpi__work {
     paradt_mpi_triangulation *out;
     paradt_mpi_stats stats;
     size_t error_point;
-    paradt_status failed;     // what all ranks have agreed on
-    size_t *to, *from;        // [ranks] elements of an exchange
-    uint64_t *first;          // [ranks + 1] first global id of each rank's points
-    int dim, weighted;        // of the points as handed in
-    int shift;                // the coordinates were multiplied by 2^shift
-    paradt__set set;          // own points along a curve; behind them in records those of others
-    paradt__grid grid;        // of the own points
+    paradt_status failed;              // what all ranks have agreed on
+    size_t *to, *from;                 // [ranks] elements of an exchange
+    uint64_t *first;                   // [ranks + 1] first global id of each rank's points
+    int dim, weighted;                 // of the points as handed in
+    int shift;                         // the coordinates were multiplied by 2^shift
+    paradt__set set;                   // own points along a curve; behind them in records those of others
+    paradt__grid grid;                 // of the own points
     double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point of another rank is in there
-    paradt__search search;    // in it
-    int ready;                // the grid is there: there are points here, not all equal, and other ranks
-    int stuck;                // questions or answers would take too long: see paradt_mpi__patience
-    size_t known, room;       // points in set.records, and places for them
-    paradt_mpi__home *home;   // [room]
-    paradt_mpi__table others; // points of others that are known: value is the place in set.records
-    paradt_mpi__table told;   // ranks and the own points that they were told
-    paradt_index *twin;       // [received] of each point received the one that stands for it
-    uint64_t *received;       // [received] their ids
-    size_t received_count;    //
+    paradt__search search;             // in it
+    int ready;                         // the grid is there: there are points here, not all equal, and other ranks
+    uint64_t patience;                 // so much work questions are worth: about the number of all ranks' cells
+    int stuck;                         // questions or answers would take longer
+    size_t known, room;                // points in set.records, and places for them
+    paradt_mpi__home *home;            // [room]
+    paradt_mpi__table others;          // points of others that are known: value is the place in set.records
+    paradt_mpi__table told;            // ranks and the own points that they were told
+    paradt_index *twin;                // [received] of each point received the one that stands for it
+    uint64_t *received;                // [received] their ids
+    size_t received_count;             //
     double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM]; // this rank's box, on the caller's axes; -FAR, FAR: unbounded
     paradt_mpi__directory directory;
     paradt__remote_engine engine; // insertion, while it goes on
@@ -1688,22 +1689,20 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     return status;
 }
 
-// How many cells all ranks have, as far as one can tell: so much work questions are worth. Not collective.
-static size_t paradt_mpi__patience(const paradt_mpi__work *w) {
-    enum { FIRST_PATIENCE = 50000 };
-    size_t cells = w->inserting ? w->engine.bw.cells.count : w->local.cell_count;
-    return cells * (size_t)w->ranks + FIRST_PATIENCE;
+static void paradt_mpi__take_patience(paradt_mpi__work *w) {
+    enum { FIRST_PATIENCE = 100000 };
+    w->patience = paradt_mpi__sum(w, w->inserting ? w->engine.bw.cells.count : w->local.cell_count) + FIRST_PATIENCE;
 }
 
 // Does looking for answers take longer than building everything?
 static int paradt_mpi__answers_too_long(const paradt_mpi__work *w) {
     const paradt__counters *c = &w->search.space.counters;
-    return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * (uint64_t)paradt_mpi__patience(w);
+    return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * w->patience;
 }
 
-// Do the cells ask half of all ranks? Then there is nothing to be asked for.
+// Do a rank's cells ask half of all ranks? Then there is nothing to be asked for.
 static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    if (q->count <= paradt_mpi__patience(w) / 2) return;
+    if (q->count <= w->patience / 2) return;
     w->stuck = 1;
     q->count = 0;
 }
@@ -1956,6 +1955,7 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     memset(&mail, 0, sizeof mail);
     memset(&answers, 0, sizeof answers);
     *news = 0;
+    paradt_mpi__take_patience(w);
     status = paradt_mpi__collect(w, &questions);
     w->stats.cells_asked += questions.count;
     w->stats.rounds++;
@@ -1983,8 +1983,7 @@ static paradt_status paradt_mpi__share_all(paradt_mpi__work *w, size_t *news) {
     memset(&list, 0, sizeof list);
     for (r = 0; r < w->ranks && !status; r++) {
         if (r == w->rank || !w->directory.count[r]) continue;
-        for (i = 0; i < w->set.count && !status; i++)
-            status = paradt_mpi__list_add(w, &list, r, (paradt_index)i);
+        for (i = 0; i < w->set.count && !status; i++) status = paradt_mpi__list_add(w, &list, r, (paradt_index)i);
     }
     status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, news));
     w->stats.points_asked += *news;

@@ -8,9 +8,9 @@
 //     if (!paradt_io_read(&points, "cloud.ply", NULL, &error)) fprintf(stderr, "%s\n", error.text);
 //
 // Input, by extension (paradt_io_inputs lists them); every number is correctly rounded, NaN and infinities are refused:
-//   .xyz .txt .csv  a point a line; blanks, tabs, a comma or a semicolon between numbers; blank lines and comments, from
-//                   # on, are skipped. .xyz: three coordinates. .txt, .csv: every column is a coordinate. .csv: a first
-//                   line without numbers is a title.
+//   .xyz .txt .csv  a point a line; blanks, tabs, a comma or a semicolon between numbers; blank lines and comments,
+//                   from # on, are skipped. .xyz: three coordinates. .txt, .csv: every column is a coordinate. .csv: a
+//                   first line without numbers is a title.
 //   .node           TetGen and Triangle: first index 0 or 1, attributes, markers. The weight is the first attribute.
 //   .off            OFF and its relatives with normals, colours or n dimensions, in ASCII.
 //   .ply            ASCII, binary little- or big-endian; properties x, y, z of any type in any order. The weight is the

@@ -1,6 +1,6 @@
-// study RUNS gen:KIND:N:SEED RANKS...: how paradt_mpi_triangulate would scale, on one processor. The ranks' work is measured alone,
-// one after another, by the MPI of alone/mpi.h, which tells what the model of messages is. A line of a table for each
-// number of ranks, from that of one on:
+// study RUNS gen:KIND:N:SEED RANKS...: how paradt_mpi_triangulate would scale, on one processor. The ranks' work is
+// measured alone, one after another, by the MPI of alone/mpi.h, which tells what the model of messages is. A line of a
+// table for each number of ranks, from that of one on:
 //   work      seconds of all ranks together; slowest: of the rank with most
 //   time      of the whole: of each step the slowest rank, and the messages
 //   talking   the messages' part of it

@@ -51,8 +51,8 @@ static struct {
     int ranks, runs; // runs: whose turn it is
     pthread_mutex_t lock;
     alone_rank rank[ALONE_MOST_RANKS];
-    int arrived; // at the collective call at hand
-    unsigned long calls;       // that have ended, so many steps
+    int arrived;         // at the collective call at hand
+    unsigned long calls; // that have ended, so many steps
     void (*program)(int rank);
 } alone;
 
