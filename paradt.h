@@ -140,7 +140,7 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to eight times. One region a thread is right where the points are alike everywhere;
+// threads, at once. It is called up to nine times. One region a thread is right where the points are alike everywhere;
 // a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
@@ -2244,19 +2244,21 @@ static paradt_status paradt__set_merge(paradt__set *set, const paradt__team *tea
                                        paradt_index *representative) {
     paradt__loader loader;
     size_t i, merged = 0, kept = 0;
+    int room;
     paradt__loader_begin(&loader, set, team);
     loader.representative = representative;
     loader.slots = 16;
     while (loader.slots <= set->count * (team->tasks > 1 ? 1 : 2)) loader.slots *= 2;
     loader.hashes = (uint32_t *)paradt__alloc(memory, set->count, sizeof *loader.hashes);
     loader.table = (paradt_index *)paradt__alloc(memory, team->tasks * loader.slots, sizeof *loader.table);
-    if (loader.hashes && loader.table) {
+    room = loader.hashes && loader.table;
+    if (room) {
         paradt__team_run(team, paradt__hash_task, &loader);
         paradt__team_run(team, paradt__merge_task, &loader);
     }
     paradt__release(memory, loader.hashes);
     paradt__release(memory, loader.table);
-    if (!loader.hashes || !loader.table) return PARADT_ERROR_MEMORY;
+    if (!room) return PARADT_ERROR_MEMORY;
     for (i = 0; i < team->tasks; i++) merged += loader.merged[i];
     if (!merged) return PARADT_OK;
     for (i = 0; i < set->count; i++) {
@@ -5893,7 +5895,7 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     size_t i;
     int small;
     if (status) return status;
-    if ((size_t)point + 1 < bw->count) s->next = paradt__seen3_of(s, x + 3);
+    if ((size_t)point + 1 < bw->count) s->next = paradt__seen3_of(s, x + bw->width);
     for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
     s->made += bw->rim_count;
@@ -7249,10 +7251,11 @@ static void paradt__patch_close(paradt__patch *patch) {
 // Do the questions take longer than the insertion? They do where many spheres are too close to others' points for
 // boxes to tell: exactly cospherical points are the worst.
 static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    enum { PATIENCE = 2, FIRST_PATIENCE = 10000 };
+    enum { FIRST_PATIENCE = 10000 }; // looks that take a millisecond
     const paradt__counters *c = &patch->search.space.counters;
     uint64_t looked = patch->search.grid_cells_visited + c->insphere_calls + c->orient_calls;
-    return looked > PATIENCE * (uint64_t)patch->bw.count + FIRST_PATIENCE;
+    uint64_t cells = patch->bw.cells.count; // one takes as long as a few looks, in higher dimensions as many
+    return looked > (patch->bw.cells.corners <= 4 ? cells / 3 : cells * 4) + FIRST_PATIENCE;
 }
 
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
@@ -7609,7 +7612,9 @@ static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *
             if (work->region[i].status) break;
         }
     }
-    for (i = 0; i < work->regions && !status; i++) status = work->region[i].status;
+    for (i = 0; i < work->regions; i++) { // an error, or that it was cancelled, before that one gave up
+        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
+    }
     return status;
 }
 

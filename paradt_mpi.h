@@ -150,12 +150,14 @@
 // MEMORY
 //
 // All memory but that of MPI itself comes from the rank's options.local.allocator, within its memory_limit. At no time
-// has a rank more than its share of the points, those it handed in, and those near its border.
+// has a rank more than its share of the points, those it handed in, and those near its border, unless all points are
+// sent to all ranks (see above): then each has the memory and the limits of a call of its own for all of them.
 //
 //
 // COST
 //
-// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods. Beside
+// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods; all points
+// once more where all are sent. Beside
 // that, points are sent once, to their ranks; the cuts take O(n / p log p) time and about 8 log2 p reductions; each
 // cell is looked at once more; and what is sent in steps 1 and 2 is proportional to the number of points near the
 // border, for points spread without structure. The rounds do not grow with the number of ranks. stats.seconds_* tell
@@ -1689,6 +1691,7 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     return status;
 }
 
+// The first part is for small sets, whose questions take milliseconds at most. Collective.
 static void paradt_mpi__take_patience(paradt_mpi__work *w) {
     enum { FIRST_PATIENCE = 100000 };
     w->patience = paradt_mpi__sum(w, w->inserting ? w->engine.bw.cells.count : w->local.cell_count) + FIRST_PATIENCE;
@@ -1700,7 +1703,7 @@ static int paradt_mpi__answers_too_long(const paradt_mpi__work *w) {
     return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * w->patience;
 }
 
-// Do a rank's cells ask half of all ranks? Then there is nothing to be asked for.
+// Does each cell ask half of all ranks? Then the ranks need nearly all points.
 static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
     if (q->count <= w->patience / 2) return;
     w->stuck = 1;

@@ -421,6 +421,50 @@ static void regions_give_up_where_questions_abound(void **state) {
     }
 }
 
+// Integer points on a sphere around the origin, which are measured from it, as points near a sphere are.
+static sample points_exactly_on_a_sphere(int radius2) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 3000, 1);
+    int count = 0, side = (int)sqrt(radius2);
+    for (int x = -side; x <= side; x++)
+        for (int y = -side; y <= side; y++) {
+            int rest = radius2 - x * x - y * y, z = rest < 0 ? -1 : (int)sqrt(rest);
+            if (z < 0 || z * z != rest || count + 2 > s.count)
+                continue;
+            for (int sign = -1; sign <= (z ? 1 : -1); sign += 2, count++) {
+                s.x[3 * count] = x;
+                s.x[3 * count + 1] = y;
+                s.x[3 * count + 2] = sign * z;
+            }
+        }
+    s.count = count;
+    return s;
+}
+
+static void regions_give_up_on_points_measured_from_a_sphere(void **state) {
+    static const int radii2[] = {9425, 99449, 801125};
+    (void)state;
+    for (size_t i = 0; i < sizeof radii2 / sizeof radii2[0]; i++) {
+        sample s = points_exactly_on_a_sphere(radii2[i]);
+        paradt_points points = points_of(&s);
+        paradt_triangulation whole;
+        assert_true(s.count > 100);
+        assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
+        for (unsigned way = 0; way < 4; way++) {
+            paradt_options options = {0};
+            paradt_triangulation t;
+            options.regions = 2 + way / 2 * 2;
+            options.flags = way & 1 ? PARADT_NO_NEIGHBORS : 0;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_true(paradt_hash(&t) == paradt_hash(&whole));
+            if (s.count > 1000)
+                assert_true(t.stats.regions == 1);
+            paradt_free(&t);
+        }
+        paradt_free(&whole);
+        sample_free(&s);
+    }
+}
+
 static void errno_the_rounding_mode_and_the_input_are_left_alone(void **state) {
     static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     scene c;
@@ -560,6 +604,7 @@ int main(void) {
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_without_neighbors_take_220_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),
+        cmocka_unit_test(regions_give_up_on_points_measured_from_a_sphere),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
         cmocka_unit_test(a_small_stack_is_enough),
         cmocka_unit_test(searches_look_at_few_points),

@@ -62,6 +62,7 @@ int main(int argc, char **argv) {
     const char *wrong = argc < 4 ? "study RUNS gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[2]);
     double one = 0;
     if (wrong) fail(wrong);
+    if (atoi(argv[1]) < 1) fail("RUNS is a number from 1 on");
     for (int i = 3; i < argc; i++) {
         int ranks = atoi(argv[i]);
         double n = (double)study.spec.count, time;

@@ -56,7 +56,7 @@ static struct {
     void (*program)(int rank);
 } alone;
 
-// Seconds of the steps, the least of the runs so far
+// Seconds of the steps: the least of the runs so far; messages are the same in all
 static struct {
     int runs;
     unsigned long steps, room;
