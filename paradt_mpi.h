@@ -157,11 +157,10 @@
 // COST
 //
 // A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods; all points
-// once more where all are sent. Beside
-// that, points are sent once, to their ranks; the cuts take O(n / p log p) time and about 8 log2 p reductions; each
-// cell is looked at once more; and what is sent in steps 1 and 2 is proportional to the number of points near the
-// border, for points spread without structure. The rounds do not grow with the number of ranks. stats.seconds_* tell
-// where the time goes.
+// once more where all are sent. Beside that, points are sent once, to their ranks; the cuts take O(n / p log p) time
+// and about 8 log2 p reductions; each cell is looked at once more; and what is sent in steps 1 and 2 is proportional to
+// the number of points near the border, for points spread without structure. The rounds do not grow with the number of
+// ranks. stats.seconds_* tell where the time goes.
 //
 //
 // LIMITS
