@@ -165,7 +165,7 @@
 //
 // LIMITS
 //
-//     a rank    the limits of paradt.h, for its own points and those near its border
+//     a rank    the limits of paradt.h, for its own points and those near its border; for all where all are sent
 //     points    2^63 - 1 in all
 //     ranks     as MPI; each keeps 64 boxes of every other one
 //
