@@ -127,9 +127,9 @@ exact() { # name, ranks, most points sent to another rank in percent, input
 exact clusters_in_two_boxes_miss_no_cell 2 5 gen:clusters:1000000:1
 exact a_thin_slab_in_eight_boxes_misses_no_cell 8 25 gen:plane:64000:1
 exact a_sphere_is_not_sent_to_every_rank 8 50 gen:sphere:100000:1
-# Where the questions would take minutes, all points are.
-exact almost_a_line_takes_no_questions 8 800 gen:line:30000:1
-exact a_cylinder_takes_no_questions 4 400 gen:cylinder:20000:1
+# Where the questions would take minutes, all points are sent instead.
+exact points_almost_on_a_line_end_in_time 8 800 gen:line:30000:1
+exact points_on_a_cylinder_end_in_time 4 400 gen:cylinder:20000:1
 
 on 3 "$tool" --quiet -o "$work/cloud.pvtu" -o "$work/cloud.ele" gen:uniform:2000:1 2>"$work/log" &&
     [ "$(grep -c '<Piece' "$work/cloud.pvtu")" = 3 ] && [ -s "$work/cloud_0.vtu" ] && [ -s "$work/cloud_2.vtu" ] &&
