@@ -79,14 +79,16 @@
 // rank has more than its share of the points at any time. A point on a cut belongs to the upper side. Each rank gets
 // the points of its box, its own points, and then:
 //
-//     1. sends to others those of its points that are near to theirs: a guess that saves work and decides nothing;
-//     2. triangulates its own points and those it got, and looks at the cells that have an own vertex, from the hull
-//        and from others' points inwards as far as need be: where a point of another rank may lie in the cell's
-//        sphere, or beyond its facet on the hull, it sends that rank the cell;
-//     3. answers for itself: has a cell that it got an own point for a vertex, or one in conflict with it, by the exact
-//        test? Then it adds those of the cell's vertices that are the sender's own points;
-//     4. inserts these, if there were any (by a method other than insertion it triangulates again), and keeps the
-//        cells whose lexicographically smallest vertex is its own.
+//     1. sends to others those of its points that are near to theirs, and all that are within some margin of their
+//        boxes: a guess that saves work; so each knows a room around its box in which it has all points;
+//     2. triangulates its own points and those it got. Where a cell has points of several ranks for vertices, it sends
+//        the own ones to the others. Then it looks at the cells that have an own vertex, from the hull and from others'
+//        points inwards as far as need be: where a point that it does not have may lie in the cell's sphere, or beyond
+//        its facet on the hull, it sends the rank that may have it the cell;
+//     3. answers for itself: has it a point in conflict with a cell that it got, by the exact test? Then it adds those
+//        of the cell's vertices that are the sender's own points;
+//     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion it triangulates
+//        again), and keeps the cells whose lexicographically smallest vertex is its own.
 //
 //
 // WHY THE CELLS ARE RIGHT
@@ -94,16 +96,17 @@
 // Let O(r) be the points of rank r, S(r) those it has in step 2, and T(X) the triangulation of X. Claim: after step 3
 // every rank s has all points p that are joined to one of its own points q by an edge in T(P). Let p belong to rank r.
 // The edge p q is one in the triangulation of any subset of P that holds p and q, so of S(r) and q. If q is in S(r), a
-// cell around p in T(S(r)) has q for a vertex. If not, the cells around p change when q comes, so that q is in conflict
-// with one of them; the cells beyond the hull count, which have points strictly outside of a facet in conflict. Either
-// way that cell was sent to s, unless s had all its vertices of O(r) already, for floating point only ever decides that
-// a point can't be in a sphere; and s kept p. So in step 4 the cells of T(P) around a point q of O(s) have all their
-// vertices on rank s. No point is in conflict with them, so they are cells of its triangulation, and as they fill the
-// space around q there are no others. Nothing depends on what step 1 guessed, and there is nothing to repeat.
+// cell around p in T(S(r)) has q for a vertex, and p was sent to s. If not, the cells around p change when q comes, so
+// that q is in conflict with one of them; the cells beyond the hull count, which have points strictly outside of a
+// facet in conflict. That cell was sent to s, unless s had all its vertices of O(r) already, for floating point only
+// ever decides that a point can't be in a sphere, and r has all points of its room; and s kept p. So in step 4 the
+// cells of T(P) around a point q of O(s) have all their vertices on rank s. No point is in conflict with them, so they
+// are cells of its triangulation, and as they fill the space around q there are no others. Nothing depends on how much
+// step 1 sent, and there is nothing to repeat.
 //
-// With weights a point may be hidden by others that it has no edge to. Then steps 2 to 4 are repeated, and a rank
-// answers a cell with a point that is in conflict with it, until no cell around an own vertex is in conflict with
-// anything.
+// With weights a point may be hidden by others that it has no edge to. Then cells with vertices of other ranks are sent
+// as well, steps 2 to 4 are repeated, and a rank answers a cell with a point that is in conflict with it, until no cell
+// around an own vertex is in conflict with anything.
 //
 // Points that are nearly on a sphere or in two parallel planes have spheres that reach all boxes and are empty. So the
 // ranks tell each other more than one box: up to 64 of them, around parts of their points; and near a sphere they
@@ -332,6 +335,8 @@ typedef struct paradt_mpi__directory { // boxes around all points of all ranks, 
     double *groups;                    // [ranks][PARADT_MPI__GROUPS][width]
     int *count;                        // [ranks] boxes of each
     double *ranks;                     // [ranks / 8, rounded up][width] one box a rank
+    double *rooms;                     // [ranks][2 dim + 1] low and high of each axis, and how far beyond them each
+                                       // rank wants to know all points
     size_t width;                      // doubles a group
 } paradt_mpi__directory;
 
@@ -347,14 +352,15 @@ typedef struct paradt_mpi__question { // a cell, or a facet on the hull of it, t
     paradt_index cell; // its place
 } paradt_mpi__question;
 
-typedef struct paradt_mpi__list { // own points to be sent: `place` to `rank`, in the order of ranks
+typedef struct paradt_mpi__list { // own points to be sent: `place` to `rank`
     size_t count, capacity;
     paradt_mpi__slot *items; // value: not used
 } paradt_mpi__list;
 
 enum {
     PARADT_MPI__GROUPS = 8, // of boxes a rank tells the others
-    PARADT_MPI__DIGIT = 8   // bits of a coordinate that are counted at a time
+    PARADT_MPI__DIGIT = 8,  // bits of a coordinate that are counted at a time
+    PARADT_MPI__AHEAD = 32  // values between those that are worked on and those fetched
 };
 
 typedef struct paradt_mpi__work {
@@ -367,12 +373,13 @@ typedef struct paradt_mpi__work {
     size_t error_point;
     paradt_status failed;              // what all ranks have agreed on
     size_t *to, *from;                 // [ranks] elements of an exchange
+    size_t *place;                     // [ranks] where the next element for a rank goes
     uint64_t *first;                   // [ranks + 1] first global id of each rank's points
     int dim, weighted;                 // of the points as handed in
     int shift;                         // the coordinates were multiplied by 2^shift
     paradt__set set;                   // own points along a curve; behind them in records those of others
     paradt__grid grid;                 // of the own points
-    double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point of another rank is in there
+    double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point in there is unknown to this rank
     paradt__search search;             // in it
     int ready;                         // the grid is there: there are points here, not all equal, and other ranks
     uint64_t patience;                 // so much work questions are worth: about the number of all ranks' cells
@@ -486,6 +493,16 @@ static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status sta
         *receive = NULL;
     }
     return status;
+}
+
+// Where the elements for each rank begin, those for rank 0 first: w->place, from w->to.
+static void paradt_mpi__begin_places(paradt_mpi__work *w) {
+    size_t next = 0;
+    int r;
+    for (r = 0; r < w->ranks; r++) {
+        w->place[r] = next;
+        next += w->to[r];
+    }
 }
 
 // Room for one more item in a list: returns the items, or NULL when there is no memory.
@@ -654,6 +671,8 @@ typedef struct paradt_mpi__cutter {
     double *rows; // [count][width]
     size_t count, width;
     uint32_t *inside;       // [count] box of each point
+    size_t *open;           // [open_count] points that may be on the cut of their box
+    size_t open_count;      //
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
     uint64_t *counts; // [ranks][2^PARADT_MPI__DIGIT]
@@ -710,22 +729,24 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uin
     box->equal = total;
 }
 
-// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box.
+// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. Points
+// that do not have them are open no more.
 static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
-    size_t i;
+    size_t i, kept = 0;
     int b;
     memset(c->counts, 0, (size_t)c->box_count * values * sizeof *c->counts);
-    for (i = 0; i < c->count; i++) {
-        const paradt_mpi__box *box = c->boxes + c->inside[i];
+    for (i = 0; i < c->open_count; i++) {
+        size_t point = c->open[i];
+        const paradt_mpi__box *box = c->boxes + c->inside[point];
         int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
-        uint64_t offset;
-        if (!box->bits) continue;
-        offset =
-            (uint64_t)paradt__ordered_bits(c->rows[i * c->width + (size_t)box->axis]) - (uint64_t)box->low[box->axis];
-        if (box->bits < 64 && offset >> box->bits != box->offset) continue;
-        c->counts[c->inside[i] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))]++;
+        uint64_t offset = (uint64_t)paradt__ordered_bits(c->rows[point * c->width + (size_t)box->axis]) -
+                          (uint64_t)box->low[box->axis];
+        if (!box->bits || (box->bits < 64 && offset >> box->bits != box->offset)) continue;
+        c->open[kept++] = point;
+        c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))]++;
     }
+    c->open_count = kept;
     MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * (int)values, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < c->box_count; b++) {
         paradt_mpi__box *box = c->boxes + b;
@@ -767,6 +788,8 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
         paradt_mpi__aim(w, c->boxes + b, c->counts[b]);
         if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
     }
+    for (i = 0; i < c->count; i++) c->open[i] = i;
+    c->open_count = c->count;
     while (more) {
         more = 0;
         for (b = 0; b < boxes; b++) more |= c->boxes[b].bits;
@@ -794,17 +817,13 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
 }
 
 // The rows in the order of their ranks: counting sort, into `sorted`; fills w->to.
-static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter *c, double *sorted, size_t *places) {
-    size_t i, next = 0;
-    int r;
+static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter *c, double *sorted) {
+    size_t i;
     memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     for (i = 0; i < c->count; i++) w->to[c->boxes[c->inside[i]].first]++;
-    for (r = 0; r < w->ranks; r++) {
-        places[r] = next;
-        next += w->to[r];
-    }
+    paradt_mpi__begin_places(w);
     for (i = 0; i < c->count; i++) {
-        size_t place = places[c->boxes[c->inside[i]].first]++;
+        size_t place = w->place[c->boxes[c->inside[i]].first]++;
         memcpy(sorted + place * c->width, c->rows + i * c->width, c->width * sizeof *sorted);
     }
 }
@@ -826,7 +845,6 @@ static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *
 static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, size_t *count) {
     paradt_mpi__cutter c;
     double *sorted;
-    size_t *places;
     void *got = NULL;
     size_t ranks = (size_t)w->ranks;
     paradt_status status = PARADT_OK;
@@ -836,12 +854,12 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, s
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.box_count = 1;
     c.inside = (uint32_t *)paradt__alloc(&w->memory, c.count, sizeof *c.inside);
+    c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks << PARADT_MPI__DIGIT, sizeof *c.counts);
     c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
     sorted = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *sorted);
-    places = (size_t *)paradt__alloc(&w->memory, ranks, sizeof *places);
-    if (!c.inside || !c.boxes || !c.counts || !c.bounds || !sorted || !places) status = PARADT_ERROR_MEMORY;
+    if (!c.inside || !c.open || !c.boxes || !c.counts || !c.bounds || !sorted) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
         memset(c.inside, 0, c.count * sizeof *c.inside);
@@ -853,14 +871,14 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, s
         }
         while (paradt_mpi__halve(w, &c)) continue;
         paradt_mpi__keep_box(w, &c);
-        paradt_mpi__sort_rows(w, &c, sorted, places);
+        paradt_mpi__sort_rows(w, &c, sorted);
         paradt__release(&w->memory, *rows);
         *rows = NULL;
     }
-    paradt__release(&w->memory, places);
     paradt__release(&w->memory, c.bounds);
     paradt__release(&w->memory, c.counts);
     paradt__release(&w->memory, c.boxes);
+    paradt__release(&w->memory, c.open);
     paradt__release(&w->memory, c.inside);
     if (!status) status = paradt_mpi__exchange(w, PARADT_OK, sorted, c.width * sizeof *sorted, &got, count);
     paradt__release(&w->memory, sorted);
@@ -886,6 +904,7 @@ static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
     void *array;
     if (room > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
     if (room <= w->room) return PARADT_OK;
+    room += room / 16; // more come soon
     array = w->set.records;
     if (!paradt__grow(&w->memory, &array, w->known * w->set.width, room * w->set.width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
@@ -924,13 +943,13 @@ static paradt_status paradt_mpi__learn(paradt_mpi__work *w, paradt_status status
     void *got = NULL;
     int r;
     *news = 0;
-    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     if (!status) rows = (double *)paradt__alloc(&w->memory, list->count, width * sizeof *rows);
     if (!status && !rows) status = PARADT_ERROR_MEMORY;
-    for (i = 0; i < list->count && !status; i++) {
-        paradt_mpi__put_wire(w, rows + i * width, list->items[i].place);
-        w->to[list->items[i].rank]++;
-    }
+    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+    for (i = 0; i < list->count; i++) w->to[list->items[i].rank]++;
+    paradt_mpi__begin_places(w);
+    for (i = 0; i < list->count && !status; i++)
+        paradt_mpi__put_wire(w, rows + w->place[list->items[i].rank]++ * width, list->items[i].place);
     status = paradt_mpi__exchange(w, status, rows, width * sizeof *rows, &got, &count);
     paradt__release(&w->memory, rows);
     if (!status) status = paradt_mpi__make_room(w, count);
@@ -1152,7 +1171,7 @@ static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
         if (status) return status;
         for (axis = set->space.dim; axis < w->dim; axis++)
             bounded |= w->below[set->axes[axis]] > -PARADT__FAR || w->above[set->axes[axis]] < PARADT__FAR;
-        for (axis = 0; axis < set->space.dim; axis++) {
+        for (axis = 0; axis < w->dim; axis++) {
             w->inside[2 * axis] = bounded ? PARADT__FAR : w->below[set->axes[axis]];
             w->inside[2 * axis + 1] = bounded ? -PARADT__FAR : w->above[set->axes[axis]];
         }
@@ -1223,11 +1242,14 @@ static paradt_status paradt_mpi__settle(paradt_mpi__work *w, double *rows, size_
 // What every rank knows of all others: up to 64 boxes around their points, those of the finest level of their grid that
 // has no more, and one around them all. Only that decides whom to ask, on the safe side. The guess uses it too: it
 // sends a point to a rank that has a box nearer than the size of the grid cell it is in, which has eight points, so a
-// size that adapts to them. Doors: paradt_mpi__tell, paradt_mpi__guess, paradt_mpi__asked.
+// size that adapts to them. And each rank asks for all points within some margin of its own box: where the others send
+// these, a sphere that ends there needs no question. Doors: paradt_mpi__tell, paradt_mpi__guess.
 
-// Of the guess, in sizes of a grid cell: about one layer of uniform points. Half as much leaves more than half of what
-// is needed to be asked for; twice as much sends and triangulates a quarter more in vain.
-#define PARADT_MPI__REACH 0.4
+// Of the guess and of the margin, in sizes of a grid cell; together about one layer of uniform points. With half the
+// first, more than half of what is needed is left to be asked for. Points that come late take four times as long as
+// those that are guessed: the margin is where more of these would take as long as fewer of those save.
+#define PARADT_MPI__REACH  0.4
+#define PARADT_MPI__MARGIN 0.5
 
 // One box a rank, around its boxes.
 static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
@@ -1250,6 +1272,27 @@ static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
     }
 }
 
+// How far beyond its box this rank wants to know all points: so far as most spheres at its border reach. That is
+// measured by the grid cells there, by their harmonic mean, to which small ones count more.
+static double paradt_mpi__margin(const paradt_mpi__work *w) {
+    size_t box, near = 0;
+    double inverse = 0.0;
+    int j;
+    for (box = 0; box < w->grid.box_count[0]; box++) {
+        const double *group = w->grid.boxes[0] + box / PARADT__LANES * w->grid.group_width + box % PARADT__LANES;
+        double side = 0.0, gap = PARADT__FAR;
+        for (j = 0; j < w->dim; j++) {
+            double low = group[2 * j * PARADT__LANES], high = group[(2 * j + 1) * PARADT__LANES];
+            side = paradt__larger(side, high - low);
+            gap = -paradt__larger(-gap, paradt__larger(w->inside[2 * j] - low, high - w->inside[2 * j + 1]));
+        }
+        if (gap > side || !(side > 0.0)) continue;
+        inverse += 1.0 / side;
+        near++;
+    }
+    return near ? PARADT_MPI__MARGIN * (double)near / inverse : 0.0;
+}
+
 static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     paradt_mpi__directory *d = &w->directory;
     size_t ranks = (size_t)w->ranks, size, room;
@@ -1262,8 +1305,9 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     d->groups = (double *)paradt__alloc(&w->memory, ranks * size, sizeof *d->groups);
     d->count = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->count);
     d->ranks = (double *)paradt__alloc(&w->memory, room, sizeof *d->ranks);
+    d->rooms = (double *)paradt__alloc(&w->memory, ranks, (2 * (size_t)w->dim + 1) * sizeof *d->rooms);
     mine = (double *)paradt__alloc(&w->memory, size, sizeof *mine);
-    if (!d->groups || !d->count || !d->ranks || !mine) status = PARADT_ERROR_MEMORY;
+    if (!d->groups || !d->count || !d->ranks || !d->rooms || !mine) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
         memset(mine, 0, size * sizeof *mine);
@@ -1278,6 +1322,10 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
         MPI_Allgather(&count, 1, MPI_INT, d->count, 1, MPI_INT, w->comm);
         memset(d->ranks, 0, room * sizeof *d->ranks);
         paradt_mpi__bound_ranks(w);
+        size = 2 * (size_t)w->dim + 1;
+        memcpy(mine, w->inside, (size - 1) * sizeof *mine);
+        mine[size - 1] = w->ready ? paradt_mpi__margin(w) : 0.0;
+        MPI_Allgather(mine, (int)size, MPI_DOUBLE, d->rooms, (int)size, MPI_DOUBLE, w->comm);
     }
     paradt__release(&w->memory, mine);
     return status;
@@ -1329,6 +1377,18 @@ static double paradt_mpi__step(const paradt_mpi__work *w, size_t box) {
     return least < PARADT__FAR ? 1.01 * sqrt(least) : 0.0;
 }
 
+static int paradt_mpi__knows(const paradt_mpi__work *w, int rank, paradt_index place) {
+    return w->told.size && paradt_mpi__find(&w->told, rank, place)->rank >= 0;
+}
+
+// Lists a point for a rank unless it was told of it already.
+static paradt_status paradt_mpi__list_news(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
+    paradt_status status = paradt_mpi__table_room(w, &w->told, 1);
+    if (!status && !paradt_mpi__table_put(&w->told, rank, place, 0))
+        status = paradt_mpi__list_add(w, list, rank, place);
+    return status;
+}
+
 // Lists the points for a rank that are in one box of the grid.
 static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level,
                                            size_t box) {
@@ -1347,31 +1407,100 @@ static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list
     if (!paradt_mpi__near(w, rank, low, high, reach)) return PARADT_OK;
     for (i = box * PARADT__LANES; i < end && i < below && !status; i++) {
         const double *x = w->set.records + i * w->set.width;
-        if (level) {
-            status = paradt_mpi__guess_box(w, list, rank, level - 1, i);
-        } else if (paradt_mpi__near(w, rank, x, x, reach)) {
-            status = paradt_mpi__table_room(w, &w->told, 1);
-            if (!status && !paradt_mpi__table_put(&w->told, rank, (paradt_index)i, 0))
-                status = paradt_mpi__list_add(w, list, rank, (paradt_index)i);
-        }
+        if (level) status = paradt_mpi__guess_box(w, list, rank, level - 1, i);
+        else if (paradt_mpi__near(w, rank, x, x, reach)) status = paradt_mpi__list_news(w, list, rank, (paradt_index)i);
     }
     return status;
+}
+
+// The room of a rank, and `beyond` around it.
+static void paradt_mpi__room_of(const paradt_mpi__work *w, int rank, double beyond, double *room) {
+    const double *inside = w->directory.rooms + (size_t)rank * (2 * (size_t)w->dim + 1);
+    int j;
+    for (j = 0; j < w->dim; j++) {
+        room[2 * j] = inside[2 * j] - beyond;
+        room[2 * j + 1] = inside[2 * j + 1] + beyond;
+    }
+}
+
+// Lists the points in a room that a rank was not told of and that are in one box of the grid, up to `most` points.
+static paradt_status paradt_mpi__list_room(paradt_mpi__work *w, paradt_mpi__list *list, int rank, const double *room,
+                                           int level, size_t box, size_t most) {
+    const double *group = w->grid.boxes[level] + box / PARADT__LANES * w->grid.group_width + box % PARADT__LANES;
+    size_t i, end = (box + 1) * PARADT__LANES, below = level ? w->grid.box_count[level - 1] : w->set.count;
+    paradt_status status = PARADT_OK;
+    int j;
+    for (j = 0; j < w->dim; j++) {
+        if (group[2 * j * PARADT__LANES] > room[2 * j + 1] || group[(2 * j + 1) * PARADT__LANES] < room[2 * j])
+            return PARADT_OK;
+    }
+    for (i = box * PARADT__LANES; i < end && i < below && !status && list->count < most; i++) {
+        const double *x = w->set.records + i * w->set.width;
+        if (level) {
+            status = paradt_mpi__list_room(w, list, rank, room, level - 1, i, most);
+            continue;
+        }
+        for (j = 0; j < w->dim && x[j] >= room[2 * j] && x[j] <= room[2 * j + 1];) j++;
+        if (j == w->dim && !paradt_mpi__knows(w, rank, (paradt_index)i))
+            status = paradt_mpi__list_add(w, list, rank, (paradt_index)i);
+    }
+    return status;
+}
+
+// Lists all points around the room of a rank, as far as it wants or half or a quarter as far, so that they are no more
+// than those that were guessed before, or few; else none. *kept: how far, of what it wants.
+static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list *list, int rank, size_t guessed,
+                                           double *kept) {
+    double margin = w->directory.rooms[(size_t)(rank + 1) * (2 * (size_t)w->dim + 1) - 1], room[2 * PARADT_MAX_DIM];
+    paradt_mpi__list found;
+    size_t most = guessed + 64, box, i;
+    int top = w->grid.levels - 1;
+    paradt_status status = PARADT_OK;
+    memset(&found, 0, sizeof found);
+    for (*kept = 1.0; *kept > 0.0 && !status; *kept = *kept > 0.25 ? 0.5 * *kept : 0.0) {
+        found.count = 0;
+        paradt_mpi__room_of(w, rank, margin * *kept, room);
+        for (box = 0; box < w->grid.box_count[top] && !status; box++)
+            status = paradt_mpi__list_room(w, &found, rank, room, top, box, most);
+        if (found.count < most) break;
+    }
+    for (i = 0; i<found.count && * kept> 0.0 && !status; i++)
+        status = paradt_mpi__list_news(w, list, rank, found.items[i].place);
+    paradt__release(&w->memory, found.items);
+    return status;
+}
+
+// The room that this rank knows all points of, after how far the others kept to its wish.
+static void paradt_mpi__widen(paradt_mpi__work *w, const double *kept, double *of_others) {
+    size_t size = 2 * (size_t)w->dim + 1;
+    double least = 1.0;
+    int r;
+    MPI_Alltoall(kept, (int)sizeof *kept, MPI_BYTE, of_others, (int)sizeof *kept, MPI_BYTE, w->comm);
+    for (r = 0; r < w->ranks; r++) least = of_others[r] < least ? of_others[r] : least;
+    paradt_mpi__room_of(w, w->rank, w->directory.rooms[(size_t)(w->rank + 1) * size - 1] * least, w->inside);
 }
 
 static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
     paradt_mpi__list list;
     paradt_status status = PARADT_OK;
-    size_t news, box;
+    size_t news, box, ranks = (size_t)w->ranks;
+    double *kept = (double *)paradt__alloc(&w->memory, 2 * ranks, sizeof *kept);
     int r, top = w->grid.levels - 1;
     memset(&list, 0, sizeof list);
-    for (r = 0; r < w->ranks && w->ready; r++) {
-        if (r == w->rank || !w->directory.count[r]) continue;
+    if (!kept) status = PARADT_ERROR_MEMORY;
+    for (r = 0; r < w->ranks && !status; r++) {
+        size_t before = list.count;
+        kept[r] = 1.0;
+        if (r == w->rank || !w->directory.count[r] || !w->ready) continue;
         for (box = 0; box < w->grid.box_count[top] && !status; box++)
             status = paradt_mpi__guess_box(w, &list, r, top, box);
+        if (!status) status = paradt_mpi__keep_room(w, &list, r, list.count - before, kept + r);
     }
     status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
+    if (!status) paradt_mpi__widen(w, kept, kept + ranks);
     w->stats.points_guessed = news;
     paradt__release(&w->memory, list.items);
+    paradt__release(&w->memory, kept);
     return status;
 }
 
@@ -1387,6 +1516,7 @@ enum { PARADT_MPI__STRANGER = -1 }; // below it: an own point of the asking rank
 typedef struct paradt_mpi__questions {
     size_t count, capacity;
     paradt_mpi__question *items;
+    paradt_mpi__list told; // points to be sent without a question
 } paradt_mpi__questions;
 
 static int paradt_mpi__progress(void *user, double fraction) {
@@ -1467,24 +1597,35 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
     return status;
 }
 
-// Inserts what this rank knows and has not inserted yet.
+// Inserts what this rank knows and has not inserted yet, along a curve, as each is searched for from the one before.
+static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
+    paradt__set all = w->set, late = w->set;
+    size_t first = w->engine.sorted.count, i;
+    paradt__keyed *order;
+    paradt_status status = PARADT_OK;
+    all.count = w->known;
+    late.records = w->set.records + first * w->set.width;
+    late.count = w->known - first;
+    order = paradt__keyed_order(&late, NULL, late.count, 0, &w->memory);
+    if (!order) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < late.count && !status; i++)
+        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i].point);
+    paradt__release(&w->memory, order);
+    return status;
+}
+
+// Inserts what this rank knows, at first or after more came.
 static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     paradt__set all = w->set;
     paradt__progress progress;
-    paradt_status status = PARADT_OK;
-    size_t i;
+    if (w->inserting) return paradt_mpi__insert_late(w);
     all.count = w->known;
     progress.call = w->options.local.progress ? paradt_mpi__progress : NULL;
     progress.user = w;
     progress.begin = 0.0;
     progress.length = 1.0;
-    if (!w->inserting) {
-        w->inserting = 1;
-        return paradt__remote_engine_begin(&w->engine, &all, &w->memory, &progress);
-    }
-    for (i = w->engine.sorted.count; i < w->known && !status; i++)
-        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)i);
-    return status;
+    w->inserting = 1;
+    return paradt__remote_engine_begin(&w->engine, &all, (w->known - w->set.count) / 4 + 64, &w->memory, &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
@@ -1579,9 +1720,9 @@ static paradt_status paradt_mpi__ask(paradt_mpi__work *w, paradt_mpi__questions 
 // Does the rank know all own vertices of the cell already? Without weights, it need not be asked then.
 static int paradt_mpi__is_told(const paradt_mpi__work *w, int rank, const paradt_index *cell) {
     int i;
-    if (w->weighted || !w->told.size) return 0;
+    if (w->weighted) return 0;
     for (i = 0; i <= w->set.space.dim; i++) {
-        if ((size_t)cell[i] < w->set.count && paradt_mpi__find(&w->told, rank, cell[i])->rank < 0) return 0;
+        if ((size_t)cell[i] < w->set.count && !paradt_mpi__knows(w, rank, cell[i])) return 0;
     }
     return 1;
 }
@@ -1623,12 +1764,13 @@ static paradt_status paradt_mpi__ask_ranks(paradt_mpi__work *w, paradt_mpi__ques
     return status;
 }
 
-// Is the sphere of an own tetrahedron surely inside of this rank's box? With the edges a, b, c from one vertex, m the
-// largest size of their components and u = 2^-52, the centre is N / (2 det) from there, N = |a|^2 b x c + ... Computed
-// in any order, fused or not, det is wrong by less than 64 u m^3, N by less than 512 u m^4. Where |det| > 2^-20 m^3 the
-// centre so is wrong by less than 2^-24 m and 2^-25 of its distance; 2^-20 of both leaves room for the rest.
-static int paradt_mpi__surely_inside3(const double *room, const double *const *p) {
-    double e[3][3], square[3], n[3], cross[3], det, m = 0.0, radius, nearest = PARADT__FAR, far = 0.0;
+// A box that surely holds the sphere of a tetrahedron: low and high of each axis. 0: there is none to be had. With the
+// edges a, b, c from one vertex, m the largest size of their components and u = 2^-52, the centre is N / (2 det) from
+// there, N = |a|^2 b x c + ... Computed in any order, fused or not, det is wrong by less than 64 u m^3, N by less than
+// 512 u m^4. Where |det| > 2^-20 m^3 the centre so is wrong by less than 2^-24 m and 2^-25 of its distance; 2^-20 of
+// both, and 10^-15 of the coordinates, leave room for the rest.
+static int paradt_mpi__sphere_box3(const double *const *p, double *box) {
+    double e[3][3], square[3], n[3], cross[3], det, m = 0.0, radius, far = 0.0;
     int i, j;
     for (i = 0; i < 3; i++) {
         for (j = 0; j < 3; j++) {
@@ -1646,24 +1788,57 @@ static int paradt_mpi__surely_inside3(const double *room, const double *const *p
     det = e[0][0] * cross[0] + e[0][1] * cross[1] + e[0][2] * cross[2];
     if (!(paradt__abs(det) > 9.5367431640625e-07 * m * m * m)) return 0;
     for (j = 0; j < 3; j++) {
-        double low, high;
         n[j] *= 0.5 / det;
-        low = (p[0][j] - room[2 * j]) + n[j];
-        high = (room[2 * j + 1] - p[0][j]) - n[j];
-        nearest = low < nearest ? low : nearest;
-        nearest = high < nearest ? high : nearest;
         far = paradt__larger(far, paradt__abs(p[0][j]));
     }
     radius = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    return nearest - radius > 9.5367431640625e-07 * (m + radius) + 1e-15 * far;
+    radius += 9.5367431640625e-07 * (m + radius) + 1e-15 * far;
+    for (j = 0; j < 3; j++) {
+        box[2 * j] = p[0][j] + (n[j] - radius);
+        box[2 * j + 1] = p[0][j] + (n[j] + radius);
+    }
+    return 1;
 }
 
-// Can no point of another rank be inside of the sphere of a cell? The search is set to the cell if that is not so.
-static int paradt_mpi__confined(paradt_mpi__work *w, const double **corners, const paradt_index *own, int count) {
-    if (count == 4 && w->search.plain3 && w->set.space.filtered && paradt_mpi__surely_inside3(w->inside, corners))
-        return 1;
+// Is there a rank with points in the box, by the directory, that does not know all own vertices of the cell?
+static int paradt_mpi__has_listeners(const paradt_mpi__work *w, const paradt_index *cell, const double *box) {
+    const paradt_mpi__directory *d = &w->directory;
+    const double *group = d->ranks;
+    int first, lane, j;
+    for (first = 0; first < w->ranks; first += PARADT__LANES, group += d->width) {
+        int meets[PARADT__LANES];
+        for (lane = 0; lane < PARADT__LANES; lane++) meets[lane] = 1;
+        for (j = 0; j < w->set.space.dim; j++) {
+            const double *low = group + 2 * j * PARADT__LANES, *high = low + PARADT__LANES;
+            for (lane = 0; lane < PARADT__LANES; lane++)
+                meets[lane] &= (low[lane] <= box[2 * j + 1]) & (high[lane] >= box[2 * j]);
+        }
+        for (lane = 0; lane < PARADT__LANES && first + lane < w->ranks; lane++) {
+            int r = first + lane;
+            if (meets[lane] && r != w->rank && d->count[r] && !paradt_mpi__is_told(w, r, cell)) return 1;
+        }
+    }
+    return 0;
+}
+
+static int paradt_mpi__is_within(const double *box, const double *room, int dim) {
+    int j = 0;
+    while (j < dim && box[2 * j] > room[2 * j] && box[2 * j + 1] < room[2 * j + 1]) j++;
+    return j == dim;
+}
+
+// Lists the questions about the sphere of a cell. *open: may a point that is not known here be in it?
+static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi__questions *q, size_t place,
+                                                const paradt_index *cell, const double **corners,
+                                                const paradt_index *own, int count, int *open) {
+    double box[6];
+    int certain = w->search.plain3 && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box);
+    *open = !certain || !paradt_mpi__is_within(box, w->inside, 3);
+    if (!*open || (certain && !paradt_mpi__has_listeners(w, cell, box))) return PARADT_OK;
     paradt__remote_cell(&w->search, corners, own);
-    return count == w->set.space.dim + 1 && paradt__remote_confined(&w->search, w->inside);
+    // With weights a point of another rank may be heavier than all own ones; so cells with such vertices count as open.
+    *open = count <= w->set.space.dim || !paradt__remote_confined(&w->search, w->inside);
+    return *open ? paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1) : PARADT_OK;
 }
 
 // Lists the questions for the sake of a place. *open: may a point of another rank be in conflict with what is there?
@@ -1678,10 +1853,7 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     paradt_mpi__cell(w, place, cell, corners);
     count = paradt_mpi__own_corners(w, cell, own);
     if (!count) return PARADT_OK;
-    if (topics & PARADT_MPI__SPHERE) {
-        *open = !paradt_mpi__confined(w, corners, own, count);
-        if (*open) status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1);
-    }
+    if (topics & PARADT_MPI__SPHERE) status = paradt_mpi__look_at_sphere(w, q, place, cell, corners, own, count, open);
     for (j = 0; j <= w->set.space.dim && !status; j++) {
         if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
         paradt__remote_facet(&w->search, corners, own, j);
@@ -1721,10 +1893,29 @@ static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *l
     return PARADT_OK;
 }
 
+// Lists the own vertices of what is at a place for the ranks of its other vertices. With weights cells are asked about
+// instead, for the sake of points that are hidden.
+static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__list *list, size_t place) {
+    const double *corners[PARADT_MAX_DIM + 1];
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    paradt_status status = PARADT_OK;
+    int dim = w->set.space.dim, i, j;
+    if (w->weighted || !(paradt_mpi__topics(w, &place) & PARADT_MPI__SPHERE)) return PARADT_OK;
+    paradt_mpi__cell(w, place, cell, corners);
+    for (i = 0; i <= dim; i++) {
+        if ((size_t)cell[i] < w->set.count) continue;
+        for (j = 0; j <= dim && !status; j++) {
+            if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, w->home[cell[i]].rank, cell[j]);
+        }
+    }
+    return status;
+}
+
 // Lists the questions while points are inserted, when not all cells need be looked at. The cells and ghosts in conflict
-// with a point p of another rank are connected through facets, and one of them has p in it, or beyond it. That is a
-// ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. No sphere of them is inside
-// of the box. So they are reached from such cells and ghosts through cells whose spheres are not inside.
+// with a point p that is not known here are connected through facets, and one of them has p in it, or beyond it. That
+// is a ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. No sphere of them is
+// inside of the room that this rank knows. So they are reached from such cells and ghosts, which are looked at first,
+// through cells whose spheres are not inside.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
@@ -1735,8 +1926,9 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     if (!list.seen) return PARADT_ERROR_MEMORY;
     memset(list.seen, 0, count);
     for (place = 0; place < count && !status; place++) {
-        if (paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count))
-            status = paradt_mpi__wait(w, &list, place);
+        if (!paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count)) continue;
+        status = paradt_mpi__wait(w, &list, place);
+        if (!status) status = paradt_mpi__tell_vertices(w, &q->told, place);
     }
     while (list.count && !status && !w->stuck) {
         place = list.items[--list.count];
@@ -1756,6 +1948,7 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     paradt_status status = PARADT_OK;
     int open;
     if (w->inserting) return paradt_mpi__collect_from_seam(w, q, count);
+    for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->told, place);
     for (place = 0; place < count && !status && !w->stuck; place++) {
         status = paradt_mpi__look(w, q, place, &open);
         paradt_mpi__limit_questions(w, q);
@@ -1765,28 +1958,17 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
 
 // The questions in the order of ranks, counted in w->to.
 static paradt_status paradt_mpi__sort_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    paradt_mpi__question *sorted;
-    size_t *places, i, next = 0;
-    int r;
-    sorted = (paradt_mpi__question *)paradt__alloc(&w->memory, q->count, sizeof *sorted);
-    places = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *places);
-    if (sorted && places) {
-        memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
-        for (i = 0; i < q->count; i++) w->to[q->items[i].rank]++;
-        for (r = 0; r < w->ranks; r++) {
-            places[r] = next;
-            next += w->to[r];
-        }
-        for (i = 0; i < q->count; i++) sorted[places[q->items[i].rank]++] = q->items[i];
-        paradt__release(&w->memory, q->items);
-        q->items = sorted;
-        q->capacity = q->count;
-        sorted = NULL;
-    }
-    i = places != NULL && !sorted;
-    paradt__release(&w->memory, sorted);
-    paradt__release(&w->memory, places);
-    return i ? PARADT_OK : PARADT_ERROR_MEMORY;
+    paradt_mpi__question *sorted = (paradt_mpi__question *)paradt__alloc(&w->memory, q->count, sizeof *sorted);
+    size_t i;
+    if (!sorted) return PARADT_ERROR_MEMORY;
+    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
+    for (i = 0; i < q->count; i++) w->to[q->items[i].rank]++;
+    paradt_mpi__begin_places(w);
+    for (i = 0; i < q->count; i++) sorted[w->place[q->items[i].rank]++] = q->items[i];
+    paradt__release(&w->memory, q->items);
+    q->items = sorted;
+    q->capacity = q->count;
+    return PARADT_OK;
 }
 
 // What the questions to all ranks, or those from them, look like on the wire: the vertices, each once a rank; and for
@@ -1950,7 +2132,7 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     paradt_mpi__questions questions;
     paradt_mpi__mail mail;
     paradt_mpi__list answers;
-    size_t answered = 0;
+    size_t told = 0, answered = 0;
     double begun = paradt__now();
     paradt_status status;
     memset(&questions, 0, sizeof questions);
@@ -1961,6 +2143,8 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     status = paradt_mpi__collect(w, &questions);
     w->stats.cells_asked += questions.count;
     w->stats.rounds++;
+    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &questions.told, &told));
+    paradt__release(&w->memory, questions.told.items);
     if (!status) status = paradt_mpi__sort_questions(w, &questions);
     if (!status) status = paradt_mpi__pack(w, &questions, &mail);
     paradt__release(&w->memory, questions.items);
@@ -1969,7 +2153,7 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     paradt_mpi__mail_free(w, &mail);
     status = paradt_mpi__agree(w, status);
     if (!status && w->weighted) status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &answers, &answered));
-    *news += answered;
+    *news += told + answered;
     w->stats.points_asked += *news;
     paradt__release(&w->memory, answers.items);
     w->stats.seconds_ask += paradt__now() - begun;
@@ -2029,8 +2213,17 @@ typedef struct paradt_mpi__facets { // that look for the cell on their other sid
     size_t count;
     size_t width;    // words: the ids of the vertices in ascending order, the number of the cell
     uint64_t *rows;  // [count][width], in the order of the ranks they are sent to
-    size_t *handles; // [count] place in the neighbors
+    size_t *handles; // [count] place in the neighbors, in the order of the rows when there are any
+    size_t capacity; // of handles
 } paradt_mpi__facets;
+
+static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, size_t handle) {
+    void *items = paradt_mpi__one_more(w, f->handles, f->count, &f->capacity, sizeof *f->handles);
+    if (!items) return 0;
+    f->handles = (size_t *)items;
+    f->handles[f->count++] = handle;
+    return 1;
+}
 
 // The vertex that decides who owns a cell: the lexicographically smallest.
 static int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell) {
@@ -2061,32 +2254,58 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w, paradt_index *place) {
 // What the last local triangulation makes of a point
 enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
 
-// Writes the own cells over the local ones, and their neighbours where these are own cells or known to be none. The
-// others become PARADT__OPEN; returns how many. mark: [known], gets what becomes of each point. Not collective.
-static size_t paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *place, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, c, j, open = 0;
-    int replicated = (w->options.flags & PARADT_MPI_REPLICATED) != 0;
+// The number of the neighbour across a facet of a local cell, where that is an own cell or known to be none; else
+// PARADT__OPEN.
+static int64_t paradt_mpi__number_across(const paradt_mpi__work *w, const paradt_index *place, paradt_index neighbor) {
+    if (neighbor >= 0 && place[neighbor] >= 0) return (int64_t)w->out->first_cell + place[neighbor];
+    if (w->out->dim == 0) return PARADT__HULL;
+    return neighbor == PARADT__HULL && w->options.flags & PARADT_MPI_REPLICATED ? PARADT__HULL : PARADT__OPEN;
+}
+
+// Writes an own cell with k vertices over the local ones, and the numbers of its neighbours.
+PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *place,
+                                                    paradt_index *mark, paradt_mpi__facets *f) {
+    const paradt_index *neighbors = w->local.neighbors + c * k, *ahead = neighbors + PARADT_MPI__AHEAD;
+    size_t to = (size_t)place[c] * k, j; // to <= c * k
+    for (j = 0; j < k; j++) {
+        paradt_index vertex = w->local.cells[c * k + j];
+        mark[vertex] = PARADT_MPI__VERTEX_OF_OWN_CELL;
+        w->local.cells[to + j] = vertex;
+    }
+    if (!w->out->neighbors) return PARADT_OK;
+    for (j = 0; j < k && c * k + PARADT_MPI__AHEAD + k < w->local.cell_count * k; j++) {
+        if (ahead[j] >= 0) PARADT__PREFETCH(place + ahead[j]);
+    }
+    for (j = 0; j < k; j++) {
+        int64_t number = paradt_mpi__number_across(w, place, neighbors[j]);
+        w->out->neighbors[to + j] = number;
+        if (PARADT__LIKELY(number >= 0)) continue;
+        w->stats.hull_facets += number == PARADT__HULL && k > 1;
+        if (number == PARADT__OPEN && !paradt_mpi__facet_add(w, f, to + j)) return PARADT_ERROR_MEMORY;
+    }
+    return PARADT_OK;
+}
+
+// Writes the own cells over the local ones, and the numbers of their neighbours; lists the facets whose other side is
+// not known. mark: [known], gets what becomes of each point. Not collective.
+static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *place, paradt_index *mark,
+                                             paradt_mpi__facets *f) {
+    size_t k = (size_t)w->out->dim + 1, c, j;
+    paradt_status status = PARADT_OK;
     for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
-    for (c = 0; c < w->local.cell_count; c++) {
-        size_t to = (size_t)place[c] * k;
-        for (j = 0; j < k; j++) {
-            paradt_index *vertex = mark + w->local.cells[c * k + j];
-            if (place[c] >= 0) *vertex = PARADT_MPI__VERTEX_OF_OWN_CELL;
-            else if (*vertex == PARADT_MPI__NO_VERTEX) *vertex = PARADT_MPI__VERTEX;
-        }
-        if (place[c] < 0) continue;
-        for (j = 0; j < k; j++) {
-            paradt_index neighbor = w->local.neighbors[c * k + j];
-            int64_t number = PARADT__OPEN;
-            if (neighbor >= 0 && place[neighbor] >= 0) number = (int64_t)w->out->first_cell + place[neighbor];
-            if (k == 1 || (replicated && neighbor == PARADT__HULL)) number = PARADT__HULL;
-            open += number == PARADT__OPEN;
-            w->local.cells[to + j] = w->local.cells[c * k + j]; // to <= c * k
-            if (w->out->neighbors) w->out->neighbors[to + j] = number;
+    for (c = 0; c < w->local.cell_count && !status; c++) {
+        if (place[c] < 0) {
+            for (j = 0; j < k; j++) {
+                paradt_index *vertex = mark + w->local.cells[c * k + j];
+                if (*vertex == PARADT_MPI__NO_VERTEX) *vertex = PARADT_MPI__VERTEX;
+            }
+        } else {
+            status = k == 4 ? paradt_mpi__close_cell(w, 4, c, place, mark, f)
+                            : paradt_mpi__close_cell(w, k, c, place, mark, f);
         }
     }
     w->local.cell_count = w->out->cell_count;
-    return open;
+    return status;
 }
 
 // The row of a facet: returns the rank that it is sent to.
@@ -2105,35 +2324,31 @@ static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint6
     return (int)(h % (uint64_t)w->ranks);
 }
 
-// The open facets in the order of ranks; fills w->to. Not collective.
-static paradt_status paradt_mpi__collect_facets(paradt_mpi__work *w, paradt_mpi__facets *f, size_t open) {
-    size_t k = (size_t)w->out->dim + 1, handle, *places, next = 0;
+// The rows of the facets, and these in the order of ranks; fills w->to. Not collective.
+static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__facets *f) {
+    size_t i, *handles = (size_t *)paradt__alloc(&w->memory, f->count, sizeof *handles);
+    int *rank = (int *)paradt__alloc(&w->memory, f->count, sizeof *rank);
     uint64_t row[PARADT_MAX_DIM + 1];
-    int r;
-    f->width = k;
-    f->count = open;
-    f->rows = (uint64_t *)paradt__alloc(&w->memory, open, f->width * sizeof *f->rows);
-    f->handles = (size_t *)paradt__alloc(&w->memory, open, sizeof *f->handles);
-    places = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *places);
-    if (f->rows && f->handles && places) {
+    paradt_status status = PARADT_ERROR_MEMORY;
+    f->width = (size_t)w->out->dim + 1;
+    f->rows = (uint64_t *)paradt__alloc(&w->memory, f->count, f->width * sizeof *f->rows);
+    if (handles && rank && f->rows) {
+        size_t *unsorted = f->handles;
         memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
-        for (handle = 0; handle < w->out->cell_count * k; handle++) {
-            if (w->out->neighbors[handle] == PARADT__OPEN) w->to[paradt_mpi__facet_row(w, handle, row)]++;
+        for (i = 0; i < f->count; i++) w->to[rank[i] = paradt_mpi__facet_row(w, unsorted[i], row)]++;
+        paradt_mpi__begin_places(w);
+        for (i = 0; i < f->count; i++) {
+            size_t place = w->place[rank[i]]++;
+            handles[place] = unsorted[i];
+            paradt_mpi__facet_row(w, unsorted[i], f->rows + place * f->width);
         }
-        for (r = 0; r < w->ranks; r++) {
-            places[r] = next;
-            next += w->to[r];
-        }
-        for (handle = 0; handle < w->out->cell_count * k; handle++) {
-            if (w->out->neighbors[handle] != PARADT__OPEN) continue;
-            r = paradt_mpi__facet_row(w, handle, row);
-            memcpy(f->rows + places[r] * f->width, row, f->width * sizeof *row);
-            f->handles[places[r]++] = handle;
-        }
+        f->handles = handles;
+        handles = unsorted;
+        status = PARADT_OK;
     }
-    handle = f->rows && f->handles && places;
-    paradt__release(&w->memory, places);
-    return handle ? PARADT_OK : PARADT_ERROR_MEMORY;
+    paradt__release(&w->memory, handles);
+    paradt__release(&w->memory, rank);
+    return status;
 }
 
 // The facets that met here: twins[i] gets the number of the cell that row i has on its other side, or PARADT__HULL.
@@ -2164,26 +2379,26 @@ static paradt_status paradt_mpi__match(paradt_mpi__work *w, const uint64_t *rows
 }
 
 // Finds the neighbours on other ranks.
-static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status, size_t open) {
-    paradt_mpi__facets f;
+static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_mpi__facets *f) {
     void *rows = NULL, *answers = NULL;
     int64_t *twins = NULL;
     size_t count = 0, back, i;
-    memset(&f, 0, sizeof f);
-    if (!status) status = paradt_mpi__collect_facets(w, &f, open);
-    status = paradt_mpi__exchange(w, status, f.rows, f.width * sizeof *f.rows, &rows, &count);
+    paradt_status status = paradt_mpi__sort_facets(w, f);
+    status = paradt_mpi__exchange(w, status, f->rows, f->width * sizeof *f->rows, &rows, &count);
     if (!status) {
         twins = (int64_t *)paradt__alloc(&w->memory, count, sizeof *twins);
-        status = twins ? paradt_mpi__match(w, (const uint64_t *)rows, count, f.width, twins) : PARADT_ERROR_MEMORY;
+        status = twins ? paradt_mpi__match(w, (const uint64_t *)rows, count, f->width, twins) : PARADT_ERROR_MEMORY;
         memcpy(w->to, w->from, (size_t)w->ranks * sizeof *w->to); // the answers go back where the rows came from
         status = paradt_mpi__exchange(w, status, twins, sizeof *twins, &answers, &back);
     }
-    for (i = 0; i < f.count && !status; i++) w->out->neighbors[f.handles[i]] = ((const int64_t *)answers)[i];
+    for (i = 0; i < f->count && !status; i++) {
+        int64_t number = ((const int64_t *)answers)[i];
+        w->out->neighbors[f->handles[i]] = number;
+        w->stats.hull_facets += number == PARADT__HULL;
+    }
     paradt__release(&w->memory, answers);
     paradt__release(&w->memory, twins);
     paradt__release(&w->memory, rows);
-    paradt__release(&w->memory, f.handles);
-    paradt__release(&w->memory, f.rows);
     return status;
 }
 
@@ -2303,8 +2518,6 @@ static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *nu
     paradt_status status = paradt_mpi__list_vertices(w, number);
     if (status) return status;
     for (i = 0; i < values; i++) w->local.cells[i] = number[w->local.cells[i]];
-    for (i = 0; w->out->neighbors && w->out->dim > 0 && i < values; i++)
-        w->stats.hull_facets += w->out->neighbors[i] == PARADT__HULL;
     w->out->cells = w->local.cells;
     w->local.cells = NULL;
     return PARADT_OK;
@@ -2314,10 +2527,12 @@ static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *nu
 static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
     paradt_index *place, *number;
-    size_t open = 0, i;
+    paradt_mpi__facets facets; // whose other side is not known
+    size_t i;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
     paradt_status status = PARADT_OK;
+    memset(&facets, 0, sizeof facets);
     place = (paradt_index *)paradt__alloc(&w->memory, w->local.cell_count, sizeof *place);
     number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
     out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
@@ -2329,11 +2544,13 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
         paradt_mpi__number_cells(w, place);
         if (wanted) out->neighbors = (int64_t *)paradt__alloc(&w->memory, out->cell_count, k * sizeof *out->neighbors);
         if (wanted && !out->neighbors) status = PARADT_ERROR_MEMORY;
-        if (!status) open = paradt_mpi__close_cells(w, place, number);
+        if (!status) status = paradt_mpi__close_cells(w, place, number, &facets);
         status = paradt_mpi__represent(w, status, number);
     }
     paradt__release(&w->memory, place);
-    if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, PARADT_OK, open);
+    if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, &facets);
+    paradt__release(&w->memory, facets.rows);
+    paradt__release(&w->memory, facets.handles);
     if (!status) status = paradt_mpi__agree(w, paradt_mpi__hand_over(w, number));
     paradt__release(&w->memory, number);
     w->stats.seconds_finish = paradt__now() - begun;
@@ -2476,8 +2693,10 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
     paradt__release(&w->memory, w->directory.groups);
     paradt__release(&w->memory, w->directory.count);
     paradt__release(&w->memory, w->directory.ranks);
+    paradt__release(&w->memory, w->directory.rooms);
     paradt__release(&w->memory, w->first);
     paradt__release(&w->memory, w->from);
+    paradt__release(&w->memory, w->place);
     paradt__release(&w->memory, w->to);
     MPI_Comm_free(&w->comm);
 }
@@ -2507,8 +2726,9 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
     if (status) return status;
     w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
     w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
+    w->place = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->place);
     w->first = (uint64_t *)paradt__alloc(&w->memory, (size_t)w->ranks + 1, sizeof *w->first);
-    status = paradt_mpi__agree(w, w->to && w->from && w->first ? PARADT_OK : PARADT_ERROR_MEMORY);
+    status = paradt_mpi__agree(w, w->to && w->from && w->place && w->first ? PARADT_OK : PARADT_ERROR_MEMORY);
     if (status) return status;
     paradt_mpi__number(w, local->count);
     w->out->ambient = w->dim;
