@@ -77,7 +77,9 @@
 // each side gets its share of the points, until one rank is left for each (recursive coordinate bisection), or its
 // share of space (PARADT_UNIFORM). The cut is found by counting, digit by digit of the coordinates' bits, so that no
 // rank has more than its share of the points at any time. A point on a cut belongs to the upper side. Each rank gets
-// the points of its box, its own points, and then:
+// the points of its box, its own points, and triangulates a few of them: where that makes expect that a rank has more
+// than 1.25 times the mean work, as with a lattice here and points in general position there, or the same point often,
+// points weigh what they take and space is cut anew. Then each rank:
 //
 //     1. sends to others those of its points that are near to theirs, and all that are within some margin of their
 //        boxes: a guess that saves work; so each knows a room around its box in which it has all points;
@@ -204,7 +206,7 @@ typedef struct paradt_mpi_options {
 #define PARADT_MPI_COUNTERS(X)                                                                                         \
     X(points, "own points, without duplicates")                                                                        \
     X(points_guessed, "points got from others by the guess")                                                           \
-    X(points_asked, "points got from others because of a conflict")                                                    \
+    X(points_asked, "points got from others because of an edge or a conflict")                                         \
     X(cells, "cells that this rank owns")                                                                              \
     X(cells_recomputed, "cells made last that another rank owns: the duplication")                                     \
     X(cells_asked, "cells sent to others in question")                                                                 \
@@ -312,7 +314,7 @@ extern "C" {
 // What one call works with, agreement on errors, and the one way in which ranks send each other anything of variable
 // size. Every function here is collective, and so is every function below that calls one. What is decided from the
 // results of reductions is decided alike on all ranks. Doors: paradt_mpi__agree, paradt_mpi__exchange,
-// paradt_mpi__smallest, paradt_mpi__sum.
+// paradt_mpi__smallest, paradt_mpi__sum, paradt_mpi__local_options.
 
 typedef struct paradt_mpi__home { // where a point that a rank knows is at home
     uint64_t id;
@@ -505,6 +507,37 @@ static void paradt_mpi__begin_places(paradt_mpi__work *w) {
     }
 }
 
+static int paradt_mpi__progress(void *user, double fraction) {
+    paradt_mpi__work *w = (paradt_mpi__work *)user;
+    return w->options.local.progress(w->options.local.user, w->progress_begin + fraction * w->progress_length);
+}
+
+// A paradt_parallel_for takes the same user pointer as the progress callback; so this one hands on the caller's.
+static void paradt_mpi__parallel_for(void *user, size_t count, void (*task)(void *context, size_t index),
+                                     void *context) {
+    paradt_mpi__work *w = (paradt_mpi__work *)user;
+    w->options.local.parallel_for(w->options.local.user, count, task, context);
+}
+
+// Asks for the caller's wish between steps: the engines ask only now and then. Not collective.
+static paradt_status paradt_mpi__go_on(paradt_mpi__work *w, double fraction) {
+    return w->options.local.progress && paradt_mpi__progress(w, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
+}
+
+// The options of a triangulation on this rank alone.
+static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
+    paradt_options options = w->options.local;
+    if (options.progress) options.progress = paradt_mpi__progress;
+    if (options.parallel_for) options.parallel_for = paradt_mpi__parallel_for;
+    options.user = w;
+    options.flags = 0; // hull facets are known by their neighbours
+    if (options.memory_limit) {
+        size_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
+        options.memory_limit = left ? left : 1;
+    }
+    return options;
+}
+
 // Room for one more item in a list: returns the items, or NULL when there is no memory.
 static void *paradt_mpi__one_more(paradt_mpi__work *w, void *items, size_t count, size_t *capacity, size_t size) {
     size_t larger = *capacity * 2 + 64;
@@ -648,10 +681,10 @@ static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *
 // >>partition
 //
 // Boxes with more than one rank are halved, all at once, until each has one. The cut is the coordinate below which the
-// lower half's ranks have their share of the points: it is found in the ordered bits of the coordinates, as offsets
-// from the smallest, by counting how many points have each value of the next eight bits; so ties and extreme
-// coordinates are like any other. Where many points have the coordinate of the cut they all go to the side that is
-// nearer to its share. Doors: paradt_mpi__partition.
+// lower half's ranks have their share of the points, or of what these weigh: it is found in the ordered bits of the
+// coordinates, as offsets from the smallest, by counting how many points have each value of the next eight bits; so
+// ties and extreme coordinates are like any other. Where many points have the coordinate of the cut they all go to the
+// side that is nearer to its share. Doors: paradt_mpi__partition.
 
 typedef struct paradt_mpi__box {
     int first, ranks;              // ranks that share the box
@@ -660,7 +693,7 @@ typedef struct paradt_mpi__box {
     int64_t low[PARADT_MAX_DIM];   // around its points
     int64_t high[PARADT_MAX_DIM];  //
     int axis;                      // across which it is cut
-    uint64_t wanted, below, equal; // points for the lower half; below the cut, on it
+    uint64_t wanted, below, equal; // what points weigh: for the lower half; below the cut, on it
     uint64_t offset;               // of the cut from low[axis], its upper bits so far
     int bits;                      // of the offset, that are not known yet
     int64_t cut;                   // ordered bits of the first coordinate of the upper half
@@ -671,6 +704,7 @@ typedef struct paradt_mpi__cutter {
     double *rows; // [count][width]
     size_t count, width;
     uint32_t *inside;       // [count] box of each point
+    uint64_t weight;        // of each point of this rank
     size_t *open;           // [open_count] points that may be on the cut of their box
     size_t open_count;      //
     paradt_mpi__box *boxes; // [ranks]
@@ -701,15 +735,15 @@ static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     }
 }
 
-// Points of each box.
+// What the points of each box weigh.
 static void paradt_mpi__count_boxes(paradt_mpi__work *w, paradt_mpi__cutter *c, uint64_t *totals) {
     size_t i;
     memset(totals, 0, (size_t)c->box_count * sizeof *totals);
-    for (i = 0; i < c->count; i++) totals[c->inside[i]]++;
+    for (i = 0; i < c->count; i++) totals[c->inside[i]] += c->weight;
     MPI_Allreduce(MPI_IN_PLACE, totals, c->box_count, MPI_UINT64_T, MPI_SUM, w->comm);
 }
 
-// Chooses the axis and how many points are wanted below the cut.
+// Chooses the axis and what is wanted below the cut.
 static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total) {
     uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
     double longest = -1.0;
@@ -744,7 +778,8 @@ static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
                           (uint64_t)box->low[box->axis];
         if (!box->bits || (box->bits < 64 && offset >> box->bits != box->offset)) continue;
         c->open[kept++] = point;
-        c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))]++;
+        c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))] +=
+            c->weight;
     }
     c->open_count = kept;
     MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * (int)values, MPI_UINT64_T, MPI_SUM, w->comm);
@@ -840,9 +875,9 @@ static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *
     }
 }
 
-// Sends the rows to the ranks whose boxes they are in. *rows: [count], replaced by those that this rank got, in the
-// order of their ids. *count: their number.
-static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, size_t *count) {
+// Sends the rows, which each weigh so much, to the ranks whose boxes they are in. *rows: [*count], replaced by those
+// that this rank got, in the order of the ranks that they come from.
+static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, double **rows, size_t *count) {
     paradt_mpi__cutter c;
     double *sorted;
     void *got = NULL;
@@ -852,6 +887,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, double **rows, s
     c.rows = *rows;
     c.count = *count;
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
+    c.weight = weight;
     c.box_count = 1;
     c.inside = (uint32_t *)paradt__alloc(&w->memory, c.count, sizeof *c.inside);
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
@@ -1206,15 +1242,14 @@ static paradt_status paradt_mpi__share_basis(paradt_mpi__work *w, const paradt_i
     return status;
 }
 
-// Makes the rows this rank got its own points.
-static paradt_status paradt_mpi__settle(paradt_mpi__work *w, double *rows, size_t count) {
+// Makes the rows this rank got, in the order of their ids, its own points.
+static paradt_status paradt_mpi__settle(paradt_mpi__work *w, const double *rows, size_t count) {
     size_t most = (size_t)w->dim + 1;
     double *gathered;
     size_t *counts;
     paradt_index origins[PARADT_MAX_DIM + 1];
     int dim = -1;
     paradt_status status = paradt_mpi__load(w, rows, count);
-    paradt__release(&w->memory, rows);
     gathered = (double *)paradt__alloc(&w->memory, (size_t)w->ranks * most * most, sizeof *gathered);
     counts = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *counts);
     if (!status && (!gathered || !counts)) status = PARADT_ERROR_MEMORY;
@@ -1234,6 +1269,141 @@ static paradt_status paradt_mpi__settle(paradt_mpi__work *w, double *rows, size_
     if (dim > 0) status = paradt_mpi__grade(w);
     if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort(w));
     return status || dim <= 0 ? status : paradt_mpi__share_basis(w, origins);
+}
+
+// Gives back what was settled.
+static void paradt_mpi__unsettle(paradt_mpi__work *w) {
+    if (w->grid.levels) paradt__grid_free(&w->grid, &w->memory);
+    paradt__set_free(&w->set, &w->memory);
+    paradt__release(&w->memory, w->home);
+    paradt__release(&w->memory, w->others.slots);
+    paradt__release(&w->memory, w->told.slots);
+    paradt__release(&w->memory, w->twin);
+    paradt__release(&w->memory, w->received);
+    memset(&w->grid, 0, sizeof w->grid);
+    memset(&w->set, 0, sizeof w->set);
+    memset(&w->others, 0, sizeof w->others);
+    memset(&w->told, 0, sizeof w->told);
+    w->home = NULL;
+    w->twin = NULL;
+    w->received = NULL;
+    w->known = w->room = w->received_count = 0;
+    w->shift = 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>weigh
+//
+// Points do not take the same time: one of a lattice takes twice that of one in general position, one that is nearly on
+// a sphere three times, and one that is handed in again next to none. So once it has its points, each rank triangulates
+// some of them, here and there a few that are near to each other. Where that makes expect that a rank has much more to
+// do than others, points weigh what they take, and space is cut anew. Doors: paradt_mpi__place_points.
+
+enum {
+    PARADT_MPI__SAMPLES = 3,     // so often
+    PARADT_MPI__SAMPLED = 128,   // so many points
+    PARADT_MPI__WORTH = 8192,    // points a rank, for which it is worth it
+    PARADT_MPI__MEAN_WEIGHT = 64 // of the points
+};
+
+// More than so many times the mean work is much more: to cut anew takes a tenth of the time.
+#define PARADT_MPI__MUCH 1.25
+// Work to read and compare a point, and that of an in-sphere predicate, in cells that are made: in three dimensions
+// these take a quarter of a microsecond, predicates 0.13 (lattice) to 0.26 (cospherical).
+#define PARADT_MPI__READING   0.6
+#define PARADT_MPI__PREDICATE 0.7
+
+// The work that the own points are expected to take; not collective.
+static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
+    const paradt__set *set = &w->set;
+    paradt_options options = paradt_mpi__local_options(w);
+    double weights[PARADT_MPI__SAMPLED], sum = 0.0;
+    size_t count = PARADT_MPI__SAMPLED, sample, i;
+    paradt_status status = PARADT_OK;
+    if (set->count < count) count = set->count;
+    options.progress = NULL;
+    options.parallel_for = NULL;
+    options.regions = 1;
+    for (sample = 0; sample < PARADT_MPI__SAMPLES && count && !status; sample++) {
+        const double *first = set->records + (set->count - count) / PARADT_MPI__SAMPLES * sample * set->width;
+        paradt_points points = {first, count, w->dim, set->width * sizeof *first, PARADT_F64, NULL};
+        paradt_triangulation t;
+        for (i = 0; i < count && w->weighted; i++) weights[i] = first[i * set->width + (size_t)w->dim];
+        if (w->weighted) points.weights = weights;
+        status = paradt_triangulate(&t, &points, &options);
+        if (!status) sum += (double)t.stats.cells + PARADT_MPI__PREDICATE * (double)t.stats.insphere_calls;
+        paradt_free(&t);
+    }
+    *work = (double)w->received_count * PARADT_MPI__READING;
+    if (count) *work += sum / (double)(count * PARADT_MPI__SAMPLES) * (double)set->count;
+    return status;
+}
+
+// How much a point of this rank should weigh where the work is uneven; 0: it is not. Collective.
+static paradt_status paradt_mpi__weigh(paradt_mpi__work *w, uint64_t *weight) {
+    double work = 0.0, all, most, mean;
+    paradt_status status;
+    *weight = 0;
+    if (w->ranks == 1 || w->options.local.partition == PARADT_UNIFORM || w->out->dim <= 0 ||
+        w->first[w->ranks] / (uint64_t)w->ranks < PARADT_MPI__WORTH)
+        return PARADT_OK;
+    status = paradt_mpi__agree(w, paradt_mpi__expect(w, &work));
+    if (status) return status;
+    MPI_Allreduce(&work, &most, 1, MPI_DOUBLE, MPI_MAX, w->comm);
+    MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, w->comm);
+    if (!(most * w->ranks > PARADT_MPI__MUCH * all)) return PARADT_OK;
+    mean = all / (double)w->first[w->ranks];
+    *weight = 1;
+    if (w->received_count) work /= (double)w->received_count * mean;
+    if (work > 1.0 / PARADT_MPI__MEAN_WEIGHT && work < 1048576.0) *weight = (uint64_t)(work * PARADT_MPI__MEAN_WEIGHT);
+    return PARADT_OK;
+}
+
+// The rows in the order of their ids; not collective.
+static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, size_t count) {
+    size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *other);
+    double *sorted = (double *)paradt__alloc(&w->memory, count, width * sizeof *sorted);
+    paradt_status status = PARADT_ERROR_MEMORY;
+    if (keyed && other && sorted) {
+        for (i = 0; i < count; i++) {
+            keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
+            keyed[i].point = (paradt_index)i;
+        }
+        paradt__keyed_sort(keyed, other, count, 56);
+        for (i = 0; i < count; i++)
+            memcpy(sorted + i * width, *rows + (size_t)keyed[i].point * width, width * sizeof *sorted);
+        paradt__release(&w->memory, *rows);
+        *rows = sorted;
+        sorted = NULL;
+        status = PARADT_OK;
+    }
+    paradt__release(&w->memory, sorted);
+    paradt__release(&w->memory, other);
+    paradt__release(&w->memory, keyed);
+    return status;
+}
+
+// Makes the points of its box each rank's own. Releases the rows.
+static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows) {
+    size_t count = w->out->point_count;
+    double begun = paradt__now(), begun_settling;
+    uint64_t weight = 0;
+    paradt_status status = paradt_mpi__partition(w, 1, &rows, &count);
+    begun_settling = paradt__now();
+    w->stats.seconds_partition += begun_settling - begun;
+    if (!status) status = paradt_mpi__settle(w, rows, count);
+    if (!status) status = paradt_mpi__weigh(w, &weight);
+    if (!status && weight) {
+        paradt_mpi__unsettle(w);
+        status = paradt_mpi__partition(w, weight, &rows, &count);
+        if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort_by_id(w, &rows, count));
+        if (!status) status = paradt_mpi__settle(w, rows, count);
+    }
+    paradt__release(&w->memory, rows);
+    w->stats.seconds_grid = paradt__now() - begun_settling;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1518,37 +1688,6 @@ typedef struct paradt_mpi__questions {
     paradt_mpi__question *items;
     paradt_mpi__list told; // points to be sent without a question
 } paradt_mpi__questions;
-
-static int paradt_mpi__progress(void *user, double fraction) {
-    paradt_mpi__work *w = (paradt_mpi__work *)user;
-    return w->options.local.progress(w->options.local.user, w->progress_begin + fraction * w->progress_length);
-}
-
-// A paradt_parallel_for takes the same user pointer as the progress callback; so this one hands on the caller's.
-static void paradt_mpi__parallel_for(void *user, size_t count, void (*task)(void *context, size_t index),
-                                     void *context) {
-    paradt_mpi__work *w = (paradt_mpi__work *)user;
-    w->options.local.parallel_for(w->options.local.user, count, task, context);
-}
-
-// Asks for the caller's wish between steps: the engines ask only now and then. Not collective.
-static paradt_status paradt_mpi__go_on(paradt_mpi__work *w, double fraction) {
-    return w->options.local.progress && paradt_mpi__progress(w, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
-}
-
-// The options of a triangulation on this rank alone.
-static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
-    paradt_options options = w->options.local;
-    if (options.progress) options.progress = paradt_mpi__progress;
-    if (options.parallel_for) options.parallel_for = paradt_mpi__parallel_for;
-    options.user = w;
-    options.flags = 0; // hull facets are known by their neighbours
-    if (options.memory_limit) {
-        size_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
-        options.memory_limit = left ? left : 1;
-    }
-    return options;
-}
 
 // The local triangulation has an account of its own: its peak and what it goes on to hold are added to the rank's.
 static void paradt_mpi__account(paradt_mpi__work *w) {
@@ -2683,13 +2822,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
 static void paradt_mpi__end(paradt_mpi__work *w) {
     if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
     paradt_mpi__forget(w);
-    if (w->grid.levels) paradt__grid_free(&w->grid, &w->memory);
-    paradt__set_free(&w->set, &w->memory);
-    paradt__release(&w->memory, w->home);
-    paradt__release(&w->memory, w->others.slots);
-    paradt__release(&w->memory, w->told.slots);
-    paradt__release(&w->memory, w->twin);
-    paradt__release(&w->memory, w->received);
+    paradt_mpi__unsettle(w);
     paradt__release(&w->memory, w->directory.groups);
     paradt__release(&w->memory, w->directory.count);
     paradt__release(&w->memory, w->directory.ranks);
@@ -2703,19 +2836,11 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
 
 // The points of all ranks, each in its box.
 static paradt_status paradt_mpi__distributed(paradt_mpi__work *w, double *rows) {
-    size_t count = w->out->point_count;
-    double begun = paradt__now(), begun_grid;
-    paradt_status status = paradt_mpi__partition(w, &rows, &count);
-    if (status) {
-        paradt__release(&w->memory, rows);
-        return status;
-    }
-    begun_grid = paradt__now();
-    w->stats.seconds_partition += begun_grid - begun;
-    status = paradt_mpi__settle(w, rows, count);
+    paradt_status status = paradt_mpi__place_points(w, rows);
+    double begun = paradt__now();
     if (!status && w->out->dim > 0) status = paradt_mpi__tell(w);
     if (!status && w->out->dim > 0 && w->ranks > 1) status = paradt_mpi__guess(w);
-    w->stats.seconds_grid = paradt__now() - begun_grid;
+    w->stats.seconds_grid += paradt__now() - begun;
     if (!status) status = paradt_mpi__rounds(w);
     return status ? status : paradt_mpi__deliver(w);
 }

@@ -114,14 +114,19 @@ ends unknown_option_is_a_usage_error 2 no-such --no-such "$work/few.xyz"
 ends unknown_output_is_a_usage_error 2 out.what -o "$work/out.what" "$work/few.xyz"
 # The sets on which tess2 (Argonne's) misses cells, or sends every point to every rank: the cells are the serial tool's, which
 # are certified, and few points travel.
+certified() { # ranks, input: the cells are right, and the statistics are in found
+    "$work/paradt" --quiet --hash --check "$2" >"$work/serial" 2>"$work/log" &&
+        on "$1" "$tool" --hash --stats - "$2" >"$work/found" 2>>"$work/log" &&
+        [ -s "$work/serial" ] && [ "$(tail -n 1 "$work/found")" = "$(tail -n 1 "$work/serial")" ]
+}
+statistics() { # lines name:value
+    tr -d ' "' <"$work/found" | tr ',{' '\n\n'
+}
 exact() { # name, ranks, most points sent to another rank in percent, input
-    "$work/paradt" --quiet --hash --check "$4" >"$work/serial" 2>"$work/log" &&
-        on "$2" "$tool" --hash --stats - "$4" >"$work/found" 2>>"$work/log" &&
-        [ -s "$work/serial" ] && [ "$(tail -n 1 "$work/found")" = "$(tail -n 1 "$work/serial")" ] &&
-        tr -d ' "' <"$work/found" | tr ',{' '\n\n' | awk -F: -v most="$3" '
-            $1 == "points" { all = $2 }
-            $1 == "points_guessed" || $1 == "points_asked" { sent += $2 }
-            END { print sent, "of", all, "points sent"; exit !(all && 100 * sent <= most * all) }' >>"$work/log"
+    certified "$2" "$4" && statistics | awk -F: -v most="$3" '
+        $1 == "points" { all = $2 }
+        $1 == "points_guessed" || $1 == "points_asked" { sent += $2 }
+        END { print sent, "of", all, "points sent"; exit !(all && 100 * sent <= most * all) }' >>"$work/log"
     report $? "$1" "$work/log"
 }
 exact clusters_in_two_boxes_miss_no_cell 2 5 gen:clusters:1000000:1
@@ -130,6 +135,24 @@ exact a_sphere_is_not_sent_to_every_rank 8 50 gen:sphere:100000:1
 # Where the questions would take minutes, all points are sent instead.
 exact points_almost_on_a_line_end_in_time 8 800 gen:line:30000:1
 exact points_on_a_cylinder_end_in_time 4 400 gen:cylinder:20000:1
+# Points weigh what they take: of two ranks the one with more different points has so many percent of them, where half of
+# all that are handed in would be 91 and 50.
+weighed() { # name, least, most, input
+    certified 2 "$4" && statistics | awk -F: -v least="$2" -v most="$3" '
+        $1 == "points" { all = $2 }
+        $1 == "points_largest" { largest = $2 }
+        END { print largest, "of", all; exit !(all && 100 * largest >= least * all && 100 * largest <= most * all) }
+    ' >>"$work/log"
+    report $? "$1" "$work/log"
+}
+awk 'BEGIN { for (i = 0; i < 5000; i++) place[i] = rand() " " rand() " " rand()
+    for (i = 0; i < 50000; i++) print place[i % 5000]
+    for (i = 0; i < 50000; i++) print 1.1 + rand(), rand(), rand() }' >"$work/copies.xyz"
+awk 'BEGIN { n = 37
+    for (i = 0; i < n * n * n; i++) print i % n, int(i / n) % n, int(i / n / n)
+    for (i = 0; i < n * n * n; i++) print 1.1 * n + n * rand(), n * rand(), n * rand() }' >"$work/lattice.xyz"
+weighed equal_points_weigh_less 50 65 "$work/copies.xyz"
+weighed points_of_a_lattice_weigh_more 57 70 "$work/lattice.xyz"
 
 on 3 "$tool" --quiet -o "$work/cloud.pvtu" -o "$work/cloud.ele" gen:uniform:2000:1 2>"$work/log" &&
     [ "$(grep -c '<Piece' "$work/cloud.pvtu")" = 3 ] && [ -s "$work/cloud_0.vtu" ] && [ -s "$work/cloud_2.vtu" ] &&
