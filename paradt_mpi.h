@@ -1300,10 +1300,9 @@ static void paradt_mpi__unsettle(paradt_mpi__work *w) {
 // do than others, points weigh what they take, and space is cut anew. Doors: paradt_mpi__place_points.
 
 enum {
-    PARADT_MPI__SAMPLES = 3,     // so often
-    PARADT_MPI__SAMPLED = 128,   // so many points
-    PARADT_MPI__WORTH = 8192,    // points a rank, for which it is worth it
-    PARADT_MPI__MEAN_WEIGHT = 64 // of the points
+    PARADT_MPI__SAMPLES = 3,   // so often
+    PARADT_MPI__SAMPLED = 128, // so many points
+    PARADT_MPI__WORTH = 8192   // points a rank, for which it is worth it
 };
 
 // More than so many times the mean work is much more: to cut anew takes a tenth of the time.
@@ -1312,6 +1311,8 @@ enum {
 // these take a quarter of a microsecond, predicates 0.13 (lattice) to 0.26 (cospherical).
 #define PARADT_MPI__READING   0.6
 #define PARADT_MPI__PREDICATE 0.7
+// Weight of a point that takes the mean work
+#define PARADT_MPI__MEAN_WEIGHT 64.0
 
 // The work that the own points are expected to take; not collective.
 static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
