@@ -1619,12 +1619,12 @@ static paradt_status paradt_mpi__list_room(paradt_mpi__work *w, paradt_mpi__list
 }
 
 // Lists all points around the room of a rank, as far as it wants or half or a quarter as far, so that they are no more
-// than those that were guessed before, or few; else none. *kept: how far, of what it wants.
+// than a third of those guessed before, or few; else none. *kept: how far, of what it wants.
 static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list *list, int rank, size_t guessed,
                                            double *kept) {
     double margin = w->directory.rooms[(size_t)(rank + 1) * (2 * (size_t)w->dim + 1) - 1], room[2 * PARADT_MAX_DIM];
     paradt_mpi__list found;
-    size_t most = guessed + 64, box, i;
+    size_t most = guessed / 3 + 64, box, i;
     int top = w->grid.levels - 1;
     paradt_status status = PARADT_OK;
     memset(&found, 0, sizeof found);
