@@ -8236,10 +8236,9 @@ static paradt__keyed *paradt__remote_order(size_t count, paradt__memory *memory)
 }
 
 // Inserts all points of the set, which are in the order of a curve, or of a few. It is measured with all points that
-// are to come, spans them, and has no sagittas. more: about how many.
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t more,
+// are to come, spans them, and has no sagittas.
+static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
                                                  paradt__memory *memory, const paradt__progress *progress) {
-    int dim = set->space.dim;
     paradt_status status;
     memset(engine, 0, sizeof *engine);
     status = paradt__bw_gather(&engine->sorted, set, paradt__remote_order(set->count, memory), memory);
@@ -8251,9 +8250,8 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
     engine->bw.records = engine->sorted.records;
     engine->bw.width = engine->sorted.width;
     engine->bw.count = set->count;
-    engine->bw.cells.corners = dim + 1;
-    if (dim <= 3) status = paradt__bw_reserve(&engine->bw, paradt__bw_places(set->count + more, dim));
-    return status ? status : paradt__bw_build(&engine->bw, progress);
+    engine->bw.cells.corners = set->space.dim + 1;
+    return paradt__bw_build(&engine->bw, progress);
 }
 
 // Inserts one more point of the set.

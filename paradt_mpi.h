@@ -1765,7 +1765,7 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     progress.begin = 0.0;
     progress.length = 1.0;
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, (w->known - w->set.count) / 4 + 64, &w->memory, &progress);
+    return paradt__remote_engine_begin(&w->engine, &all, &w->memory, &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
