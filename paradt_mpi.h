@@ -361,8 +361,7 @@ typedef struct paradt_mpi__list { // own points to be sent: `place` to `rank`
 
 enum {
     PARADT_MPI__GROUPS = 8, // of boxes a rank tells the others
-    PARADT_MPI__DIGIT = 8,  // bits of a coordinate that are counted at a time
-    PARADT_MPI__AHEAD = 32  // values between those that are worked on and those fetched
+    PARADT_MPI__DIGIT = 8   // bits of a coordinate that are counted at a time
 };
 
 typedef struct paradt_mpi__work {
@@ -2374,16 +2373,57 @@ static int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell)
     return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
 }
 
-// Numbers the own cells. place: [local.cell_count] the number within this rank, or PARADT__OPEN.
-static void paradt_mpi__number_cells(paradt_mpi__work *w, paradt_index *place) {
-    size_t k = (size_t)w->out->dim + 1, c;
-    uint64_t mine, before = 0;
-    w->out->cell_count = 0;
-    for (c = 0; c < w->local.cell_count; c++) {
-        int own = paradt_mpi__owns(w, w->local.cells + c * k);
-        place[c] = own ? (paradt_index)w->out->cell_count++ : (paradt_index)PARADT__OPEN;
+// What the last local triangulation makes of a point
+enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
+
+// Where the own cells go: those among the first `own` places stay, so that nearly all neighbours keep their numbers;
+// those behind fill the gaps that others' cells leave.
+typedef struct paradt_mpi__places_of_cells {
+    size_t own;          // own cells
+    uint64_t *foreign;   // a bit for each local cell: it is not an own one
+    paradt_index *moved; // [local.cell_count - own] place of each cell from `own` on; PARADT__OPEN: none
+} paradt_mpi__places_of_cells;
+
+static int paradt_mpi__is_foreign(const paradt_mpi__places_of_cells *p, size_t cell) {
+    return (int)(p->foreign[cell >> 6] >> (cell & 63) & 1);
+}
+
+static paradt_index paradt_mpi__place_of(const paradt_mpi__places_of_cells *p, size_t cell) {
+    if (cell >= p->own) return p->moved[cell - p->own];
+    return paradt_mpi__is_foreign(p, cell) ? (paradt_index)PARADT__OPEN : (paradt_index)cell;
+}
+
+// Finds the own cells and their places. mark: [known], gets what others' cells make of each point. Not collective.
+static paradt_status paradt_mpi__place_cells(paradt_mpi__work *w, paradt_mpi__places_of_cells *p, paradt_index *mark) {
+    size_t k = (size_t)w->out->dim + 1, count = w->local.cell_count, words = count / 64 + 1, c, j, gap = 0;
+    for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
+    p->foreign = (uint64_t *)paradt__alloc(&w->memory, words, sizeof *p->foreign);
+    if (!p->foreign) return PARADT_ERROR_MEMORY;
+    memset(p->foreign, 0, words * sizeof *p->foreign);
+    for (c = 0; c < count; c++) {
+        const paradt_index *cell = w->local.cells + c * k;
+        if (paradt_mpi__owns(w, cell)) {
+            p->own++;
+            continue;
+        }
+        p->foreign[c >> 6] |= (uint64_t)1 << (c & 63);
+        for (j = 0; j < k; j++) mark[cell[j]] = PARADT_MPI__VERTEX;
     }
-    mine = w->out->cell_count;
+    p->moved = (paradt_index *)paradt__alloc(&w->memory, count - p->own, sizeof *p->moved);
+    if (!p->moved) return PARADT_ERROR_MEMORY;
+    for (c = p->own; c < count; c++) {
+        p->moved[c - p->own] = PARADT__OPEN;
+        if (paradt_mpi__is_foreign(p, c)) continue;
+        while (!paradt_mpi__is_foreign(p, gap)) gap++;
+        p->moved[c - p->own] = (paradt_index)gap++;
+    }
+    return PARADT_OK;
+}
+
+// Numbers the own cells of all ranks.
+static void paradt_mpi__number_cells(paradt_mpi__work *w, size_t own) {
+    uint64_t mine = own, before = 0;
+    w->out->cell_count = own;
     MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
     w->out->first_cell = w->rank ? before : 0;
     w->out->cell_total = paradt_mpi__sum(w, mine);
@@ -2391,33 +2431,29 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w, paradt_index *place) {
     w->stats.cells_recomputed += w->local.cell_count - mine;
 }
 
-// What the last local triangulation makes of a point
-enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
-
 // The number of the neighbour across a facet of a local cell, where that is an own cell or known to be none; else
 // PARADT__OPEN.
-static int64_t paradt_mpi__number_across(const paradt_mpi__work *w, const paradt_index *place, paradt_index neighbor) {
-    if (neighbor >= 0 && place[neighbor] >= 0) return (int64_t)w->out->first_cell + place[neighbor];
+static int64_t paradt_mpi__number_across(const paradt_mpi__work *w, const paradt_mpi__places_of_cells *p,
+                                         paradt_index neighbor) {
+    paradt_index place = neighbor < 0 ? (paradt_index)PARADT__OPEN : paradt_mpi__place_of(p, (size_t)neighbor);
+    if (PARADT__LIKELY(place >= 0)) return (int64_t)w->out->first_cell + place;
     if (w->out->dim == 0) return PARADT__HULL;
     return neighbor == PARADT__HULL && w->options.flags & PARADT_MPI_REPLICATED ? PARADT__HULL : PARADT__OPEN;
 }
 
-// Writes an own cell with k vertices over the local ones, and the numbers of its neighbours.
-PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *place,
-                                                    paradt_index *mark, paradt_mpi__facets *f) {
-    const paradt_index *neighbors = w->local.neighbors + c * k, *ahead = neighbors + PARADT_MPI__AHEAD;
-    size_t to = (size_t)place[c] * k, j; // to <= c * k
+// Writes an own cell with k vertices to its place, and the numbers of its neighbours.
+PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, size_t place,
+                                                    const paradt_mpi__places_of_cells *p, paradt_index *mark,
+                                                    paradt_mpi__facets *f) {
+    const paradt_index *neighbors = w->local.neighbors + c * k;
+    size_t to = place * k, j;
     for (j = 0; j < k; j++) {
         paradt_index vertex = w->local.cells[c * k + j];
         mark[vertex] = PARADT_MPI__VERTEX_OF_OWN_CELL;
         w->local.cells[to + j] = vertex;
     }
-    if (!w->out->neighbors) return PARADT_OK;
-    for (j = 0; j < k && c * k + PARADT_MPI__AHEAD + k < w->local.cell_count * k; j++) {
-        if (ahead[j] >= 0) PARADT__PREFETCH(place + ahead[j]);
-    }
-    for (j = 0; j < k; j++) {
-        int64_t number = paradt_mpi__number_across(w, place, neighbors[j]);
+    for (j = 0; j < k && w->out->neighbors; j++) {
+        int64_t number = paradt_mpi__number_across(w, p, neighbors[j]);
         w->out->neighbors[to + j] = number;
         if (PARADT__LIKELY(number >= 0)) continue;
         w->stats.hull_facets += number == PARADT__HULL && k > 1;
@@ -2426,23 +2462,17 @@ PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t 
     return PARADT_OK;
 }
 
-// Writes the own cells over the local ones, and the numbers of their neighbours; lists the facets whose other side is
-// not known. mark: [known], gets what becomes of each point. Not collective.
-static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *place, paradt_index *mark,
-                                             paradt_mpi__facets *f) {
-    size_t k = (size_t)w->out->dim + 1, c, j;
+// Writes the own cells to their places, and the numbers of their neighbours; lists the facets whose other side is not
+// known. mark: as paradt_mpi__place_cells left it; gets what own cells make of each point. Not collective.
+static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_mpi__places_of_cells *p,
+                                             paradt_index *mark, paradt_mpi__facets *f) {
+    size_t k = (size_t)w->out->dim + 1, c;
     paradt_status status = PARADT_OK;
-    for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
     for (c = 0; c < w->local.cell_count && !status; c++) {
-        if (place[c] < 0) {
-            for (j = 0; j < k; j++) {
-                paradt_index *vertex = mark + w->local.cells[c * k + j];
-                if (*vertex == PARADT_MPI__NO_VERTEX) *vertex = PARADT_MPI__VERTEX;
-            }
-        } else {
-            status = k == 4 ? paradt_mpi__close_cell(w, 4, c, place, mark, f)
-                            : paradt_mpi__close_cell(w, k, c, place, mark, f);
-        }
+        paradt_index place = paradt_mpi__place_of(p, c);
+        if (place < 0) continue;
+        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, (size_t)place, p, mark, f)
+                        : paradt_mpi__close_cell(w, k, c, (size_t)place, p, mark, f);
     }
     w->local.cell_count = w->out->cell_count;
     return status;
@@ -2666,28 +2696,29 @@ static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *nu
 // Makes the result of the last local triangulation.
 static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
-    paradt_index *place, *number;
+    paradt_mpi__places_of_cells places;
     paradt_mpi__facets facets; // whose other side is not known
-    size_t i;
+    paradt_index *number;
+    size_t k = (size_t)(out->dim + 1), i;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
-    paradt_status status = PARADT_OK;
+    paradt_status status = PARADT_ERROR_MEMORY;
     memset(&facets, 0, sizeof facets);
-    place = (paradt_index *)paradt__alloc(&w->memory, w->local.cell_count, sizeof *place);
+    memset(&places, 0, sizeof places);
     number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
     out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
-    if (!place || !number || !out->representative) status = PARADT_ERROR_MEMORY;
+    if (number && out->representative) status = paradt_mpi__place_cells(w, &places, number);
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        size_t k = (size_t)(out->dim + 1);
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
-        paradt_mpi__number_cells(w, place);
+        paradt_mpi__number_cells(w, places.own);
         if (wanted) out->neighbors = (int64_t *)paradt__alloc(&w->memory, out->cell_count, k * sizeof *out->neighbors);
         if (wanted && !out->neighbors) status = PARADT_ERROR_MEMORY;
-        if (!status) status = paradt_mpi__close_cells(w, place, number, &facets);
+        if (!status) status = paradt_mpi__close_cells(w, &places, number, &facets);
         status = paradt_mpi__represent(w, status, number);
     }
-    paradt__release(&w->memory, place);
+    paradt__release(&w->memory, places.moved);
+    paradt__release(&w->memory, places.foreign);
     if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, &facets);
     paradt__release(&w->memory, facets.rows);
     paradt__release(&w->memory, facets.handles);
