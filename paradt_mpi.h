@@ -76,10 +76,10 @@
 // Space is cut into as many boxes as there are ranks: a box is halved across the longest side of its points, so that
 // each side gets its share of the points, until one rank is left for each (recursive coordinate bisection), or its
 // share of space (PARADT_UNIFORM). The cut is found by counting, digit by digit of the coordinates' bits, so that no
-// rank has more than its share of the points at any time. A point on a cut belongs to the upper side. Each rank gets
-// the points of its box, its own points, and triangulates a few of them: where that makes expect that a rank has more
-// than 1.25 times the mean work, as with a lattice here and points in general position there, or the same point often,
-// points weigh what they take and space is cut anew. Then each rank:
+// rank has all points at any time. A point on a cut belongs to the upper side. Each rank gets the points of its box,
+// its own points, and triangulates a few of them: where that makes expect that a rank has more than 1.25 times the mean
+// work, as with a lattice here and points in general position there, or the same point often, points weigh what they
+// take, at least a quarter of the mean, and space is cut anew. Then each rank:
 //
 //     1. sends to others those of its points that are near to theirs, and all that are within some margin of their
 //        boxes: a guess that saves work; so each knows a room around its box in which it has all points;
@@ -155,24 +155,25 @@
 // MEMORY
 //
 // All memory but that of MPI itself comes from the rank's options.local.allocator, within its memory_limit. At no time
-// has a rank more than its share of the points, those it handed in, and those near its border, unless all points are
-// sent to all ranks (see above): then each has the memory and the limits of a call of its own for all of them.
+// has a rank more than its share of the points (up to five times as many where its points weigh little; all that are
+// equal), those it handed in, and those near its border, unless all points are sent to all ranks (see above): then each
+// has the memory and the limits of a call of its own for all of them.
 //
 //
 // COST
 //
 // A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods; all points
-// once more where all are sent. Beside that, points are sent once, to their ranks; the cuts take O(n / p log p) time
-// and about 8 log2 p reductions; each cell is looked at once more; and what is sent in steps 1 and 2 is proportional to
-// the number of points near the border, for points spread without structure. The rounds do not grow with the number of
-// ranks. stats.seconds_* tell where the time goes.
+// once more where all are sent. Beside that, points are sent once, to their ranks, or twice where they weigh what they
+// take; the cuts take O(n / p log p) time and about 8 log2 p reductions each time; each cell is looked at once more;
+// and what is sent in steps 1 and 2 is proportional to the number of points near the border, for points spread without
+// structure. The rounds do not grow with the number of ranks. stats.seconds_* tell where the time goes.
 //
 //
 // LIMITS
 //
 //     a rank    the limits of paradt.h, for its own points and those near its border; for all where all are sent
 //     points    2^63 - 1 in all
-//     ranks     as MPI; each keeps 64 boxes of every other one
+//     ranks     as MPI; each keeps 65 boxes of every other one
 //
 //
 // CHANGES
@@ -288,7 +289,8 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 #endif // PARADT_MPI_H
 
 // The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each uses
-// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid.
+// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid, and the
+// orders of insertion.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
@@ -312,9 +314,10 @@ extern "C" {
 // >>talk
 //
 // What one call works with, agreement on errors, and the one way in which ranks send each other anything of variable
-// size. Every function here is collective, and so is every function below that calls one. What is decided from the
+// size. Functions that call MPI are collective, and so are those that call one of them. What is decided from the
 // results of reductions is decided alike on all ranks. Doors: paradt_mpi__agree, paradt_mpi__exchange,
-// paradt_mpi__smallest, paradt_mpi__sum, paradt_mpi__local_options.
+// paradt_mpi__begin_places, paradt_mpi__smallest, paradt_mpi__sum; the tables and lists; paradt_mpi__local_options,
+// paradt_mpi__go_on.
 
 typedef struct paradt_mpi__home { // where a point that a rank knows is at home
     uint64_t id;
@@ -381,7 +384,7 @@ typedef struct paradt_mpi__work {
     paradt__set set;                   // own points along a curve; behind them in records those of others
     paradt__grid grid;                 // of the own points
     double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point in there is unknown to this rank
-    paradt__search search;             // in it
+    paradt__search search;             // in the grid
     int ready;                         // the grid is there: there are points here, not all equal, and other ranks
     uint64_t patience;                 // so much work questions are worth: about the number of all ranks' cells
     int stuck;                         // questions or answers would take longer
@@ -926,7 +929,8 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
 //
 // A rank's own points as a paradt__set: without duplicates, scaled, with axes, measure and reference sphere agreed on
 // by all ranks, so that the record of a point is the same everywhere and a search on any rank may be asked about cells
-// of any other. Records of other ranks' points stand behind the own ones. Doors: paradt_mpi__settle, paradt_mpi__learn.
+// of any other. Records of other ranks' points stand behind the own ones. Doors: paradt_mpi__settle,
+// paradt_mpi__unsettle, paradt_mpi__learn.
 
 // What goes over the wire for a point: its record, its id, its place at home.
 static size_t paradt_mpi__wire_width(const paradt_mpi__work *w) {
@@ -1301,17 +1305,21 @@ static void paradt_mpi__unsettle(paradt_mpi__work *w) {
 enum {
     PARADT_MPI__SAMPLES = 3,   // so often
     PARADT_MPI__SAMPLED = 128, // so many points
-    PARADT_MPI__WORTH = 8192   // points a rank, for which it is worth it
+    PARADT_MPI__MEAN = 64,     // weight of a point that takes the mean work
+    PARADT_MPI__LIGHTEST = 16  // so that no rank gets more than four times its share of the points
 };
 
-// More than so many times the mean work is much more: to cut anew takes a tenth of the time.
-#define PARADT_MPI__MUCH 1.25
-// Work to read and compare a point, and that of an in-sphere predicate, in cells that are made: in three dimensions
-// these take a quarter of a microsecond, predicates 0.13 (lattice) to 0.26 (cospherical).
+// Points a rank for which it is worth it, and how many times the mean work is much more: to cut anew takes a tenth of
+// the time. The tests cut all sets anew.
+#ifndef PARADT_MPI__WORTH
+#define PARADT_MPI__WORTH 8192
+#define PARADT_MPI__MUCH  1.25
+#endif
+// Work to read and compare a point, and that of an in-sphere predicate, in cells that are made: by insertion in three
+// dimensions these take a quarter of a microsecond, predicates 0.13 (lattice) to 0.26 (cospherical). From four
+// dimensions on nearly all is in the cells.
 #define PARADT_MPI__READING   0.6
 #define PARADT_MPI__PREDICATE 0.7
-// Weight of a point that takes the mean work
-#define PARADT_MPI__MEAN_WEIGHT 64.0
 
 // The work that the own points are expected to take; not collective.
 static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
@@ -1339,9 +1347,10 @@ static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
     return status;
 }
 
-// How much a point of this rank should weigh where the work is uneven; 0: it is not. Collective.
+// How much a point of this rank should weigh where the work is uneven; 0: it is not. Ranks agree, as they add integers.
 static paradt_status paradt_mpi__weigh(paradt_mpi__work *w, uint64_t *weight) {
-    double work = 0.0, all, most, mean;
+    double work = 0.0, units;
+    uint64_t all, most;
     paradt_status status;
     *weight = 0;
     if (w->ranks == 1 || w->options.local.partition == PARADT_UNIFORM || w->out->dim <= 0 ||
@@ -1349,23 +1358,27 @@ static paradt_status paradt_mpi__weigh(paradt_mpi__work *w, uint64_t *weight) {
         return PARADT_OK;
     status = paradt_mpi__agree(w, paradt_mpi__expect(w, &work));
     if (status) return status;
-    MPI_Allreduce(&work, &most, 1, MPI_DOUBLE, MPI_MAX, w->comm);
-    MPI_Allreduce(&work, &all, 1, MPI_DOUBLE, MPI_SUM, w->comm);
-    if (!(most * w->ranks > PARADT_MPI__MUCH * all)) return PARADT_OK;
-    mean = all / (double)w->first[w->ranks];
-    *weight = 1;
-    if (w->received_count) work /= (double)w->received_count * mean;
-    if (work > 1.0 / PARADT_MPI__MEAN_WEIGHT && work < 1048576.0) *weight = (uint64_t)(work * PARADT_MPI__MEAN_WEIGHT);
+    all = paradt_mpi__sum(w, (uint64_t)work);
+    most = (uint64_t)work;
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UINT64_T, MPI_MAX, w->comm);
+    if (!((double)most * w->ranks > PARADT_MPI__MUCH * (double)all)) return PARADT_OK;
+    units = PARADT_MPI__MEAN;
+    if (w->received_count) units *= work / (double)w->received_count * (double)w->first[w->ranks] / (double)all;
+    if (!(units > (double)PARADT_MPI__LIGHTEST)) units = (double)PARADT_MPI__LIGHTEST;
+    *weight = units < 1048576.0 ? (uint64_t)units : 1048576;
     return PARADT_OK;
 }
 
 // The rows in the order of their ids; not collective.
 static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, size_t count) {
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *other);
-    double *sorted = (double *)paradt__alloc(&w->memory, count, width * sizeof *sorted);
+    paradt__keyed *keyed, *other;
+    double *sorted;
     paradt_status status = PARADT_ERROR_MEMORY;
+    if (count > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
+    keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
+    other = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *other);
+    sorted = (double *)paradt__alloc(&w->memory, count, width * sizeof *sorted);
     if (keyed && other && sorted) {
         for (i = 0; i < count; i++) {
             keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
@@ -1388,21 +1401,25 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
 // Makes the points of its box each rank's own. Releases the rows.
 static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows) {
     size_t count = w->out->point_count;
-    double begun = paradt__now(), begun_settling;
+    double begun = paradt__now(), cut, weighed;
     uint64_t weight = 0;
     paradt_status status = paradt_mpi__partition(w, 1, &rows, &count);
-    begun_settling = paradt__now();
-    w->stats.seconds_partition += begun_settling - begun;
+    cut = paradt__now();
+    w->stats.seconds_partition += cut - begun;
     if (!status) status = paradt_mpi__settle(w, rows, count);
     if (!status) status = paradt_mpi__weigh(w, &weight);
+    weighed = paradt__now();
+    w->stats.seconds_grid += weighed - cut;
     if (!status && weight) {
         paradt_mpi__unsettle(w);
         status = paradt_mpi__partition(w, weight, &rows, &count);
         if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort_by_id(w, &rows, count));
+        cut = paradt__now();
+        w->stats.seconds_partition += cut - weighed;
         if (!status) status = paradt_mpi__settle(w, rows, count);
+        w->stats.seconds_grid += paradt__now() - cut;
     }
     paradt__release(&w->memory, rows);
-    w->stats.seconds_grid = paradt__now() - begun_settling;
     return status;
 }
 
@@ -1494,7 +1511,7 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
         paradt_mpi__bound_ranks(w);
         size = 2 * (size_t)w->dim + 1;
         memcpy(mine, w->inside, (size - 1) * sizeof *mine);
-        mine[size - 1] = w->ready ? paradt_mpi__margin(w) : 0.0;
+        mine[size - 1] = w->ready && w->set.space.filtered ? paradt_mpi__margin(w) : 0.0;
         MPI_Allgather(mine, (int)size, MPI_DOUBLE, d->rooms, (int)size, MPI_DOUBLE, w->comm);
     }
     paradt__release(&w->memory, mine);
@@ -1634,8 +1651,8 @@ static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list
             status = paradt_mpi__list_room(w, &found, rank, room, top, box, most);
         if (found.count < most) break;
     }
-    for (i = 0; i<found.count && * kept> 0.0 && !status; i++)
-        status = paradt_mpi__list_news(w, list, rank, found.items[i].place);
+    if (!(*kept > 0.0)) found.count = 0;
+    for (i = 0; i < found.count && !status; i++) status = paradt_mpi__list_news(w, list, rank, found.items[i].place);
     paradt__release(&w->memory, found.items);
     return status;
 }
@@ -1686,7 +1703,7 @@ enum { PARADT_MPI__STRANGER = -1 }; // below it: an own point of the asking rank
 typedef struct paradt_mpi__questions {
     size_t count, capacity;
     paradt_mpi__question *items;
-    paradt_mpi__list told; // points to be sent without a question
+    paradt_mpi__list to_tell; // points to be sent without a question
 } paradt_mpi__questions;
 
 // The local triangulation has an account of its own: its peak and what it goes on to hold are added to the rank's.
@@ -1736,7 +1753,8 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
     return status;
 }
 
-// Inserts what this rank knows and has not inserted yet, along a curve, as each is searched for from the one before.
+// Inserts what this rank knows and has not inserted yet, along a curve, as each is searched for from the one before;
+// but by rounds, as points that come one beside the other outside of a flat hull make very large stars.
 static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
     paradt__set all = w->set, late = w->set;
     size_t first = w->engine.sorted.count, i;
@@ -1745,7 +1763,7 @@ static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
     all.count = w->known;
     late.records = w->set.records + first * w->set.width;
     late.count = w->known - first;
-    order = paradt__keyed_order(&late, NULL, late.count, 0, &w->memory);
+    order = paradt__keyed_order(&late, NULL, late.count, paradt__round_count(late.count), &w->memory);
     if (!order) return PARADT_ERROR_MEMORY;
     for (i = 0; i < late.count && !status; i++)
         status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i].point);
@@ -1896,6 +1914,7 @@ static paradt_status paradt_mpi__ask_ranks(paradt_mpi__work *w, paradt_mpi__ques
             int r = group * PARADT__LANES + lane;
             if (!(mask >> lane & 1) || r >= w->ranks || r == w->rank || !w->directory.count[r]) continue;
             if (paradt_mpi__is_told(w, r, cell)) continue;
+            // The first is for weights: without them such a rank was told all vertices.
             if ((opposite < 0 && paradt_mpi__has_vertex_of(w, r, cell)) || paradt_mpi__boxes_hit(w, r))
                 status = paradt_mpi__ask(w, q, r, place, opposite);
         }
@@ -1976,11 +1995,12 @@ static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi_
     if (!*open || (certain && !paradt_mpi__has_listeners(w, cell, box))) return PARADT_OK;
     paradt__remote_cell(&w->search, corners, own);
     // With weights a point of another rank may be heavier than all own ones; so cells with such vertices count as open.
-    *open = count <= w->set.space.dim || !paradt__remote_confined(&w->search, w->inside);
+    *open = (w->weighted && count <= w->set.space.dim) || !paradt__remote_confined(&w->search, w->inside);
     return *open ? paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1) : PARADT_OK;
 }
 
-// Lists the questions for the sake of a place. *open: may a point of another rank be in conflict with what is there?
+// Lists the questions for the sake of a place. *open: may a point that is not known here be in conflict with what is
+// there?
 static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions *q, size_t place, int *open) {
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
@@ -2067,7 +2087,7 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     for (place = 0; place < count && !status; place++) {
         if (!paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count)) continue;
         status = paradt_mpi__wait(w, &list, place);
-        if (!status) status = paradt_mpi__tell_vertices(w, &q->told, place);
+        if (!status) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
     }
     while (list.count && !status && !w->stuck) {
         place = list.items[--list.count];
@@ -2087,7 +2107,7 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     paradt_status status = PARADT_OK;
     int open;
     if (w->inserting) return paradt_mpi__collect_from_seam(w, q, count);
-    for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->told, place);
+    for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
     for (place = 0; place < count && !status && !w->stuck; place++) {
         status = paradt_mpi__look(w, q, place, &open);
         paradt_mpi__limit_questions(w, q);
@@ -2219,7 +2239,6 @@ static int paradt_mpi__matters(paradt_mpi__work *w, const double *points, const 
         shared |= role >= 0;
     }
     *found = PARADT__OPEN;
-    if (shared && !w->weighted) return 1;
     if (cell[dim + 1] < 0) paradt__remote_cell(&w->search, corners, own);
     else paradt__remote_facet(&w->search, corners, own, cell[dim + 1]);
     *found = paradt__remote_any(&w->search);
@@ -2282,8 +2301,8 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
     status = paradt_mpi__collect(w, &questions);
     w->stats.cells_asked += questions.count;
     w->stats.rounds++;
-    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &questions.told, &told));
-    paradt__release(&w->memory, questions.told.items);
+    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &questions.to_tell, &told));
+    paradt__release(&w->memory, questions.to_tell.items);
     if (!status) status = paradt_mpi__sort_questions(w, &questions);
     if (!status) status = paradt_mpi__pack(w, &questions, &mail);
     paradt__release(&w->memory, questions.items);
