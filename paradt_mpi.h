@@ -221,7 +221,7 @@ typedef struct paradt_mpi_options {
     X(peak_bytes, "most memory held at once")
 #define PARADT_MPI_TIMERS(X)                                                                                           \
     X(seconds_partition, "reading, cutting, sending the points")                                                       \
-    X(seconds_grid, "sorting them, the boxes, the guess")                                                              \
+    X(seconds_grid, "sorting them, the samples, the boxes, the guess")                                                 \
     X(seconds_build, "triangulating")                                                                                  \
     X(seconds_ask, "sending cells in question and answering")                                                          \
     X(seconds_finish, "numbering and linking cells, representatives")                                                  \
@@ -316,7 +316,7 @@ extern "C" {
 // What one call works with, agreement on errors, and the one way in which ranks send each other anything of variable
 // size. Functions that call MPI are collective, and so are those that call one of them. What is decided from the
 // results of reductions is decided alike on all ranks. Doors: paradt_mpi__agree, paradt_mpi__exchange,
-// paradt_mpi__begin_places, paradt_mpi__smallest, paradt_mpi__sum; the tables and lists; paradt_mpi__local_options,
+// paradt_mpi__begin_sorting, paradt_mpi__smallest, paradt_mpi__sum; the tables and lists; paradt_mpi__local_options,
 // paradt_mpi__go_on.
 
 typedef struct paradt_mpi__home { // where a point that a rank knows is at home
@@ -377,7 +377,7 @@ typedef struct paradt_mpi__work {
     size_t error_point;
     paradt_status failed;              // what all ranks have agreed on
     size_t *to, *from;                 // [ranks] elements of an exchange
-    size_t *place;                     // [ranks] where the next element for a rank goes
+    size_t *next;                      // [ranks] where the next element for a rank goes
     uint64_t *first;                   // [ranks + 1] first global id of each rank's points
     int dim, weighted;                 // of the points as handed in
     int shift;                         // the coordinates were multiplied by 2^shift
@@ -499,12 +499,12 @@ static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status sta
     return status;
 }
 
-// Where the elements for each rank begin, those for rank 0 first: w->place, from w->to.
-static void paradt_mpi__begin_places(paradt_mpi__work *w) {
+// Elements are sorted by rank, those for rank 0 first: w->next becomes where those for each rank begin, by w->to.
+static void paradt_mpi__begin_sorting(paradt_mpi__work *w) {
     size_t next = 0;
     int r;
     for (r = 0; r < w->ranks; r++) {
-        w->place[r] = next;
+        w->next[r] = next;
         next += w->to[r];
     }
 }
@@ -596,6 +596,19 @@ static int paradt_mpi__table_put(paradt_mpi__table *table, int rank, paradt_inde
     slot->value = value;
     table->count++;
     return 0;
+}
+
+// Was the rank told of the own point?
+static int paradt_mpi__knows(const paradt_mpi__work *w, int rank, paradt_index place) {
+    return w->told.size && paradt_mpi__find(&w->told, rank, place)->rank >= 0;
+}
+
+// Lists a point for a rank unless it was told of it already.
+static paradt_status paradt_mpi__list_news(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
+    paradt_status status = paradt_mpi__table_room(w, &w->told, 1);
+    if (!status && !paradt_mpi__table_put(&w->told, rank, place, 0))
+        status = paradt_mpi__list_add(w, list, rank, place);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -858,9 +871,9 @@ static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter 
     size_t i;
     memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     for (i = 0; i < c->count; i++) w->to[c->boxes[c->inside[i]].first]++;
-    paradt_mpi__begin_places(w);
+    paradt_mpi__begin_sorting(w);
     for (i = 0; i < c->count; i++) {
-        size_t place = w->place[c->boxes[c->inside[i]].first]++;
+        size_t place = w->next[c->boxes[c->inside[i]].first]++;
         memcpy(sorted + place * c->width, c->rows + i * c->width, c->width * sizeof *sorted);
     }
 }
@@ -986,9 +999,9 @@ static paradt_status paradt_mpi__learn(paradt_mpi__work *w, paradt_status status
     if (!status && !rows) status = PARADT_ERROR_MEMORY;
     memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     for (i = 0; i < list->count; i++) w->to[list->items[i].rank]++;
-    paradt_mpi__begin_places(w);
+    paradt_mpi__begin_sorting(w);
     for (i = 0; i < list->count && !status; i++)
-        paradt_mpi__put_wire(w, rows + w->place[list->items[i].rank]++ * width, list->items[i].place);
+        paradt_mpi__put_wire(w, rows + w->next[list->items[i].rank]++ * width, list->items[i].place);
     status = paradt_mpi__exchange(w, status, rows, width * sizeof *rows, &got, &count);
     paradt__release(&w->memory, rows);
     if (!status) status = paradt_mpi__make_room(w, count);
@@ -1235,9 +1248,7 @@ static paradt_status paradt_mpi__share_basis(paradt_mpi__work *w, const paradt_i
         for (k = 0; k <= w->set.space.dim; k++) {
             if (r == w->rank || origins[k] < 0) continue;
             for (i = 0; w->set.origin[i] != origins[k];) i++;
-            if (!status) status = paradt_mpi__table_room(w, &w->told, 1);
-            if (!status) status = paradt_mpi__list_add(w, &list, r, (paradt_index)i);
-            if (!status) paradt_mpi__table_put(&w->told, r, (paradt_index)i, 0);
+            if (!status) status = paradt_mpi__list_news(w, &list, r, (paradt_index)i);
         }
     }
     status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
@@ -1306,11 +1317,11 @@ enum {
     PARADT_MPI__SAMPLES = 3,   // so often
     PARADT_MPI__SAMPLED = 128, // so many points
     PARADT_MPI__MEAN = 64,     // weight of a point that takes the mean work
-    PARADT_MPI__LIGHTEST = 16  // so that no rank gets more than four times its share of the points
+    PARADT_MPI__LIGHTEST = 16  // so that no rank gets more than five times its share of the points
 };
 
 // Points a rank for which it is worth it, and how many times the mean work is much more: to cut anew takes a tenth of
-// the time. The tests cut all sets anew.
+// the time. The tests define both, so as to cut all sets anew.
 #ifndef PARADT_MPI__WORTH
 #define PARADT_MPI__WORTH 8192
 #define PARADT_MPI__MUCH  1.25
@@ -1564,18 +1575,6 @@ static double paradt_mpi__step(const paradt_mpi__work *w, size_t box) {
     return least < PARADT__FAR ? 1.01 * sqrt(least) : 0.0;
 }
 
-static int paradt_mpi__knows(const paradt_mpi__work *w, int rank, paradt_index place) {
-    return w->told.size && paradt_mpi__find(&w->told, rank, place)->rank >= 0;
-}
-
-// Lists a point for a rank unless it was told of it already.
-static paradt_status paradt_mpi__list_news(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
-    paradt_status status = paradt_mpi__table_room(w, &w->told, 1);
-    if (!status && !paradt_mpi__table_put(&w->told, rank, place, 0))
-        status = paradt_mpi__list_add(w, list, rank, place);
-    return status;
-}
-
 // Lists the points for a rank that are in one box of the grid.
 static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level,
                                            size_t box) {
@@ -1600,13 +1599,14 @@ static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list
     return status;
 }
 
-// The room of a rank, and `beyond` around it.
-static void paradt_mpi__room_of(const paradt_mpi__work *w, int rank, double beyond, double *room) {
-    const double *inside = w->directory.rooms + (size_t)rank * (2 * (size_t)w->dim + 1);
+// The box of a rank, and around it `part` of the margin that it wants.
+static void paradt_mpi__room_of(const paradt_mpi__work *w, int rank, double part, double *room) {
+    const double *wish = w->directory.rooms + (size_t)rank * (2 * (size_t)w->dim + 1);
+    double margin = wish[2 * w->dim] * part;
     int j;
     for (j = 0; j < w->dim; j++) {
-        room[2 * j] = inside[2 * j] - beyond;
-        room[2 * j + 1] = inside[2 * j + 1] + beyond;
+        room[2 * j] = wish[2 * j] - margin;
+        room[2 * j + 1] = wish[2 * j + 1] + margin;
     }
 }
 
@@ -1638,7 +1638,7 @@ static paradt_status paradt_mpi__list_room(paradt_mpi__work *w, paradt_mpi__list
 // than a third of those guessed before, or few; else none. *kept: how far, of what it wants.
 static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list *list, int rank, size_t guessed,
                                            double *kept) {
-    double margin = w->directory.rooms[(size_t)(rank + 1) * (2 * (size_t)w->dim + 1) - 1], room[2 * PARADT_MAX_DIM];
+    double room[2 * PARADT_MAX_DIM];
     paradt_mpi__list found;
     size_t most = guessed / 3 + 64, box, i;
     int top = w->grid.levels - 1;
@@ -1646,7 +1646,7 @@ static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list
     memset(&found, 0, sizeof found);
     for (*kept = 1.0; *kept > 0.0 && !status; *kept = *kept > 0.25 ? 0.5 * *kept : 0.0) {
         found.count = 0;
-        paradt_mpi__room_of(w, rank, margin * *kept, room);
+        paradt_mpi__room_of(w, rank, *kept, room);
         for (box = 0; box < w->grid.box_count[top] && !status; box++)
             status = paradt_mpi__list_room(w, &found, rank, room, top, box, most);
         if (found.count < most) break;
@@ -1659,12 +1659,11 @@ static paradt_status paradt_mpi__keep_room(paradt_mpi__work *w, paradt_mpi__list
 
 // The room that this rank knows all points of, after how far the others kept to its wish.
 static void paradt_mpi__widen(paradt_mpi__work *w, const double *kept, double *of_others) {
-    size_t size = 2 * (size_t)w->dim + 1;
     double least = 1.0;
     int r;
     MPI_Alltoall(kept, (int)sizeof *kept, MPI_BYTE, of_others, (int)sizeof *kept, MPI_BYTE, w->comm);
     for (r = 0; r < w->ranks; r++) least = of_others[r] < least ? of_others[r] : least;
-    paradt_mpi__room_of(w, w->rank, w->directory.rooms[(size_t)(w->rank + 1) * size - 1] * least, w->inside);
+    paradt_mpi__room_of(w, w->rank, least, w->inside);
 }
 
 static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
@@ -2122,8 +2121,8 @@ static paradt_status paradt_mpi__sort_questions(paradt_mpi__work *w, paradt_mpi_
     if (!sorted) return PARADT_ERROR_MEMORY;
     memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     for (i = 0; i < q->count; i++) w->to[q->items[i].rank]++;
-    paradt_mpi__begin_places(w);
-    for (i = 0; i < q->count; i++) sorted[w->place[q->items[i].rank]++] = q->items[i];
+    paradt_mpi__begin_sorting(w);
+    for (i = 0; i < q->count; i++) sorted[w->next[q->items[i].rank]++] = q->items[i];
     paradt__release(&w->memory, q->items);
     q->items = sorted;
     q->capacity = q->count;
@@ -2525,9 +2524,9 @@ static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__fa
         size_t *unsorted = f->handles;
         memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
         for (i = 0; i < f->count; i++) w->to[rank[i] = paradt_mpi__facet_row(w, unsorted[i], row)]++;
-        paradt_mpi__begin_places(w);
+        paradt_mpi__begin_sorting(w);
         for (i = 0; i < f->count; i++) {
-            size_t place = w->place[rank[i]]++;
+            size_t place = w->next[rank[i]]++;
             handles[place] = unsorted[i];
             paradt_mpi__facet_row(w, unsorted[i], f->rows + place * f->width);
         }
@@ -2880,7 +2879,7 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
     paradt__release(&w->memory, w->directory.rooms);
     paradt__release(&w->memory, w->first);
     paradt__release(&w->memory, w->from);
-    paradt__release(&w->memory, w->place);
+    paradt__release(&w->memory, w->next);
     paradt__release(&w->memory, w->to);
     MPI_Comm_free(&w->comm);
 }
@@ -2902,9 +2901,9 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
     if (status) return status;
     w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
     w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
-    w->place = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->place);
+    w->next = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->next);
     w->first = (uint64_t *)paradt__alloc(&w->memory, (size_t)w->ranks + 1, sizeof *w->first);
-    status = paradt_mpi__agree(w, w->to && w->from && w->place && w->first ? PARADT_OK : PARADT_ERROR_MEMORY);
+    status = paradt_mpi__agree(w, w->to && w->from && w->next && w->first ? PARADT_OK : PARADT_ERROR_MEMORY);
     if (status) return status;
     paradt_mpi__number(w, local->count);
     w->out->ambient = w->dim;
