@@ -1013,27 +1013,24 @@ static paradt_status paradt_mpi__learn(paradt_mpi__work *w, paradt_status status
     return status;
 }
 
-// The set of the rows this rank got, without duplicates; not collective.
+// The set of the rows this rank got, without duplicates, along a curve; not collective.
 static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, size_t count) {
-    paradt__set *set = &w->set;
-    size_t i, width = (size_t)w->dim + (size_t)w->weighted;
-    set->grade = w->weighted ? PARADT__WEIGHT : PARADT__UNGRADED;
-    set->width = width;
-    paradt__space_begin(&set->space, w->dim, w->dim, w->weighted);
+    size_t i, width = (size_t)w->dim + (size_t)w->weighted, bad;
+    paradt__source source;
     if (count > (size_t)INT32_MAX / 2 && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
-    set->records = (double *)paradt__alloc(&w->memory, count, width * sizeof(double));
-    set->origin = (paradt_index *)paradt__alloc(&w->memory, count, sizeof *set->origin);
     w->received = (uint64_t *)paradt__alloc(&w->memory, count, sizeof *w->received);
     w->twin = (paradt_index *)paradt__alloc(&w->memory, count, sizeof *w->twin);
-    if (!set->records || !set->origin || !w->received || !w->twin) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < count; i++) {
-        memcpy(set->records + i * width, rows + i * (width + 1), width * sizeof *rows);
-        w->received[i] = paradt_mpi__bits_at(rows + i * (width + 1) + width);
-        set->origin[i] = (paradt_index)i;
-    }
-    set->count = w->received_count = count;
-    return paradt__set_merge(set, &paradt__alone, &w->memory,
-                             w->twin); // ids ascend, so the smallest index is the smallest id
+    if (!w->received || !w->twin) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) w->received[i] = paradt_mpi__bits_at(rows + i * (width + 1) + width);
+    w->received_count = count;
+    memset(&source, 0, sizeof source);
+    source.points.data = rows;
+    source.points.count = count;
+    source.points.dim = w->dim;
+    source.points.stride = source.weight_stride = (width + 1) * sizeof *rows;
+    source.points.weights = w->weighted ? rows + w->dim : NULL;
+    // ids ascend, so the smallest index is the smallest id
+    return paradt__set_gather(&w->set, &source, &paradt__alone, &w->memory, w->twin, &bad);
 }
 
 // Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that.
@@ -1073,7 +1070,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     int axes[PARADT_MAX_DIM], dim, axis, taken, r;
     if (set->count) {
         basis[0] = set->records;
-        count = (uint64_t)paradt__span(set, basis, axes, 0, 0) + 1;
+        count = (uint64_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
     }
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
@@ -1093,7 +1090,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     dim = -1;
     if (total) {
         basis[0] = gathered;
-        dim = paradt__span(&all, basis, set->axes, 0, 0);
+        dim = paradt__span(&all, NULL, basis, set->axes, 0, 0);
     }
     for (taken = 0; taken <= dim; taken++) {
         size_t place = (size_t)(basis[taken] - gathered) / width;
@@ -1203,7 +1200,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     return PARADT_OK;
 }
 
-// Puts the own points into the order of a curve, and their grid over them. Their room is this rank's box, where that is
+// Lays the grid over the own points, in their order. Their room is this rank's box, where that is
 // known on the axes that orient.
 static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
     paradt__set *set = &w->set;
@@ -1214,10 +1211,6 @@ static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
     if (!w->home) return PARADT_ERROR_MEMORY;
     w->known = w->room = set->count;
     w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
-    if (set->count && set->space.dim > 0) {
-        status = paradt__bw_order(set, paradt__keyed_order(set, NULL, set->count, 0, &w->memory), &w->memory);
-        if (status) return status;
-    }
     if (w->ready) {
         status = paradt__grid_lay(&w->grid, set, &w->memory);
         if (status) return status;
@@ -1395,7 +1388,7 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
             keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
             keyed[i].point = (paradt_index)i;
         }
-        paradt__keyed_sort(keyed, other, count, 56);
+        paradt__keyed_sort(keyed, other, count, 56, 0);
         for (i = 0; i < count; i++)
             memcpy(sorted + i * width, *rows + (size_t)keyed[i].point * width, width * sizeof *sorted);
         paradt__release(&w->memory, *rows);
@@ -1756,16 +1749,16 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
 // but by rounds, as points that come one beside the other outside of a flat hull make very large stars.
 static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
     paradt__set all = w->set, late = w->set;
-    size_t first = w->engine.sorted.count, i;
-    paradt__keyed *order;
+    size_t first = w->engine.bw.count, early, i;
+    paradt_index *order;
     paradt_status status = PARADT_OK;
     all.count = w->known;
     late.records = w->set.records + first * w->set.width;
     late.count = w->known - first;
-    order = paradt__keyed_order(&late, NULL, late.count, paradt__round_count(late.count), &w->memory);
+    order = paradt__curve_order(&late, NULL, late.count, &w->memory, &early);
     if (!order) return PARADT_ERROR_MEMORY;
     for (i = 0; i < late.count && !status; i++)
-        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i].point);
+        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i]);
     paradt__release(&w->memory, order);
     return status;
 }
