@@ -5211,13 +5211,14 @@ typedef struct paradt__spheres3 {
     // large_edges.
     paradt_index edges[PARADT__SMALL_STAR_VERTICES * PARADT__SMALL_STAR_ROW];
 
-    // The new cells, and those that are no ghosts
-    paradt_index base[PARADT__STAR];   // 4 times their places
-    paradt_index row[PARADT__STAR][4]; // vertices
+    // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
+    paradt_index base[PARADT__STAR + 3];  // 4 times their places
+    uint16_t corner[PARADT__STAR + 3][4]; // numbers of the vertices
+    paradt_index row[PARADT__STAR][4];    // vertices
     paradt_index outer[PARADT__STAR];
-    uint16_t corner[PARADT__STAR][4]; // numbers of the vertices
-    uint16_t finite[PARADT__STAR + 4];
-    int finite_count;
+    int ghosts; // there are some among them; those that are none then:
+    paradt_index finite_base[PARADT__STAR + 3];
+    uint16_t finite_corner[PARADT__STAR + 3][4];
 } paradt__spheres3;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
@@ -5795,10 +5796,18 @@ PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, con
     return head;
 }
 
-// The two inner functions that have versions for an instruction set
+// New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
+typedef struct paradt__star3 {
+    paradt_index *base;
+    uint16_t (*corner)[4];
+    int count;
+} paradt__star3;
+
+// The inner functions that have versions for an instruction set
 typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
                                   size_t head);
-typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen);
+typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+                                      const paradt__seen3 *seen);
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
                                              const double *x, paradt__spread3 spread) {
@@ -5888,26 +5897,41 @@ PARADT__INLINE void paradt__bw3_keep_places(paradt__bw *bw, int first) {
     }
 }
 
+// The vertices of a new cell: those of a cell but for one, and the point.
+typedef void (*paradt__turn3)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+
+static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
+    const unsigned char *order = paradt__facet3[without];
+    paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
+    row[0] = a;
+    row[1] = b;
+    row[2] = c;
+    row[3] = point;
+}
+
 // Numbers the vertices of the rim and enters its edges.
-PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point) {
+PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point,
+                                        paradt__turn3 turn) {
     paradt__spheres3 *s = bw->spheres;
     const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
     const uint16_t *numbers = s->number + 1;
-    size_t i, count = bw->rim_count, finite = 0;
+    paradt_index ghosts = 0;
+    size_t i, count = bw->rim_count;
     int known = s->count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i], edge = (paradt__tag)s->base[i];
-        const unsigned char *order = paradt__facet3[inner & 3];
-        const paradt_index *cell = vertices + (inner & ~(paradt__tag)3);
-        paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
-        size_t na = numbers[a], nb = numbers[b], nc = numbers[c];
+        paradt_index *to = s->row[i], a, b, c;
+        size_t na, nb, nc;
+        turn(to, vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
+        a = to[0];
+        b = to[1];
+        c = to[2];
+        na = numbers[a];
+        nb = numbers[b];
+        nc = numbers[c];
         if (!PARADT__LIKELY(s->vertex[na] == a)) na = paradt__bw3_number(bw, a);
         if (!PARADT__LIKELY(s->vertex[nb] == b)) nb = paradt__bw3_number(bw, b);
         if (!PARADT__LIKELY(s->vertex[nc] == c)) nc = paradt__bw3_number(bw, c);
-        s->row[i][0] = a;
-        s->row[i][1] = b;
-        s->row[i][2] = c;
-        s->row[i][3] = point;
         s->outer[i] = neighbors[inner];
         s->corner[i][0] = (uint16_t)na;
         s->corner[i][1] = (uint16_t)nb;
@@ -5915,10 +5939,9 @@ PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, siz
         edges[nb * row + nc] = (paradt_index)edge;
         edges[nc * row + na] = (paradt_index)(edge + 1);
         edges[na * row + nb] = (paradt_index)(edge + 2);
-        s->finite[finite] = (uint16_t)i;
-        finite += (a | b | c) >= 0;
+        ghosts |= a | b | c;
     }
-    s->finite_count = (int)finite;
+    s->ghosts = ghosts < 0;
     paradt__bw3_keep_places(bw, known);
 }
 
@@ -5942,8 +5965,9 @@ PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, 
 
 // The new cells and their links by a table of edges with rows of `row`. Inlined with a constant the small one's is
 // faster.
-PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point) {
-    paradt__bw3_outline(bw, edges, row, point);
+PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point,
+                                     paradt__turn3 turn) {
+    paradt__bw3_outline(bw, edges, row, point, turn);
     paradt__bw3_star(bw, edges, row);
 }
 
@@ -5962,7 +5986,7 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
 typedef struct paradt__four3 {
     const double *place[3][4];
     double corner[3][3][4]; // [vertex][axis][cell]
-    double normal[3][4], constant[4], error[4], power[4];
+    double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
     paradt__sphere3 *to[4];
 } paradt__four3;
 
@@ -5985,19 +6009,27 @@ static void paradt__four3_store_plain(paradt__four3 *four) {
     }
 }
 
-// The spheres of the new cells that are no ghosts, four at a time in vectors, and the next point's powers.
-PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, int count, const double *x,
+// The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
+// the four lanes the least power so far is kept, and of which four it is.
+PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                          const paradt__seen3 *seen, paradt__four3_move load, paradt__four3_move store) {
     const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
-    double least = PARADT__NO_ERROR_BOUND;
     paradt__seen3 p = *seen, next = s->next;
     paradt__four3 four;
     double(*a)[4] = four.corner[0], (*b)[4] = four.corner[1], (*c)[4] = four.corner[2];
-    int i, lane, best = s->finite[0];
-    for (i = count; i % 4; i++) s->finite[i] = s->finite[count - 1];
+    int i, lane, best = 0, count = star->count;
+    for (lane = 0; lane < 4; lane++) {
+        four.least[lane] = PARADT__NO_ERROR_BOUND;
+        four.least_at[lane] = 0.0;
+    }
+    for (i = count; i % 4; i++) {
+        star->base[i] = star->base[count - 1];
+        memcpy(star->corner[i], star->corner[count - 1], sizeof star->corner[i]);
+    }
     for (i = 0; i < count; i += 4) {
+        const double at = i;
         for (lane = 0; lane < 4; lane++) {
-            const uint16_t *corner = s->corner[s->finite[i + lane]];
+            const uint16_t *corner = star->corner[i + lane];
             four.place[0][lane] = s->place[corner[0]];
             four.place[1][lane] = s->place[corner[1]];
             four.place[2][lane] = s->place[corner[2]];
@@ -6014,44 +6046,61 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, int cou
             four.constant[lane] = d;
             four.error[lane] = e;
             four.power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
+            four.least_at[lane] = four.power[lane] < four.least[lane] ? at : four.least_at[lane];
+            four.least[lane] = four.power[lane] < four.least[lane] ? four.power[lane] : four.least[lane];
         }
         for (lane = 0; lane < 4; lane++) {
-            int number = s->finite[i + lane];
-            paradt__tag cell = (paradt__tag)s->base[number] >> 2;
+            paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
             four.to[lane] = s->table + (cell & s->mask);
             four.to[lane]->error = four.error[lane];
             four.to[lane]->tag = cell;
-            best = four.power[lane] < least ? number : best;
-            least = four.power[lane] < least ? four.power[lane] : least;
         }
         store(&four);
     }
-    s->start = s->base[best] >> 2;
+    for (lane = 1; lane < 4; lane++) best = four.least[lane] < four.least[best] ? lane : best;
+    s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
-PARADT__NOINLINE void paradt__bw3_make_sharp_plain(paradt__spheres3 *s, int count, const double *x,
+PARADT__NOINLINE void paradt__bw3_make_sharp_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                                    const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    paradt__bw3_make_any(1, s, star, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
 }
 
-static void paradt__bw3_make_plain(paradt__spheres3 *s, int count, const double *x, const paradt__seen3 *seen) {
+static void paradt__bw3_make_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+                                   const paradt__seen3 *seen) {
     if (PARADT__LIKELY(!s->sharp))
-        paradt__bw3_make_any(0, s, count, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
-    else paradt__bw3_make_sharp_plain(s, count, x, seen);
+        paradt__bw3_make_any(0, s, star, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    else paradt__bw3_make_sharp_plain(s, star, x, seen);
+}
+
+// The spheres of the ghosts among the new cells; the others into `star`.
+PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star) {
+    paradt__spheres3 *s = bw->spheres;
+    size_t i;
+    star->base = s->finite_base;
+    star->corner = s->finite_corner;
+    star->count = 0;
+    for (i = 0; i < bw->rim_count; i++) {
+        if ((s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0) {
+            paradt__bw3_sphere(bw, s->base[i] >> 2);
+            continue;
+        }
+        star->base[star->count] = s->base[i];
+        memcpy(star->corner[star->count++], s->corner[i], sizeof s->corner[i]);
+    }
 }
 
 // The spheres of the new cells, and where to start for the next point.
 PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen,
                                         paradt__make_spheres3 make) {
     paradt__spheres3 *s = bw->spheres;
-    int i, next = 0, count = (int)bw->rim_count;
+    paradt__star3 star;
+    star.base = s->base;
+    star.corner = s->corner;
+    star.count = (int)bw->rim_count;
     s->start = s->base[0] >> 2;
-    if (s->finite_count) make(s, s->finite_count, x, seen);
-    if (PARADT__LIKELY(s->finite_count == count)) return;
-    for (i = 0; i < count; i++) {
-        if (next < s->finite_count && s->finite[next] == i) next++;
-        else paradt__bw3_sphere(bw, s->base[i] >> 2);
-    }
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__bw3_ghosts(bw, &star);
+    if (star.count) make(s, &star, x, seen);
 }
 
 // The places of the cavity from number `first` on become free, and their marks are taken away.
@@ -6083,7 +6132,7 @@ static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) 
 }
 
 PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
-                                                    paradt__make_spheres3 make) {
+                                                    paradt__make_spheres3 make, paradt__turn3 turn) {
     paradt__spheres3 *s = bw->spheres;
     const double *x = paradt__bw_record(bw, point);
     paradt__seen3 seen = s->next;
@@ -6105,8 +6154,8 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > PARADT__SMALL_STAR / 2) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
-    if (PARADT__LIKELY(small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point);
-    else paradt__bw3_link(bw, s->large_edges, s->large_row, point);
+    if (PARADT__LIKELY(small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point, turn);
+    else paradt__bw3_link(bw, s->large_edges, s->large_row, point, turn);
     paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
@@ -6117,7 +6166,7 @@ static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const
 }
 
 static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_make_plain);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_make_plain, paradt__turn3_plain);
 }
 
 #if PARADT__BW_AVX2
@@ -6144,7 +6193,6 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3), PARADT__LANE(0)},
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
-#undef PARADT__LANE
 
 PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at,
                                                    const double *x, size_t head) {
@@ -6240,20 +6288,35 @@ PARADT__AVX2 static void paradt__four3_store_avx2(paradt__four3 *four) {
     _mm256_store_pd(four->to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
-PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(paradt__spheres3 *s, int count, const double *x,
-                                                               const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(paradt__spheres3 *s, paradt__star3 *star,
+                                                               const double *x, const paradt__seen3 *seen) {
+    paradt__bw3_make_any(1, s, star, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
 }
 
-PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, int count, const double *x,
+PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                                const paradt__seen3 *seen) {
     if (PARADT__LIKELY(!s->sharp))
-        paradt__bw3_make_any(0, s, count, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
-    else paradt__bw3_make_sharp_avx2(s, count, x, seen);
+        paradt__bw3_make_any(0, s, star, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+    else paradt__bw3_make_sharp_avx2(s, star, x, seen);
+}
+
+// The shuffles for paradt__facet3; the last place is left empty.
+#define PARADT__TURN(a, b, c)                                                                                          \
+    { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
+static const unsigned char paradt__turns3[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3), PARADT__TURN(1, 0, 3),
+                                                    PARADT__TURN(0, 1, 2)};
+#undef PARADT__TURN
+#undef PARADT__LANE
+
+PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_index *cell, int without,
+                                            paradt_index point) {
+    __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
+    __m128i facet = _mm_shuffle_epi8(vertices, _mm_loadu_si128((const __m128i *)(const void *)paradt__turns3[without]));
+    _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
 PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_make_avx2);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_make_avx2, paradt__turn3_avx2);
 }
 #endif
 
@@ -6332,13 +6395,6 @@ static paradt_status paradt__bw_first(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-// The handles become numbers of cells.
-PARADT__INLINE void paradt__bw_number(paradt_index *neighbors, size_t count, size_t corners) {
-    size_t i;
-    for (i = 0; i < count * corners; i++)
-        neighbors[i] = neighbors[i] < 0 ? neighbors[i] : neighbors[i] / (paradt_index)corners;
-}
-
 // Marks the places that are free.
 static void paradt__bw_mark_free(paradt__bw *bw) {
     size_t corners = (size_t)bw->cells.corners, i;
@@ -6366,26 +6422,56 @@ static void paradt__bw_close_gaps(paradt__bw *bw) {
     cells->count = end;
 }
 
-// Drops the ghosts, closes the gaps and numbers the neighbours. Returns the ghosts' number.
-static uint64_t paradt__bw_close(paradt__bw *bw) {
-    paradt__cells *cells = &bw->cells;
-    size_t corners = (size_t)cells->corners, i;
-    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
+// Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
+PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners, uint64_t *ghosts) {
+    paradt_index *vertices = bw->cells.vertices + place * corners;
+    if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    bw->cells.neighbors[bw->cells.neighbors[place * corners + (size_t)paradt__bw_ghost(vertices, (int)corners)]] =
+        PARADT__HULL;
+    vertices[0] = PARADT__DEAD;
+    ++*ghosts;
+    return 0;
+}
+
+// Moves a cell to a place. Neighbours before that have numbers already.
+PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners) {
+    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
+    size_t j;
+    memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
+    memcpy(neighbors + place * corners, neighbors + from * corners, corners * sizeof *neighbors);
+    for (j = 0; j < corners; j++) {
+        paradt_index handle = neighbors[place * corners + j];
+        if (handle >= 0)
+            neighbors[handle] = (paradt_index)((size_t)handle < place * corners ? place : place * corners + j);
+    }
+}
+
+// Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices (origin NULL: does
+// not). All at once: the cells don't fit into a cache. Returns the ghosts' number.
+PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
+    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
+    size_t end = bw->cells.count, i, j;
     uint64_t ghosts = 0;
     paradt__bw_mark_free(bw);
-    for (i = 0; i < cells->count; i++) {
-        int ghost;
-        if (PARADT__LIKELY(paradt__vertices_among(vertices + i * corners, (int)corners, 0, PARADT__NOWHERE))) continue;
-        if (vertices[i * corners] == PARADT__DEAD) continue;
-        ghost = paradt__bw_ghost(vertices + i * corners, (int)corners);
-        neighbors[neighbors[i * corners + (size_t)ghost]] = PARADT__HULL;
-        vertices[i * corners] = PARADT__DEAD;
-        ghosts++;
+    for (i = 0; i < end; i++) {
+        if (!paradt__bw_keep(bw, i, corners, &ghosts)) {
+            for (end--; end > i && !paradt__bw_keep(bw, end, corners, &ghosts);) end--;
+            if (end == i) break;
+            paradt__bw_move(bw, i, end, corners);
+        }
+        for (j = i * corners; j < (i + 1) * corners; j++)
+            neighbors[j] =
+                neighbors[j] < 0 ? neighbors[j] : (paradt_index)((paradt__tag)neighbors[j] / (paradt__tag)corners);
+        for (j = i * corners; origin && j < (i + 1) * corners; j++) vertices[j] = origin[vertices[j]];
     }
-    paradt__bw_close_gaps(bw);
-    if (corners == 4) paradt__bw_number(neighbors, cells->count, 4);
-    else paradt__bw_number(neighbors, cells->count, corners);
+    bw->cells.count = end;
     return ghosts;
+}
+
+static uint64_t paradt__bw_close(paradt__bw *bw, const paradt_index *origin) {
+    if (bw->cells.corners == 4) return paradt__bw_close_cells(bw, origin, 4);
+    return paradt__bw_close_cells(bw, origin, (size_t)bw->cells.corners);
 }
 
 // --- the door
@@ -6476,7 +6562,8 @@ static void paradt__bw_begin(paradt__bw *bw, const paradt__set *set, paradt_inde
     bw->count = set->count;
 }
 
-// The cells of the set, whose points are along a curve. adjacency: whether their neighbours are wanted.
+// The cells of the set, whose points are along a curve, with the caller's indices. adjacency: whether their neighbours
+// are wanted.
 static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__cells *cells,
                                            int adjacency, const paradt__progress *progress, paradt__counters *counters,
                                            uint64_t *hull_facets) {
@@ -6488,7 +6575,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
     paradt__bw_begin(&bw, set, order, memory);
     status = paradt__bw_build(&bw, progress);
     *counters = bw.space.counters;
-    if (!status) *hull_facets = paradt__bw_close(&bw);
+    if (!status) *hull_facets = paradt__bw_close(&bw, set->origin);
     paradt__bw_end(&bw);
     paradt__release(memory, order);
     *cells = bw.cells;
@@ -7665,6 +7752,7 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
         paradt__bowyer_watson(&work->set, &work->memory, &work->cells, !(work->options.flags & PARADT_NO_NEIGHBORS),
                               &progress, &counters, &work->stats->hull_facets);
     paradt__count_predicates(work->stats, &counters);
+    work->translated = !status;
     return status;
 }
 
@@ -8099,16 +8187,8 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
 static void paradt__translate(paradt__work *work) {
     paradt_index *vertices = work->cells.vertices;
     const paradt_index *origin = work->set.origin;
-    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i = 0;
-    for (; i + 4 <= count; i += 4) {
-        paradt_index a = origin[vertices[i]], b = origin[vertices[i + 1]];
-        paradt_index c = origin[vertices[i + 2]], d = origin[vertices[i + 3]];
-        vertices[i] = a;
-        vertices[i + 1] = b;
-        vertices[i + 2] = c;
-        vertices[i + 3] = d;
-    }
-    for (; i < count; i++) vertices[i] = origin[vertices[i]];
+    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i;
+    for (i = 0; i < count; i++) vertices[i] = origin[vertices[i]];
 }
 
 // Gives back what the building of cells needs beside the set.
@@ -8461,7 +8541,7 @@ static void paradt__remote_engine_cell(const paradt__remote_engine *engine, size
 
 // Ends the insertion: the cells.
 static void paradt__remote_engine_end(paradt__remote_engine *engine, paradt__cells *cells, paradt__memory *memory) {
-    paradt__bw_close(&engine->bw);
+    paradt__bw_close(&engine->bw, NULL);
     *cells = engine->bw.cells;
     memset(&engine->bw.cells, 0, sizeof engine->bw.cells);
     paradt__remote_engine_free(engine, memory);
