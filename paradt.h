@@ -7020,8 +7020,8 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit_*,
 // paradt__patch_end.
 
-// The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, in
-// the order of insertion, under a grid.
+// The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
+// a curve, under a grid.
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
@@ -7053,9 +7053,9 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
     size_t list_count, list_capacity;
-    paradt_index own_begin, own_end; // vertices that are the region's; there are others
-    size_t made;                     // cells of the triangulation, of which bw.cells are owned in the end
-    uint64_t hull_facets;            // whose smallest vertex is the region's
+    paradt_index *order;  // of the insertion of the first points
+    size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
+    uint64_t hull_facets; // whose smallest vertex is the region's
 } paradt__patch;
 
 // Lays the grid of a field over the positions [begin, end) of the set.
@@ -7191,17 +7191,18 @@ static paradt_status paradt__patch_find_margin(paradt__patch *patch, const parad
 }
 
 // Points of the region that span the set, or, if it has none, those of `whole`. Points far away would give the hull
-// cells so large that their spheres can't be told without exact arithmetic.
-static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole, paradt_index *basis) {
+// cells so large that their spheres can't be told without exact arithmetic. rounds: the region's points in an order.
+static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole, const paradt_index *rounds,
+                                paradt_index *basis) {
     const paradt__field *own = patch->fields + patch->own;
     paradt__set view = own->set;
     const double *points[PARADT_MAX_DIM + 1];
     int axes[PARADT_MAX_DIM + 1], dim = view.space.dim, i;
     if (view.count > (size_t)dim) {
-        points[0] = view.records;
+        points[0] = paradt__record(&view, rounds[0]);
         view.space.ambient = dim; // only the axes that orient
         view.space.counters = patch->search.space.counters;
-        patch->spans = paradt__span(&view, NULL, points, axes, 0, 0) == dim;
+        patch->spans = paradt__span(&view, rounds, points, axes, 0, 0) == dim;
         patch->search.space.counters = view.space.counters;
     }
     for (i = 0; i <= dim; i++) {
@@ -7210,16 +7211,50 @@ static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole,
     }
 }
 
-// The points to begin with: the basis, the region's, those in the margin. All but the last round of the margin come
-// before the region's: each of them would see much of a flat hull later.
-static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
+// The points to begin with, in the order of their insertion: the basis, the region's, those in the margin. All but the
+// last round of the margin come before the region's: each of them would see much of a flat hull later. Vertices are
+// the region's points first, in their order.
+static paradt_status paradt__patch_fill(paradt__patch *patch, const paradt_index *basis, const paradt_index *rounds,
+                                        const paradt_index *margin, size_t margin_count, size_t early) {
     const paradt__field *own = patch->fields + patch->own;
-    paradt_index basis[PARADT_MAX_DIM + 1];
-    paradt_index *margin = NULL;
-    int dim = patch->set->space.dim, j;
-    size_t begin = own->begin, end = begin + own->set.count, count, early = 0, stop, i;
+    paradt__bw *bw = &patch->bw;
+    size_t count = own->set.count, at = 0, i;
+    int dim = patch->set->space.dim;
+    paradt_status status = paradt__patch_reserve(patch, count + (size_t)dim + 1 + margin_count + count / 64 + 256);
+    patch->order =
+        (paradt_index *)paradt__alloc(patch->memory, count + (size_t)dim + 1 + margin_count, sizeof *patch->order);
+    if (!status && !patch->order) status = PARADT_ERROR_MEMORY;
+    if (status) return status;
+    bw->order = patch->order;
+    paradt__patch_add_range(patch, own->begin, own->begin + count);
+    for (i = 0; i <= (size_t)dim && !status; i++) {
+        size_t vertex = (size_t)basis[i] - own->begin;
+        patch->order[at++] = (paradt_index)(vertex < count ? vertex : bw->count);
+        if (vertex >= count) status = paradt__patch_add(patch, (size_t)basis[i]);
+    }
+    for (i = 0; i < early && !status; i++) {
+        patch->order[at++] = (paradt_index)bw->count;
+        status = paradt__patch_add(patch, (size_t)margin[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        patch->order[at] = rounds[i];
+        at += !paradt__is_among(basis, dim + 1, own->begin + (size_t)rounds[i]);
+    }
+    for (i = early; i < margin_count && !status; i++) {
+        patch->order[at++] = (paradt_index)bw->count;
+        status = paradt__patch_add(patch, (size_t)margin[i]);
+    }
+    return status;
+}
+
+static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
+    size_t own_count = patch->fields[patch->own].set.count, count, early = 0;
+    paradt_index basis[PARADT_MAX_DIM + 1], *margin = NULL, *rounds;
     paradt_status status;
-    paradt__patch_basis(patch, whole, basis);
+    rounds = paradt__round_order(own_count, patch->memory, &early);
+    if (!rounds) return PARADT_ERROR_MEMORY;
+    early = 0;
+    paradt__patch_basis(patch, whole, rounds, basis);
     status = paradt__patch_find_margin(patch, basis);
     count = patch->list_count;
     patch->list_count = 0;
@@ -7227,18 +7262,9 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
         margin = paradt__curve_order(patch->set, patch->list, count, patch->memory, &early);
         if (!margin) status = PARADT_ERROR_MEMORY;
     }
-    if (!status) status = paradt__patch_reserve(patch, own->set.count + count + own->set.count / 64 + 256);
-    for (i = 0; i <= (size_t)dim && !status; i++) status = paradt__patch_add(patch, (size_t)basis[i]);
-    for (i = 0; i < early && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i]);
-    patch->own_begin = (paradt_index)patch->bw.count;
-    for (i = begin; i < end && !status; i = stop + 1) { // up to the next point of the basis
-        for (stop = end, j = 0; j <= dim; j++)
-            stop = (size_t)basis[j] >= i && (size_t)basis[j] < stop ? (size_t)basis[j] : stop;
-        paradt__patch_add_range(patch, i, stop);
-    }
-    patch->own_end = (paradt_index)patch->bw.count;
-    for (i = early; i < count && !status; i++) status = paradt__patch_add(patch, (size_t)margin[i]);
+    if (!status) status = paradt__patch_fill(patch, basis, rounds, margin, count, early);
     paradt__release(patch->memory, margin);
+    paradt__release(patch->memory, rounds);
     return status;
 }
 
@@ -7430,10 +7456,12 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // Gives back what only the building needs: all patches wait together for the last step.
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__spheres3_free(patch->bw.spheres, patch->memory);
+    paradt__release(patch->memory, patch->order);
     paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->list);
     paradt__release(patch->memory, patch->state);
     patch->bw.spheres = NULL;
+    patch->bw.order = patch->order = NULL;
     patch->records = NULL;
     patch->list = NULL;
     patch->state = NULL;
@@ -7471,13 +7499,14 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
 static void paradt__patch_close(paradt__patch *patch) {
     paradt__bw *bw = &patch->bw;
     int corners = bw->cells.corners, j;
+    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
     size_t i;
     paradt__bw_mark_free(bw);
     for (i = 0; i < bw->cells.count; i++) {
         paradt_index *vertices = bw->cells.vertices + i * (size_t)corners;
         paradt_index *links = bw->cells.neighbors + i * (size_t)corners;
         int ghost, share;
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, patch->own_begin, patch->own_end))) {
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own_count))) {
             patch->made++;
             continue;
         }
@@ -7668,7 +7697,7 @@ typedef struct paradt__work {
     struct paradt__region *region;          // [regions]
     paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
     int translated;                         // the cells have the caller's indices already
-    paradt__set permuted;                   // with insertion: the set ordered by region and time of insertion
+    paradt__set permuted;                   // with insertion: the set ordered by region
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
 
@@ -7793,21 +7822,14 @@ static void paradt__field_task(void *context, size_t index) {
     const paradt__part *part = work->parts + index;
     const paradt__set *set = &work->set, *permuted = &work->permuted;
     size_t count = part->end - part->begin, i;
-    paradt_index *order = NULL;
-    size_t early;
     memcpy(field->low, part->low, sizeof field->low);
     memcpy(field->high, part->high, sizeof field->high);
-    if (count) {
-        order = paradt__round_order(count, &region->memory, &early);
-        if (!order) region->status = PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < count && order; i++) {
+    for (i = 0; i < count; i++) {
         size_t to = part->begin + i;
-        paradt_index from = work->points[part->begin + (size_t)order[i]];
+        paradt_index from = work->points[to];
         paradt__copy_record(permuted->records + to * set->width, paradt__record(set, from), set->width);
         permuted->origin[to] = set->origin[from];
     }
-    paradt__release(&region->memory, order);
     if (!region->status) region->status = paradt__field_begin(field, permuted, part->begin, part->end, &region->memory);
 }
 
