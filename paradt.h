@@ -2414,10 +2414,9 @@ PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const p
     return paradt__curve_key(&loader->hilbert, lattice, record);
 }
 
-static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, paradt__keyed *other, size_t count);
-
-// Sorts points with the same place on a lattice by one of their own, until they differ or are known to be equal.
-static void paradt__refine_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count) {
+// Sorts points with the same key by a lattice of their own box. Returns 0 if they are equal: their keys say so then.
+static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
+                             int levels) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, axis, equal = 1;
@@ -2432,22 +2431,47 @@ static void paradt__refine_run(const paradt__loader *loader, paradt__keyed *run,
     }
     if (equal) {
         for (i = 0; i < count; i++) run[i].key = i > 0;
-        return;
+        return 0;
     }
-    paradt__lattice_begin(&lattice, dim, paradt__levels_for(count, dim), low, high);
+    paradt__lattice_begin(&lattice, dim, levels, low, high);
     for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].point);
-    paradt__keyed_sort(run, other, count, paradt__key_shift(dim * lattice.levels), 0);
-    paradt__refine(loader, run, other, count);
+    paradt__keyed_sort(run, other, count, paradt__key_shift(dim * levels), 0);
+    return 1;
 }
 
-// Ends the sorting of points that are sorted by keys. The keys then tell whether a point equals the one before.
+// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
+// are known to be equal. The keys then tell whether a point equals the one before. The longest run is left to the loop,
+// so the recursion is no deeper than the logarithm of count.
 static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, paradt__keyed *other, size_t count) {
-    size_t begin, end;
-    for (begin = 0; begin < count; begin = end) {
-        uint64_t key = keyed[begin].key;
-        for (end = begin + 1; end < count && keyed[end].key == key;) end++;
-        if (end > begin + 1) paradt__refine_run(loader, keyed + begin, other + begin, end - begin);
-        else keyed[begin].key = 0;
+    int dim = loader->source->points.dim;
+    for (;;) {
+        size_t begin, end, longest = 0, length = 1;
+        for (begin = 0; begin < count; begin = end) {
+            uint64_t key = keyed[begin].key;
+            size_t run = begin, size;
+            for (end = begin + 1; end < count && keyed[end].key == key;) end++;
+            size = end - begin;
+            if (size == 1) {
+                keyed[begin].key = 0;
+                continue;
+            }
+            if (size > length) { // the one that was the longest is dealt with instead
+                size_t was = length;
+                run = longest;
+                longest = begin;
+                length = size;
+                size = was;
+            }
+            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, paradt__levels_for(size, dim)))
+                paradt__refine(loader, keyed + run, other + run, size);
+        }
+        // where most remain together, a few far away may be the reason, and others behind them
+        if (length == 1 || !paradt__split_run(loader, keyed + longest, other + longest, length,
+                                              paradt__levels_for(length > count / 2 ? SIZE_MAX : length, dim)))
+            return;
+        keyed += longest;
+        other += longest;
+        count = length;
     }
 }
 
@@ -8538,7 +8562,7 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
 static int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
     int corners = engine->bw.cells.corners, i;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    if (vertices[0] == PARADT__DEAD) return 0;
+    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
     for (i = 0; i < corners; i++) {
         if (vertices[i] == PARADT__INFINITE || vertices[i] >= own) return 1;
     }

@@ -2387,105 +2387,83 @@ static int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell)
 // What the last local triangulation makes of a point
 enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
 
-// Where the own cells go: those among the first `own` places stay, so that nearly all neighbours keep their numbers;
-// those behind fill the gaps that others' cells leave.
-typedef struct paradt_mpi__places_of_cells {
-    size_t own;          // own cells
-    uint64_t *foreign;   // a bit for each local cell: it is not an own one
-    paradt_index *moved; // [local.cell_count - own] place of each cell from `own` on; PARADT__OPEN: none
-} paradt_mpi__places_of_cells;
-
-static int paradt_mpi__is_foreign(const paradt_mpi__places_of_cells *p, size_t cell) {
-    return (int)(p->foreign[cell >> 6] >> (cell & 63) & 1);
+// In the neighbours of a cell, if it is one, the number of a cell becomes another.
+PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
+                                              paradt_index is) {
+    paradt_index *links = neighbors + (size_t)cell * k;
+    if (cell < 0) return;
+    while (*links != was) links++;
+    *links = is;
 }
 
-static paradt_index paradt_mpi__place_of(const paradt_mpi__places_of_cells *p, size_t cell) {
-    if (cell >= p->own) return p->moved[cell - p->own];
-    return paradt_mpi__is_foreign(p, cell) ? (paradt_index)PARADT__OPEN : (paradt_index)cell;
+// Takes an other's cell out. mark: see paradt_mpi__keep_own.
+static void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t c, paradt_index *mark) {
+    size_t k = (size_t)w->out->dim + 1, j;
+    for (j = c * k; j < (c + 1) * k; j++) {
+        mark[w->local.cells[j]] = PARADT_MPI__VERTEX;
+        paradt_mpi__rename_across(w->local.neighbors, k, w->local.neighbors[j], (paradt_index)c, PARADT__OPEN);
+    }
 }
 
-// Finds the own cells and their places. mark: [known], gets what others' cells make of each point. Not collective.
-static paradt_status paradt_mpi__place_cells(paradt_mpi__work *w, paradt_mpi__places_of_cells *p, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, count = w->local.cell_count, words = count / 64 + 1, c, j, gap = 0;
+static void paradt_mpi__move_cell(paradt_mpi__work *w, size_t from, size_t to) {
+    size_t k = (size_t)w->out->dim + 1, j;
+    paradt_index *neighbors = w->local.neighbors;
+    memcpy(w->local.cells + to * k, w->local.cells + from * k, k * sizeof *neighbors);
+    memcpy(neighbors + to * k, neighbors + from * k, k * sizeof *neighbors);
+    for (j = to * k; j < (to + 1) * k; j++)
+        paradt_mpi__rename_across(neighbors, k, neighbors[j], (paradt_index)from, (paradt_index)to);
+}
+
+// Drops others' cells, and fills the gaps that they leave from the end, so that nearly all cells keep their numbers.
+// mark: [known], gets what others' cells make of each point. Not collective.
+static void paradt_mpi__keep_own(paradt_mpi__work *w, paradt_index *mark) {
+    size_t k = (size_t)w->out->dim + 1, end = w->local.cell_count, c;
     for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
-    p->foreign = (uint64_t *)paradt__alloc(&w->memory, words, sizeof *p->foreign);
-    if (!p->foreign) return PARADT_ERROR_MEMORY;
-    memset(p->foreign, 0, words * sizeof *p->foreign);
-    for (c = 0; c < count; c++) {
-        const paradt_index *cell = w->local.cells + c * k;
-        if (paradt_mpi__owns(w, cell)) {
-            p->own++;
-            continue;
-        }
-        p->foreign[c >> 6] |= (uint64_t)1 << (c & 63);
-        for (j = 0; j < k; j++) mark[cell[j]] = PARADT_MPI__VERTEX;
+    for (c = 0; c < end; c++) {
+        if (PARADT__LIKELY(paradt_mpi__owns(w, w->local.cells + c * k))) continue;
+        paradt_mpi__drop_cell(w, c, mark);
+        for (end--; end > c && !paradt_mpi__owns(w, w->local.cells + end * k); end--)
+            paradt_mpi__drop_cell(w, end, mark);
+        if (end > c) paradt_mpi__move_cell(w, end, c);
     }
-    p->moved = (paradt_index *)paradt__alloc(&w->memory, count - p->own, sizeof *p->moved);
-    if (!p->moved) return PARADT_ERROR_MEMORY;
-    for (c = p->own; c < count; c++) {
-        p->moved[c - p->own] = PARADT__OPEN;
-        if (paradt_mpi__is_foreign(p, c)) continue;
-        while (!paradt_mpi__is_foreign(p, gap)) gap++;
-        p->moved[c - p->own] = (paradt_index)gap++;
-    }
-    return PARADT_OK;
+    w->stats.cells_recomputed += w->local.cell_count - end;
+    w->local.cell_count = end;
 }
 
 // Numbers the own cells of all ranks.
-static void paradt_mpi__number_cells(paradt_mpi__work *w, size_t own) {
-    uint64_t mine = own, before = 0;
-    w->out->cell_count = own;
+static void paradt_mpi__number_cells(paradt_mpi__work *w) {
+    uint64_t mine = w->local.cell_count, before = 0;
+    w->out->cell_count = w->local.cell_count;
     MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
     w->out->first_cell = w->rank ? before : 0;
     w->out->cell_total = paradt_mpi__sum(w, mine);
     w->stats.cells = mine;
-    w->stats.cells_recomputed += w->local.cell_count - mine;
 }
 
-// The number of the neighbour across a facet of a local cell, where that is an own cell or known to be none; else
-// PARADT__OPEN.
-static int64_t paradt_mpi__number_across(const paradt_mpi__work *w, const paradt_mpi__places_of_cells *p,
-                                         paradt_index neighbor) {
-    paradt_index place = neighbor < 0 ? (paradt_index)PARADT__OPEN : paradt_mpi__place_of(p, (size_t)neighbor);
-    if (PARADT__LIKELY(place >= 0)) return (int64_t)w->out->first_cell + place;
-    if (w->out->dim == 0) return PARADT__HULL;
-    return neighbor == PARADT__HULL && w->options.flags & PARADT_MPI_REPLICATED ? PARADT__HULL : PARADT__OPEN;
-}
-
-// Writes an own cell with k vertices to its place, and the numbers of its neighbours.
-PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, size_t place,
-                                                    const paradt_mpi__places_of_cells *p, paradt_index *mark,
+// Numbers the neighbours of a cell with k vertices among the cells of all ranks.
+PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, paradt_index *mark,
                                                     paradt_mpi__facets *f) {
-    const paradt_index *neighbors = w->local.neighbors + c * k;
-    size_t to = place * k, j;
-    for (j = 0; j < k; j++) {
-        paradt_index vertex = w->local.cells[c * k + j];
-        mark[vertex] = PARADT_MPI__VERTEX_OF_OWN_CELL;
-        w->local.cells[to + j] = vertex;
-    }
-    for (j = 0; j < k && w->out->neighbors; j++) {
-        int64_t number = paradt_mpi__number_across(w, p, neighbors[j]);
-        w->out->neighbors[to + j] = number;
-        if (PARADT__LIKELY(number >= 0)) continue;
-        w->stats.hull_facets += number == PARADT__HULL && k > 1;
-        if (number == PARADT__OPEN && !paradt_mpi__facet_add(w, f, to + j)) return PARADT_ERROR_MEMORY;
+    int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
+    size_t j;
+    for (j = c * k; j < (c + 1) * k; j++) mark[w->local.cells[j]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
+    for (j = c * k; j < (c + 1) * k && w->out->neighbors; j++) {
+        paradt_index neighbor = w->local.neighbors[j];
+        w->out->neighbors[j] = (int64_t)w->out->first_cell + neighbor;
+        if (PARADT__LIKELY(neighbor >= 0)) continue;
+        w->out->neighbors[j] = final ? neighbor : (paradt_index)PARADT__OPEN;
+        w->stats.hull_facets += w->out->neighbors[j] == PARADT__HULL && k > 1;
+        if (w->out->neighbors[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
     }
     return PARADT_OK;
 }
 
-// Writes the own cells to their places, and the numbers of their neighbours; lists the facets whose other side is not
-// known. mark: as paradt_mpi__place_cells left it; gets what own cells make of each point. Not collective.
-static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_mpi__places_of_cells *p,
-                                             paradt_index *mark, paradt_mpi__facets *f) {
+// Numbers the neighbours of the own cells; lists the facets whose other side is not known. mark: as
+// paradt_mpi__keep_own left it; gets what own cells make of each point. Not collective.
+static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, paradt_index *mark, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1, c;
     paradt_status status = PARADT_OK;
-    for (c = 0; c < w->local.cell_count && !status; c++) {
-        paradt_index place = paradt_mpi__place_of(p, c);
-        if (place < 0) continue;
-        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, (size_t)place, p, mark, f)
-                        : paradt_mpi__close_cell(w, k, c, (size_t)place, p, mark, f);
-    }
-    w->local.cell_count = w->out->cell_count;
+    for (c = 0; c < w->local.cell_count && !status; c++)
+        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, mark, f) : paradt_mpi__close_cell(w, k, c, mark, f);
     return status;
 }
 
@@ -2707,7 +2685,6 @@ static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *nu
 // Makes the result of the last local triangulation.
 static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
-    paradt_mpi__places_of_cells places;
     paradt_mpi__facets facets; // whose other side is not known
     paradt_index *number;
     size_t k = (size_t)(out->dim + 1), i;
@@ -2715,21 +2692,19 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     double begun = paradt__now();
     paradt_status status = PARADT_ERROR_MEMORY;
     memset(&facets, 0, sizeof facets);
-    memset(&places, 0, sizeof places);
     number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
     out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
-    if (number && out->representative) status = paradt_mpi__place_cells(w, &places, number);
+    if (number && out->representative) status = PARADT_OK;
     status = paradt_mpi__agree(w, status);
     if (!status) {
+        paradt_mpi__keep_own(w, number);
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
-        paradt_mpi__number_cells(w, places.own);
+        paradt_mpi__number_cells(w);
         if (wanted) out->neighbors = (int64_t *)paradt__alloc(&w->memory, out->cell_count, k * sizeof *out->neighbors);
         if (wanted && !out->neighbors) status = PARADT_ERROR_MEMORY;
-        if (!status) status = paradt_mpi__close_cells(w, &places, number, &facets);
+        if (!status) status = paradt_mpi__close_cells(w, number, &facets);
         status = paradt_mpi__represent(w, status, number);
     }
-    paradt__release(&w->memory, places.moved);
-    paradt__release(&w->memory, places.foreign);
     if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, &facets);
     paradt__release(&w->memory, facets.rows);
     paradt__release(&w->memory, facets.handles);
