@@ -7371,6 +7371,17 @@ static paradt_status paradt__patch_suspect_hull(paradt__patch *patch) {
     return status;
 }
 
+// Is it a ghost, or a cell with a vertex that may be outside of K? These come right behind the region's points, if its
+// own ones don't span the set.
+static int paradt__patch_is_far(const paradt__patch *patch, size_t cell) {
+    int corners = patch->bw.cells.corners, i, far = 0;
+    const paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
+    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
+    for (i = 0; i < corners; i++)
+        far |= vertices[i] < 0 || (vertices[i] >= own_count && vertices[i] < own_count + corners);
+    return far;
+}
+
 // The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, which are those of a basis
 // that is not the region's. Places that are free stay out of it.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
@@ -7380,9 +7391,7 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     paradt_status status = paradt__patch_states(patch);
     for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
     for (cell = 0; cell < bw->cells.count && !patch->spans && !status; cell++) {
-        const paradt_index *vertices = bw->cells.vertices + cell * (size_t)corners;
-        if (!paradt__vertices_among(vertices, corners, corners, PARADT__NOWHERE))
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+        if (paradt__patch_is_far(patch, cell)) status = paradt__patch_wait(patch, (paradt_index)cell);
     }
     if (!status) status = paradt__patch_suspect_hull(patch);
     for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__UNKNOWN;
