@@ -7386,7 +7386,6 @@ static int paradt__patch_is_far(const paradt__patch *patch, size_t cell) {
 // that is not the region's. Places that are free stay out of it.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     paradt__bw *bw = &patch->bw;
-    int corners = bw->cells.corners;
     size_t cell;
     paradt_status status = paradt__patch_states(patch);
     for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;

@@ -1,0 +1,185 @@
+// The order in which points are read: Hilbert's curve, the sorting along it, equal points, the rounds of insertion.
+#include "harness.h"
+
+#include <float.h>
+
+enum { LATTICE_POINTS = 4096, SCALES = 2000 };
+
+// The lattice point number i of a cube with `levels` levels
+static void lattice_point(int i, int dim, int levels, double *x) {
+    for (int j = 0; j < dim; j++, i >>= levels) x[j] = i & ((1 << levels) - 1);
+}
+
+// Keys of all points of a cube of 2^levels points along each axis: they are 0 to count - 1. order: who has each.
+static int keys_of_cube(const paradt__hilbert *hilbert, int dim, int levels, int *order) {
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int count = 1 << (dim * levels);
+    paradt__lattice lattice;
+    for (int j = 0; j < dim; j++) {
+        low[j] = paradt__ordered_bits(0.0);
+        high[j] = paradt__ordered_bits((double)((1 << levels) - 1));
+    }
+    paradt__lattice_begin(&lattice, dim, levels, low, high);
+    for (int i = 0; i < count; i++) order[i] = -1;
+    for (int i = 0; i < count; i++) {
+        double x[PARADT_MAX_DIM];
+        lattice_point(i, dim, levels, x);
+        uint64_t key = paradt__curve_key(hilbert, &lattice, x);
+        if (key >= (uint64_t)count || order[key] >= 0) return -1;
+        order[key] = i;
+    }
+    return count;
+}
+
+static void the_curve_goes_from_neighbour_to_neighbour(void **state) {
+    static int order[LATTICE_POINTS];
+    (void)state;
+    for (int dim = 2; dim <= 6; dim++)
+        for (int many = 0; many < 2; many++) {
+            int levels = dim == 2 ? 6 : dim == 3 ? 4 : 2;
+            paradt__hilbert hilbert;
+            paradt__hilbert_begin(&hilbert, dim, many ? 1000000 : 10);
+            int count = keys_of_cube(&hilbert, dim, levels, order);
+            assert_true(count > 0); // the keys are a permutation
+            for (int i = 1; i < count; i++) {
+                double a[PARADT_MAX_DIM], b[PARADT_MAX_DIM], distance = 0;
+                lattice_point(order[i - 1], dim, levels, a);
+                lattice_point(order[i], dim, levels, b);
+                for (int j = 0; j < dim; j++) distance += fabs(a[j] - b[j]);
+                assert_true(distance == 1);
+            }
+        }
+}
+
+static void the_corners_of_any_box_get_different_places(void **state) {
+    static const double boxes[][2] = {{0, 1},
+                                      {-1, 1},
+                                      {1, 1 + DBL_EPSILON},
+                                      {-DBL_MAX, DBL_MAX},
+                                      {0, 0x1p-1074},
+                                      {-0x1p-1074, 0x1p-1074},
+                                      {DBL_MAX, DBL_MAX * (1 - DBL_EPSILON / 2)},
+                                      {1e-300, 1e300},
+                                      {1 - DBL_EPSILON / 2, 1},
+                                      {DBL_MIN - 0x1p-1074, DBL_MIN}};
+    (void)state;
+    for (size_t b = 0; b < sizeof boxes / sizeof *boxes; b++)
+        for (int levels = 1; levels <= 20; levels++) {
+            double low_corner[3] = {7, fmin(boxes[b][0], boxes[b][1]), 7e20};
+            double high_corner[3] = {7, fmax(boxes[b][0], boxes[b][1]), 7e20};
+            int64_t low[3], high[3];
+            paradt__hilbert hilbert;
+            paradt__lattice lattice;
+            for (int j = 0; j < 3; j++) {
+                low[j] = paradt__ordered_bits(low_corner[j]);
+                high[j] = paradt__ordered_bits(high_corner[j]);
+            }
+            paradt__hilbert_begin(&hilbert, 3, 10);
+            paradt__lattice_begin(&lattice, 3, levels, low, high);
+            assert_true(paradt__curve_key(&hilbert, &lattice, low_corner) !=
+                        paradt__curve_key(&hilbert, &lattice, high_corner));
+        }
+}
+
+static void sorting_keeps_the_order_of_equal_keys(void **state) {
+    static const size_t counts[] = {0, 1, 2, 31, 32, 33, 500, 70000};
+    static const int bits[] = {1, 8, 9, 17, 60, 64};
+    (void)state;
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
+        for (size_t b = 0; b < sizeof bits / sizeof *bits; b++)
+            for (int across = 0; across < 2; across++) {
+                size_t count = counts[c];
+                paradt__keyed *keyed = (paradt__keyed *)need(count + 1, sizeof *keyed);
+                paradt__keyed *other = (paradt__keyed *)need(count + 1, sizeof *other);
+                for (size_t i = 0; i < count; i++) { // few different keys, up to the highest bit
+                    keyed[i].key = paradt__mix(i) % 97 * 0x9e3779b97f4a7c15u >> (64 - bits[b]);
+                    keyed[i].point = (paradt_index)i;
+                }
+                paradt__keyed_sort(keyed, other, count, paradt__key_shift(bits[b]), across);
+                const paradt__keyed *sorted = across ? other : keyed;
+                for (size_t i = 1; i < count; i++)
+                    assert_true(sorted[i - 1].key < sorted[i].key ||
+                                (sorted[i - 1].key == sorted[i].key && sorted[i - 1].point < sorted[i].point));
+                free(keyed);
+                free(other);
+            }
+}
+
+static void tasks_in_turn(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    (void)user;
+    for (size_t i = count; i-- > 0;) task(context, i); // from the last: nothing may depend on which comes first
+}
+
+// SCALES points, each of the places 2^-i away from 0 three times, in any order
+static void fill_scales(double *x, int dim) {
+    for (size_t i = 0; i < SCALES; i++) {
+        size_t place = paradt__mix(i) % (SCALES / 3);
+        for (int j = 0; j < dim; j++)
+            x[i * (size_t)dim + (size_t)j] = ldexp(j % 2 ? 1.25 : 1.0, 900 - (int)place * (j + 2));
+    }
+}
+
+// Far below every lattice's reach: the lattices of runs find what is equal, whatever the number of tasks.
+static void equal_points_are_found_on_all_scales(void **state) {
+    static double x[SCALES * PARADT_MAX_DIM];
+    static paradt_index representative[SCALES];
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (size_t tasks = 1; tasks <= PARADT__MOST_TASKS; tasks++) {
+            paradt_points points = {0};
+            paradt__team team = {tasks_in_turn, NULL, tasks};
+            paradt__memory memory;
+            paradt__set set;
+            size_t bad = 0, distinct = 0;
+            fill_scales(x, dim);
+            points.data = x;
+            points.count = SCALES;
+            points.dim = dim;
+            paradt__memory_begin(&memory, NULL);
+            assert_int_equal(paradt__set_load(&set, &points, &team, &memory, representative, &bad), PARADT_OK);
+            for (size_t i = 0; i < SCALES; i++) {
+                size_t first = 0, bytes = (size_t)dim * sizeof *x;
+                while (memcmp(x + first * (size_t)dim, x + i * (size_t)dim, bytes)) first++;
+                assert_int_equal(representative[i], first);
+                distinct += first == i;
+            }
+            assert_int_equal(set.count, distinct);
+            for (size_t i = 0; i < set.count; i++) assert_int_equal(representative[set.origin[i]], set.origin[i]);
+            paradt__set_free(&set, &memory);
+            assert_int_equal(memory.held, 0);
+        }
+}
+
+static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state) {
+    static const size_t counts[] = {0, 1, 15, 16, 255, 256, 257, 5000, 100000};
+    (void)state;
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+        size_t count = counts[c], early = 0;
+        paradt__memory memory;
+        paradt__memory_begin(&memory, NULL);
+        paradt_index *order = paradt__round_order(count, &memory, &early);
+        unsigned char *seen = (unsigned char *)need(count + 1, 1);
+        assert_non_null(order);
+        memset(seen, 0, count + 1);
+        for (size_t i = 0; i < count; i++) {
+            assert_false(seen[order[i]]);
+            seen[order[i]] = 1;
+            if (i > early) assert_true(order[i - 1] < order[i]); // the last round is along the curve
+        }
+        if (paradt__round_count(count)) assert_true(early >= count / 16 && early <= count / 16 + 1);
+        else assert_int_equal(early, 0);
+        free(seen);
+        paradt__release(&memory, order);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_curve_goes_from_neighbour_to_neighbour),
+        cmocka_unit_test(the_corners_of_any_box_get_different_places),
+        cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
+        cmocka_unit_test(equal_points_are_found_on_all_scales),
+        cmocka_unit_test(rounds_take_every_point_once_and_one_of_sixteen_earlier),
+    };
+    return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
+}
