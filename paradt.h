@@ -140,8 +140,8 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to nine times. One region a thread is right where the points are alike everywhere;
-// a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
+// threads, at once. It is called up to eleven times. One region a thread is right where the points are alike
+// everywhere; a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
 // all the rest takes: among points exactly on a sphere, or almost on a line. stats.regions is 1 then. Threads may see
@@ -432,7 +432,7 @@ typedef struct paradt_stats {
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that a region made and another owns: the duplication
     uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
-    double seconds_points;         // reading, checking and merging the points; wall time, like all of these
+    double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
     double seconds_finish;         // hidden points, translating indices
@@ -1972,8 +1972,8 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
 //
 // Points in the order of Hilbert's curve: neighbours in it are neighbours in space. The order only matters for speed,
 // but for one thing: equal points have equal positions on the curve, and are found by that. So positions come from the
-// bits of the coordinates, by integers alone. Doors: paradt__lattice_begin, paradt__hilbert_begin, paradt__curve_key,
-// paradt__keyed_sort.
+// bits of the coordinates, by integers alone. Doors: paradt__levels_for, paradt__lattice_begin, paradt__hilbert_begin,
+// paradt__curve_key, paradt__key_shift, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
     uint64_t key;
@@ -2024,9 +2024,11 @@ static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_
     }
 }
 
-// The lattice that points are put on: 2^levels places along the longest side of their box.
+// The lattice that points are put on: 2^levels places along the longest side of their box. Its units are of one size,
+// or steps from one double to the next, so that a side has 2^64 of them at most however many scales it spans.
 typedef struct paradt__lattice {
     int dim, levels, shift;
+    int by_steps;
     int exponent[PARADT_MAX_DIM]; // of the unit along each axis
     int64_t low[PARADT_MAX_DIM];
 } paradt__lattice;
@@ -2047,27 +2049,40 @@ static int paradt__levels_for(size_t count, int dim) {
     return levels < most ? levels : most;
 }
 
-// low, high: the corners of the points' box, as ordered bits. If it has an extent, its corners get different places.
-static void paradt__lattice_begin(paradt__lattice *lattice, int dim, int levels, const int64_t *low,
-                                  const int64_t *high) {
+// The coordinate of a point of the box, in the lattice's units.
+PARADT__INLINE uint64_t paradt__lattice_place(const paradt__lattice *lattice, int axis, double x) {
+    int64_t place = lattice->by_steps ? paradt__ordered_bits(x) : paradt__fixed_point(x, lattice->exponent[axis]);
+    return (uint64_t)place - (uint64_t)lattice->low[axis];
+}
+
+// The units along each axis: such that all of the box fits into 62 bits. On axes without extent all places are 0.
+static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, const int64_t *high) {
     int axis, largest = -1074, own;
-    uint64_t longest = 0;
-    lattice->dim = dim;
-    lattice->levels = levels;
-    for (axis = 0; axis < dim; axis++) {
+    for (axis = 0; axis < lattice->dim; axis++) {
         if (low[axis] >= high[axis]) continue;
         paradt__split(paradt__from_ordered_bits(low[axis]), &own);
         largest = own > largest ? own : largest;
         paradt__split(paradt__from_ordered_bits(high[axis]), &own);
         largest = own > largest ? own : largest;
     }
+    for (axis = 0; axis < lattice->dim; axis++)
+        lattice->exponent[axis] = low[axis] < high[axis] ? largest : PARADT__FLAT;
+}
+
+// low, high: the corners of the points' box, as ordered bits. If it has an extent, its corners get different places.
+static void paradt__lattice_begin(paradt__lattice *lattice, int dim, int levels, int by_steps, const int64_t *low,
+                                  const int64_t *high) {
+    uint64_t longest = 0;
+    int axis;
+    memset(lattice, 0, sizeof *lattice);
+    lattice->dim = dim;
+    lattice->levels = levels;
+    lattice->by_steps = by_steps;
+    paradt__lattice_units(lattice, low, high);
     for (axis = 0; axis < dim; axis++) {
-        int exponent = low[axis] < high[axis] ? largest : PARADT__FLAT;
         uint64_t side;
-        lattice->exponent[axis] = exponent;
-        lattice->low[axis] = paradt__fixed_point(paradt__from_ordered_bits(low[axis]), exponent);
-        side = (uint64_t)paradt__fixed_point(paradt__from_ordered_bits(high[axis]), exponent) -
-               (uint64_t)lattice->low[axis];
+        lattice->low[axis] = (int64_t)paradt__lattice_place(lattice, axis, paradt__from_ordered_bits(low[axis]));
+        side = paradt__lattice_place(lattice, axis, paradt__from_ordered_bits(high[axis]));
         longest = side > longest ? side : longest;
     }
     lattice->shift = paradt__bit_length(longest) - levels;
@@ -2149,17 +2164,14 @@ PARADT__INLINE uint64_t paradt__curve_key_by(const uint16_t *table, int dim, int
     return key;
 }
 
-// The position of a point on the curve: of the bits dim * levels. What lies outside of the lattice's box gets one too.
+// The position on the curve of a point of the lattice's box: of dim * levels bits.
 PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const paradt__lattice *lattice,
                                           const double *point) {
     uint32_t x[PARADT_MAX_DIM];
     uint64_t key = 0;
     unsigned entry = 0, direction = 0;
     int levels = lattice->levels, dim = lattice->dim, level, j;
-    for (j = 0; j < dim; j++) {
-        uint64_t place = (uint64_t)paradt__fixed_point(point[j], lattice->exponent[j]) - (uint64_t)lattice->low[j];
-        x[j] = (uint32_t)(place >> lattice->shift);
-    }
+    for (j = 0; j < dim; j++) x[j] = (uint32_t)(paradt__lattice_place(lattice, j, point[j]) >> lattice->shift);
     if (dim == 3 && hilbert->many) return paradt__curve_key_by(hilbert->steps, 3, 2, x, levels);
     if (dim == 2 && hilbert->many) return paradt__curve_key_by(hilbert->steps, 2, 3, x, levels);
     if (dim == 3) return paradt__curve_key_by(hilbert->step, 3, 1, x, levels);
@@ -2178,8 +2190,10 @@ PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const 
 // The caller's points become a set of records: finite, distinct, -0.0 made 0.0, scaled by a power of two where that
 // loses no bit, and with the coordinates permuted so that the first `dim` of them orient (dim: the affine dimension).
 // The axes are taken greedily from the first to the last, so the lexicographic order over them equals that over all
-// coordinates: a coordinate passed over is an affine function of those taken before it.
-// What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_free, paradt__record.
+// coordinates: a coordinate passed over is an affine function of those taken before it. The records are in the order of
+// a curve, in which equal points are neighbours.
+// What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
+// paradt__span, paradt__record.
 
 // Tasks that may run at once, for work that is divided by points
 typedef struct paradt__team {
@@ -2409,17 +2423,19 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
 // --- in the order of a curve
 
 PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t point) {
-    double record[PARADT_MAX_DIM + 1];
-    paradt__read_record(loader->source, point, record);
-    return paradt__curve_key(&loader->hilbert, lattice, record);
+    double x[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < lattice->dim; axis++) x[axis] = paradt__coordinate(&loader->source->points, point, axis);
+    return paradt__curve_key(&loader->hilbert, lattice, x);
 }
 
 // Sorts points with the same key by a lattice of their own box. Returns 0 if they are equal: their keys say so then.
+// other: room for as many.
 static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
-                             int levels) {
+                             int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int dim = loader->source->points.dim, axis, equal = 1;
+    int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
         for (axis = 0; axis < dim; axis++) {
@@ -2433,7 +2449,7 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         for (i = 0; i < count; i++) run[i].key = i > 0;
         return 0;
     }
-    paradt__lattice_begin(&lattice, dim, levels, low, high);
+    paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].point);
     paradt__keyed_sort(run, other, count, paradt__key_shift(dim * levels), 0);
     return 1;
@@ -2441,9 +2457,12 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
 
 // Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
 // are known to be equal. The keys then tell whether a point equals the one before. The longest run is left to the loop,
-// so the recursion is no deeper than the logarithm of count.
+// so the recursion is no deeper than the logarithm of count. Where most points remain together, a few far away are the
+// reason, and others behind them, on scale after scale: after many passes by units, steps leave no more than 64 /
+// levels of them.
 static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, paradt__keyed *other, size_t count) {
-    int dim = loader->source->points.dim;
+    enum { PASSES = 20 };
+    size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
         for (begin = 0; begin < count; begin = end) {
@@ -2462,12 +2481,12 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
                 length = size;
                 size = was;
             }
-            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, paradt__levels_for(size, dim)))
+            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
                 paradt__refine(loader, keyed + run, other + run, size);
         }
-        // where most remain together, a few far away may be the reason, and others behind them
-        if (length == 1 || !paradt__split_run(loader, keyed + longest, other + longest, length,
-                                              paradt__levels_for(length > count / 2 ? SIZE_MAX : length, dim)))
+        looked_at += length;
+        if (length == 1 ||
+            !paradt__split_run(loader, keyed + longest, other + longest, length, looked_at / PASSES > all))
             return;
         keyed += longest;
         other += longest;
@@ -2517,7 +2536,7 @@ static void paradt__loader_sort(paradt__loader *loader) {
     size_t count = loader->source->points.count, tasks = loader->team->tasks, before = 0, digit, i;
     int dim = loader->set->space.ambient;
     paradt__hilbert_begin(&loader->hilbert, dim, count);
-    paradt__lattice_begin(&loader->lattice, dim, paradt__levels_for(count, dim), loader->set->space.low,
+    paradt__lattice_begin(&loader->lattice, dim, paradt__levels_for(count, dim), 0, loader->set->space.low,
                           loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
     for (digit = 0; digit < PARADT__DIGITS; digit++) {
@@ -2550,13 +2569,15 @@ static void paradt__loader_merge(paradt__loader *loader) {
     size_t kept = 0, i, width = set->width, ambient = (size_t)set->space.ambient;
     for (i = 0; i < set->count; i++) {
         const double *record = set->records + i * width;
-        double *twin = set->records + (kept - 1) * width;
         if (!loader->keyed[i].key) {
             if (kept < i) memcpy(set->records + kept * width, record, width * sizeof *record);
             set->origin[kept++] = loader->keyed[i].point;
-        } else if (set->space.weighted && paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(twin[ambient])) {
-            twin[ambient] = record[ambient];
-            set->origin[kept - 1] = loader->keyed[i].point;
+        } else if (set->space.weighted) {
+            double *weight = set->records + (kept - 1) * width + ambient;
+            if (paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(*weight)) {
+                *weight = record[ambient];
+                set->origin[kept - 1] = loader->keyed[i].point;
+            }
         }
         loader->representative[loader->keyed[i].point] = (paradt_index)(kept - 1);
     }
@@ -5123,7 +5144,7 @@ static paradt_index *paradt__curve_order(const paradt__set *set, const paradt_in
     size_t i;
     if (keyed && other && order) {
         paradt__hilbert_begin(&hilbert, dim, count);
-        paradt__lattice_begin(&lattice, dim, levels, set->space.low, set->space.high);
+        paradt__lattice_begin(&lattice, dim, levels, 0, set->space.low, set->space.high);
         for (i = 0; i < count; i++) {
             keyed[i].point = subset ? subset[i] : (paradt_index)i;
             keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, keyed[i].point));

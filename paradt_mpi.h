@@ -961,6 +961,7 @@ static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
     if (!paradt__grow(&w->memory, &array, w->known * w->set.width, room * w->set.width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     w->set.records = (double *)array;
+    if (w->inserting) w->engine.bw.records = w->set.records;
     array = w->home;
     if (!paradt__grow(&w->memory, &array, w->known, room, sizeof *w->home)) return PARADT_ERROR_MEMORY;
     w->home = (paradt_mpi__home *)array;
@@ -1200,9 +1201,9 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     return PARADT_OK;
 }
 
-// Lays the grid over the own points, in their order. Their room is this rank's box, where that is
-// known on the axes that orient.
-static paradt_status paradt_mpi__sort(paradt_mpi__work *w) {
+// Lays the grid over the own points, in their order. Their room is this rank's box, where that is known on the axes
+// that orient.
+static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     paradt__set *set = &w->set;
     int axis, bounded = w->shift != 0;
     size_t i;
@@ -1274,7 +1275,7 @@ static paradt_status paradt_mpi__settle(paradt_mpi__work *w, const double *rows,
     w->stats.points = w->set.count;
     w->stats.duplicates = count - w->set.count;
     if (dim > 0) status = paradt_mpi__grade(w);
-    if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort(w));
+    if (!status) status = paradt_mpi__agree(w, paradt_mpi__lay(w));
     return status || dim <= 0 ? status : paradt_mpi__share_basis(w, origins);
 }
 
