@@ -5906,7 +5906,8 @@ PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if that takes at most an eighth of the memory that the cells take.
+// Room for the edges of the cavity's rim, if that takes at most half of the memory that the cells take, and the largest,
+// which few stars need, at most an eighth.
 PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t star = PARADT__SMALL_STAR, line = 64 / sizeof(paradt_index), vertices, row;
@@ -5914,7 +5915,7 @@ PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     while (star < bw->rim_count) star *= 2;
     vertices = 2 + star / 2;
     row = ((vertices + line - 1) / line | 1) * line;
-    if (vertices * row > bw->cells.count) return PARADT_OK;
+    if (vertices * row > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return PARADT_OK;
     paradt__release(bw->memory, s->large_edges);
     s->large_star = 0;
     s->large_edges = (paradt_index *)paradt__alloc(bw->memory, vertices * row, sizeof *s->large_edges);
@@ -7596,8 +7597,6 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
 // vertex of the region are in it.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt_status status = paradt__bw_build(&patch->bw, progress);
-    paradt__release(patch->memory, patch->order);
-    patch->bw.order = patch->order = NULL;
     if (!status) status = paradt__patch_suspects(patch);
     while (!status && patch->list_count) {
         paradt_index cell = patch->list[--patch->list_count];
