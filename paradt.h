@@ -2520,7 +2520,7 @@ static void paradt__scatter_task(void *context, size_t index) {
 // Sorts the points with the first digits that end in the task's share.
 static void paradt__sort_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
-    const size_t *ends = loader->place[loader->team->tasks - 1]; // now
+    const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
     size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
     int shift = paradt__key_shift(loader->lattice.dim * loader->lattice.levels);
     for (digit = 0; digit < PARADT__DIGITS; begin = ends[digit++]) {
@@ -5906,8 +5906,8 @@ PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if that takes at most half of the memory that the cells take, and the largest,
-// which few stars need, at most an eighth.
+// Room for the edges of the cavity's rim, if that takes at most half of the memory that the cells take, and the
+// largest, which few stars need, at most an eighth.
 PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t star = PARADT__SMALL_STAR, line = 64 / sizeof(paradt_index), vertices, row;
@@ -6447,27 +6447,6 @@ static void paradt__bw_mark_free(paradt__bw *bw) {
     for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
 }
 
-// Closes the gaps that free places leave, from the end: the cells that remain are the first.
-static void paradt__bw_close_gaps(paradt__bw *bw) {
-    paradt__cells *cells = &bw->cells;
-    size_t corners = (size_t)cells->corners, i, j, end = cells->count;
-    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
-    for (i = 0; i < end; i++) {
-        if (vertices[i * corners] != PARADT__DEAD) continue;
-        do {
-            end--;
-        } while (end > i && vertices[end * corners] == PARADT__DEAD);
-        if (end == i) break;
-        memcpy(vertices + i * corners, vertices + end * corners, corners * sizeof *vertices);
-        memcpy(neighbors + i * corners, neighbors + end * corners, corners * sizeof *neighbors);
-        for (j = 0; j < corners; j++) {
-            if (neighbors[i * corners + j] >= 0)
-                neighbors[neighbors[i * corners + j]] = (paradt_index)(i * corners + j);
-        }
-    }
-    cells->count = end;
-}
-
 // Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
 PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners, uint64_t *ghosts) {
     paradt_index *vertices = bw->cells.vertices + place * corners;
@@ -6480,8 +6459,8 @@ PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners,
     return 0;
 }
 
-// Moves a cell to a place. Neighbours before that have numbers already.
-PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners) {
+// Moves a cell to a place. In the first `numbered` cells neighbours are numbers, else handles.
+PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners, size_t numbered) {
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
     size_t j;
     memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
@@ -6489,8 +6468,20 @@ PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, s
     for (j = 0; j < corners; j++) {
         paradt_index handle = neighbors[place * corners + j];
         if (handle >= 0)
-            neighbors[handle] = (paradt_index)((size_t)handle < place * corners ? place : place * corners + j);
+            neighbors[handle] = (paradt_index)((size_t)handle < numbered * corners ? place : place * corners + j);
     }
+}
+
+// Closes the gaps that free places leave, from the end: the cells that remain are the first.
+static void paradt__bw_close_gaps(paradt__bw *bw) {
+    size_t corners = (size_t)bw->cells.corners, end = bw->cells.count, i;
+    const paradt_index *vertices = bw->cells.vertices;
+    for (i = 0; i < end; i++) {
+        if (vertices[i * corners] != PARADT__DEAD) continue;
+        for (end--; end > i && vertices[end * corners] == PARADT__DEAD;) end--;
+        if (end > i) paradt__bw_move(bw, i, end, corners, 0);
+    }
+    bw->cells.count = end;
 }
 
 // Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices (origin NULL: does
@@ -6504,7 +6495,7 @@ PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_inde
         if (!paradt__bw_keep(bw, i, corners, &ghosts)) {
             for (end--; end > i && !paradt__bw_keep(bw, end, corners, &ghosts);) end--;
             if (end == i) break;
-            paradt__bw_move(bw, i, end, corners);
+            paradt__bw_move(bw, i, end, corners, i);
         }
         for (j = i * corners; j < (i + 1) * corners; j++)
             neighbors[j] =
@@ -7996,7 +7987,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
 }
 
 // What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs.
+// steps, when none of them runs. A task's account begins at nothing: it may give back what it held before only after it
+// has taken as much.
 static void paradt__share_memory(paradt__work *work) {
     size_t peaks = work->memory.held, i;
     for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);

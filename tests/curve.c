@@ -65,8 +65,8 @@ static void the_corners_of_any_box_get_different_places(void **state) {
     (void)state;
     for (size_t b = 0; b < sizeof boxes / sizeof *boxes; b++)
         for (int levels = 1, by_steps = 0; levels <= 20; levels += by_steps, by_steps = !by_steps) {
-            double low_corner[3] = {7, fmin(boxes[b][0], boxes[b][1]), 7e20};
-            double high_corner[3] = {7, fmax(boxes[b][0], boxes[b][1]), 7e20};
+            double low_corner[3] = {7e20, fmin(boxes[b][0], boxes[b][1]), 0};
+            double high_corner[3] = {7e20, fmax(boxes[b][0], boxes[b][1]), 0x1p-1074};
             int64_t low[3], high[3];
             paradt__hilbert hilbert;
             paradt__lattice lattice;
