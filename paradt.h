@@ -2281,11 +2281,16 @@ static double paradt__widen(uint32_t bits) {
     return x;
 }
 
-// One coordinate, -0.0 as 0.0.
-static double paradt__coordinate(const paradt_points *points, size_t point, int axis) {
+// Where the caller has a coordinate.
+PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t point, int axis) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     size_t stride = points->stride ? points->stride : size * (size_t)points->dim;
-    const char *address = (const char *)points->data + point * stride + (size_t)axis * size;
+    return (const char *)points->data + point * stride + (size_t)axis * size;
+}
+
+// One coordinate, -0.0 as 0.0.
+static double paradt__coordinate(const paradt_points *points, size_t point, int axis) {
+    const char *address = paradt__address(points, point, axis);
     uint64_t bits;
     double x;
     if (points->scalar == PARADT_F32) {
@@ -2551,10 +2556,13 @@ static void paradt__loader_sort(paradt__loader *loader) {
 }
 
 static void paradt__gather_task(void *context, size_t index) {
+    enum { AHEAD = 16 };
     paradt__loader *loader = (paradt__loader *)context;
     paradt__set *set = loader->set;
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
     for (; i < end; i++) {
+        size_t soon = i + AHEAD < end ? i + AHEAD : i;
+        PARADT__PREFETCH(paradt__address(&loader->source->points, (size_t)loader->keyed[soon].point, 0));
         paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
         set->origin[i] = loader->keyed[i].point;
         repeating += (size_t)loader->keyed[i].key;
@@ -3224,6 +3232,7 @@ typedef struct paradt__cells {
     paradt_index *vertices;  // [capacity][corners]
     paradt_index *neighbors; // [capacity][corners]
     int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
+    int wide;                // the neighbors' block has room for as many numbers of 64 bits, which may take their place
 } paradt__cells;
 
 enum {
@@ -3293,6 +3302,7 @@ static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, pa
 static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
     size_t corners = (size_t)cells->corners, used = cells->count * corners;
     size_t most = (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / corners;
+    size_t each = cells->wide ? sizeof(int64_t) / sizeof(paradt_index) : 1;
     void *array = cells->vertices;
     if (capacity > most) capacity = most;
     if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
@@ -3300,7 +3310,8 @@ static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity
     if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
     cells->vertices = (paradt_index *)array;
     array = cells->neighbors;
-    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+    if (!paradt__grow(memory, &array, used, capacity * corners * each, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
     cells->neighbors = (paradt_index *)array;
     cells->capacity = capacity;
     return PARADT_OK;
@@ -5077,7 +5088,8 @@ enum {
     PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
     PARADT__DEAD = -3,     // first vertex of a free place
     PARADT__GROW_PART = 16,
-    PARADT__FEW_POINTS = 1 << 15 // get room for all the cells to be expected at once
+    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected at once
+    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
 };
 
 #define PARADT__EXPECT_MORE 1.08
@@ -5377,7 +5389,8 @@ static size_t paradt__bw_places(size_t count, int dim) {
 static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
     double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
-    int known = bw->rate_at > count / 32 && inserted > bw->rate_at; // before, the hull has too large a share
+    double judged = count / PARADT__JUDGED_PART; // before, the hull has too large a share
+    int known = bw->rate_at > judged && inserted > bw->rate_at;
     double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
     double more = rise * (count - inserted),
            expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
@@ -5386,7 +5399,15 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     bw->rate = rate;
     bw->rate_at = inserted;
     if (expected > most && (double)least < most) expected = most;
-    return bw->inserted > bw->count / 32 && expected > (double)least ? (size_t)expected : least;
+    return inserted > judged && expected > (double)least ? (size_t)expected : least;
+}
+
+// Of so many points the cells get room at once.
+static size_t paradt__bw_first_points(const paradt__bw *bw) {
+    size_t first = bw->count / PARADT__JUDGED_PART;
+    first += first / 4;
+    if (first < PARADT__FEW_POINTS) first = PARADT__FEW_POINTS;
+    return bw->count < first ? bw->count : first;
 }
 
 // Makes sure of `count` free places.
@@ -6546,9 +6567,8 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     size_t i;
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
     if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
-    if (!status && bw->cells.corners <= 4 && bw->count < PARADT__FEW_POINTS) {
-        status = paradt__bw_reserve(bw, paradt__bw_places(bw->count, bw->cells.corners - 1));
-    }
+    if (!status && bw->cells.corners <= 4)
+        status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
     if (!status) status = paradt__bw_first(bw);
     if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
     insert = paradt__choose_inserter(bw);
@@ -8546,14 +8566,15 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
 }
 
 // Inserts all points of the set, which are in the order of a curve, or of a few. It is measured with all points that
-// are to come, spans them, and has no sagittas.
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
+// are to come, spans them, and has no sagittas. wide: as in paradt__cells.
+static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, int wide,
                                                  paradt__memory *memory, const paradt__progress *progress) {
     size_t early;
     memset(engine, 0, sizeof *engine);
     engine->order = paradt__round_order(set->count, memory, &early);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
+    engine->bw.cells.wide = wide;
     return paradt__bw_build(&engine->bw, progress);
 }
 

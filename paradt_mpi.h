@@ -401,6 +401,7 @@ typedef struct paradt_mpi__work {
     int inserting;                // it does
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
+    int wide;                     // the block of its neighbors has room for those of the result
     double progress_begin, progress_length;
 } paradt_mpi__work;
 
@@ -1279,19 +1280,24 @@ static paradt_status paradt_mpi__settle(paradt_mpi__work *w, const double *rows,
     return status || dim <= 0 ? status : paradt_mpi__share_basis(w, origins);
 }
 
-// Gives back what was settled.
-static void paradt_mpi__unsettle(paradt_mpi__work *w) {
+// Gives back what is for asking and being asked.
+static void paradt_mpi__unsettle_questions(paradt_mpi__work *w) {
     if (w->grid.levels) paradt__grid_free(&w->grid, &w->memory);
-    paradt__set_free(&w->set, &w->memory);
-    paradt__release(&w->memory, w->home);
     paradt__release(&w->memory, w->others.slots);
     paradt__release(&w->memory, w->told.slots);
-    paradt__release(&w->memory, w->twin);
-    paradt__release(&w->memory, w->received);
     memset(&w->grid, 0, sizeof w->grid);
-    memset(&w->set, 0, sizeof w->set);
     memset(&w->others, 0, sizeof w->others);
     memset(&w->told, 0, sizeof w->told);
+}
+
+// Gives back what was settled.
+static void paradt_mpi__unsettle(paradt_mpi__work *w) {
+    paradt_mpi__unsettle_questions(w);
+    paradt__set_free(&w->set, &w->memory);
+    paradt__release(&w->memory, w->home);
+    paradt__release(&w->memory, w->twin);
+    paradt__release(&w->memory, w->received);
+    memset(&w->set, 0, sizeof w->set);
     w->home = NULL;
     w->twin = NULL;
     w->received = NULL;
@@ -1775,7 +1781,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     progress.begin = 0.0;
     progress.length = 1.0;
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, &w->memory, &progress);
+    return paradt__remote_engine_begin(&w->engine, &all, !(w->options.local.flags & PARADT_NO_NEIGHBORS), &w->memory,
+                                       &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
@@ -1807,6 +1814,7 @@ static void paradt_mpi__settle_cells(paradt_mpi__work *w) {
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
     w->local.neighbors = cells.neighbors;
+    w->wide = cells.wide;
     w->stats.seconds_build += paradt__now() - begun;
 }
 
@@ -2441,31 +2449,54 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
     w->stats.cells = mine;
 }
 
-// Numbers the neighbours of a cell with k vertices among the cells of all ranks.
-PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, paradt_index *mark,
+// Where the numbers of the neighbours go: into the block that they are in, where it has room for them. Not collective.
+static paradt_status paradt_mpi__place_neighbors(paradt_mpi__work *w) {
+    size_t k = (size_t)w->out->dim + 1;
+    if (w->wide) {
+        w->out->neighbors = (int64_t *)(void *)w->local.neighbors;
+        w->local.neighbors = NULL;
+    } else {
+        w->out->neighbors = (int64_t *)paradt__alloc(&w->memory, w->out->cell_count, k * sizeof *w->out->neighbors);
+    }
+    return w->out->neighbors ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Numbers the neighbours of a cell with k vertices among the cells of all ranks. They are read byte by byte, as it
+// were: they may lie in the block that the numbers go to, which has two types then.
+PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const char *neighbors,
                                                     paradt_mpi__facets *f) {
     int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
     size_t j;
-    for (j = c * k; j < (c + 1) * k; j++) mark[w->local.cells[j]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
-    for (j = c * k; j < (c + 1) * k && w->out->neighbors; j++) {
-        paradt_index neighbor = w->local.neighbors[j];
-        w->out->neighbors[j] = (int64_t)w->out->first_cell + neighbor;
+    for (j = (c + 1) * k; j-- > c * k;) {
+        paradt_index neighbor;
+        int64_t number;
+        memcpy(&neighbor, neighbors + j * sizeof neighbor, sizeof neighbor);
+        number = (int64_t)w->out->first_cell + neighbor;
+        if (!PARADT__LIKELY(neighbor >= 0)) number = final ? neighbor : (paradt_index)PARADT__OPEN;
+        memcpy(w->out->neighbors + j, &number, sizeof number);
         if (PARADT__LIKELY(neighbor >= 0)) continue;
-        w->out->neighbors[j] = final ? neighbor : (paradt_index)PARADT__OPEN;
-        w->stats.hull_facets += w->out->neighbors[j] == PARADT__HULL && k > 1;
-        if (w->out->neighbors[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
+        w->stats.hull_facets += number == PARADT__HULL && k > 1;
+        if (number == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
     }
     return PARADT_OK;
 }
 
-// Numbers the neighbours of the own cells; lists the facets whose other side is not known. mark: as
-// paradt_mpi__keep_own left it; gets what own cells make of each point. Not collective.
-static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, paradt_index *mark, paradt_mpi__facets *f) {
+// Numbers the neighbours of the own cells, from the last to the first: where they are in the same block, no number is
+// written over one that is still to be read. Lists the facets whose other side is not known. Not collective.
+static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, paradt_mpi__facets *f) {
+    const char *neighbors = (const char *)w->local.neighbors;
     size_t k = (size_t)w->out->dim + 1, c;
-    paradt_status status = PARADT_OK;
-    for (c = 0; c < w->local.cell_count && !status; c++)
-        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, mark, f) : paradt_mpi__close_cell(w, k, c, mark, f);
+    paradt_status status = paradt_mpi__place_neighbors(w);
+    if (w->wide) neighbors = (const char *)w->out->neighbors;
+    for (c = w->local.cell_count; c-- > 0 && !status;)
+        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, neighbors, f) : paradt_mpi__close_cell(w, k, c, neighbors, f);
     return status;
+}
+
+// mark: as paradt_mpi__keep_own left it; gets what own cells make of each point.
+static void paradt_mpi__mark_vertices(const paradt_mpi__work *w, paradt_index *mark) {
+    size_t values = w->local.cell_count * (size_t)(w->out->dim + 1), i;
+    for (i = 0; i < values; i++) mark[w->local.cells[i]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
 }
 
 // The row of a facet: returns the rank that it is sent to.
@@ -2562,27 +2593,40 @@ static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_mpi__facets *f
     return status;
 }
 
+// Room for the coordinates of so many vertices: that of the records, where it is not much larger. Not collective.
+static paradt_status paradt_mpi__place_coordinates(paradt_mpi__work *w, size_t count) {
+    size_t ambient = (size_t)w->dim;
+    if (w->set.records && w->room * w->set.width <= count * ambient + count) {
+        w->out->coordinates = w->set.records;
+        w->set.records = NULL;
+    } else {
+        w->out->coordinates = (double *)paradt__alloc(&w->memory, count, ambient * sizeof(double));
+    }
+    return w->out->coordinates ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
 // The table of vertices. number: [known], the marks of the points; becomes their places in it. Not collective.
 static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index *number) {
     paradt_mpi_triangulation *out = w->out;
+    const double *records = w->set.records;
     size_t i, count = 0, ambient = (size_t)w->dim;
     int axis, exact = 1;
+    paradt_status status;
     for (i = 0; i < w->known; i++) {
         number[i] = number[i] == PARADT_MPI__VERTEX_OF_OWN_CELL ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
         if (i + 1 == w->set.count) out->vertex_own = count;
     }
     out->vertex_count = count;
     out->vertices = (int64_t *)paradt__alloc(&w->memory, count, sizeof *out->vertices);
-    out->coordinates = (double *)paradt__alloc(&w->memory, count, ambient * sizeof *out->coordinates);
-    if (!out->vertices || !out->coordinates) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < w->known; i++) {
-        double *to = out->coordinates + (size_t)number[i] * ambient;
+    status = out->vertices ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
+    for (i = 0; i < w->known && !status; i++) {
+        double *to = out->coordinates + (size_t)number[i] * ambient, x[PARADT_MAX_DIM];
         if (number[i] < 0) continue;
         out->vertices[number[i]] = (int64_t)w->home[i].id;
-        for (axis = 0; axis < w->dim; axis++)
-            to[w->set.axes[axis]] = paradt__scale(paradt__record(&w->set, (paradt_index)i)[axis], -w->shift, &exact);
+        memcpy(x, records + i * w->set.width, ambient * sizeof *x);
+        for (axis = 0; axis < w->dim; axis++) to[w->set.axes[axis]] = paradt__scale(x[axis], -w->shift, &exact);
     }
-    return PARADT_OK;
+    return status;
 }
 
 // The rank that handed in a point.
@@ -2688,11 +2732,12 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
     paradt_mpi__facets facets; // whose other side is not known
     paradt_index *number;
-    size_t k = (size_t)(out->dim + 1), i;
+    size_t i;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
     paradt_status status = PARADT_ERROR_MEMORY;
     memset(&facets, 0, sizeof facets);
+    paradt_mpi__unsettle_questions(w);
     number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
     out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
     if (number && out->representative) status = PARADT_OK;
@@ -2701,9 +2746,8 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
         paradt_mpi__keep_own(w, number);
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         paradt_mpi__number_cells(w);
-        if (wanted) out->neighbors = (int64_t *)paradt__alloc(&w->memory, out->cell_count, k * sizeof *out->neighbors);
-        if (wanted && !out->neighbors) status = PARADT_ERROR_MEMORY;
-        if (!status) status = paradt_mpi__close_cells(w, number, &facets);
+        paradt_mpi__mark_vertices(w, number);
+        if (wanted) status = paradt_mpi__close_cells(w, &facets);
         status = paradt_mpi__represent(w, status, number);
     }
     if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, &facets);
@@ -2752,7 +2796,7 @@ static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     int axis;
     w->set.records = rows;
     w->set.width = width;
-    w->set.count = w->known = count;
+    w->set.count = w->known = w->room = count;
     for (axis = 0; axis < w->dim; axis++) w->set.axes[axis] = axis;
     w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, count, sizeof *w->home);
     if (!w->home) return PARADT_ERROR_MEMORY;
