@@ -6493,23 +6493,25 @@ PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, s
     }
 }
 
-// Closes the gaps that free places leave, from the end: the cells that remain are the first.
-static void paradt__bw_close_gaps(paradt__bw *bw) {
-    size_t corners = (size_t)bw->cells.corners, end = bw->cells.count, i;
-    const paradt_index *vertices = bw->cells.vertices;
-    for (i = 0; i < end; i++) {
-        if (vertices[i * corners] != PARADT__DEAD) continue;
-        for (end--; end > i && vertices[end * corners] == PARADT__DEAD;) end--;
-        if (end > i) paradt__bw_move(bw, i, end, corners, 0);
+// The cell at a place is where it stays: its neighbours become numbers, its vertices are translated (origin NULL: not).
+// Has it a facet without a neighbour?
+PARADT__INLINE int paradt__bw_number(paradt__bw *bw, size_t place, size_t corners, const paradt_index *origin) {
+    paradt_index *vertices = bw->cells.vertices + place * corners, *neighbors = bw->cells.neighbors + place * corners;
+    paradt_index any = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        paradt_index handle = neighbors[j];
+        any |= handle;
+        neighbors[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners);
     }
-    bw->cells.count = end;
+    for (j = 0; origin && j < corners; j++) vertices[j] = origin[vertices[j]];
+    return any < 0;
 }
 
 // Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices (origin NULL: does
 // not). All at once: the cells don't fit into a cache. Returns the ghosts' number.
 PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
-    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
-    size_t end = bw->cells.count, i, j;
+    size_t end = bw->cells.count, i;
     uint64_t ghosts = 0;
     paradt__bw_mark_free(bw);
     for (i = 0; i < end; i++) {
@@ -6518,10 +6520,7 @@ PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_inde
             if (end == i) break;
             paradt__bw_move(bw, i, end, corners, i);
         }
-        for (j = i * corners; j < (i + 1) * corners; j++)
-            neighbors[j] =
-                neighbors[j] < 0 ? neighbors[j] : (paradt_index)((paradt__tag)neighbors[j] / (paradt__tag)corners);
-        for (j = i * corners; origin && j < (i + 1) * corners; j++) vertices[j] = origin[vertices[j]];
+        paradt__bw_number(bw, i, corners, origin);
     }
     bw->cells.count = end;
     return ghosts;
@@ -7074,7 +7073,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // Where the region's points don't span the set, others that do are inserted first: it may have flat sets of points, or
 // none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit_*,
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit,
 // paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
@@ -7102,7 +7101,7 @@ typedef struct paradt__patch {
     paradt__bw bw;
     size_t capacity;                 // points that the arrays below have room for
     double *records;                 // [capacity][bw.width]
-    paradt_index *origin;            // [capacity] positions in the set
+    paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
     int spans;                       // 1: the region has points that span the set, and they are the first inserted
     int roomy;                       // all points in K are in the set, with those on its border
@@ -7331,10 +7330,9 @@ PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch
     return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
 }
 
-// Is the vertex a point of the region?
+// Is the vertex a point of the region? These are the first.
 PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index vertex) {
-    const paradt__field *own = patch->fields + patch->own;
-    return (size_t)patch->origin[vertex] - own->begin < own->set.count;
+    return (size_t)vertex < patch->fields[patch->own].set.count;
 }
 
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
@@ -7348,14 +7346,15 @@ static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
 // Is the smallest vertex of the cell, or of the facet of a ghost, the region's?
 static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    paradt_index own[PARADT_MAX_DIM + 1], positions[PARADT_MAX_DIM + 1];
-    int i, count = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (i == ghost) continue;
-        own[count] = vertices[i];
-        positions[count++] = patch->origin[vertices[i]];
+    const paradt__bw *bw = &patch->bw;
+    paradt_index smallest = vertices[ghost == 0];
+    int i;
+    for (i = 0; i < bw->cells.corners; i++) {
+        if (i != ghost &&
+            paradt__compare(&bw->space, paradt__bw_record(bw, vertices[i]), paradt__bw_record(bw, smallest)) < 0)
+            smallest = vertices[i];
     }
-    return paradt__patch_has(patch, own[paradt__extreme(patch->set, positions, count, -1)]);
+    return paradt__patch_has(patch, smallest);
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
@@ -7523,18 +7522,17 @@ static void paradt__patch_rest(paradt__patch *patch) {
     paradt__spheres3_free(patch->bw.spheres, patch->memory);
     paradt__release(patch->memory, patch->order);
     paradt__release(patch->memory, patch->records);
-    paradt__release(patch->memory, patch->list);
     paradt__release(patch->memory, patch->state);
     patch->bw.spheres = NULL;
     patch->bw.order = patch->order = NULL;
     patch->records = NULL;
-    patch->list = NULL;
     patch->state = NULL;
-    patch->list_count = patch->list_capacity = patch->state_capacity = 0;
+    patch->state_capacity = 0;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
+    paradt__release(patch->memory, patch->list);
     paradt__bw_end(&patch->bw);
     paradt__release(patch->memory, patch->origin);
     paradt__cells_free(&patch->bw.cells, patch->memory);
@@ -7559,39 +7557,96 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     }
 }
 
-// Drops ghosts and cells of other regions; those of the region are the first then. The links to what is dropped: a
-// facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are open.
-static void paradt__patch_close(paradt__patch *patch) {
-    paradt__bw *bw = &patch->bw;
-    int corners = bw->cells.corners, j;
-    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
-    size_t i;
-    paradt__bw_mark_free(bw);
-    for (i = 0; i < bw->cells.count; i++) {
-        paradt_index *vertices = bw->cells.vertices + i * (size_t)corners;
-        paradt_index *links = bw->cells.neighbors + i * (size_t)corners;
-        int ghost, share;
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own_count))) {
-            patch->made++;
-            continue;
-        }
-        if (vertices[0] == PARADT__DEAD) continue;
-        ghost = paradt__bw_ghost(vertices, corners);
-        share = paradt__patch_share(patch, (paradt_index)i);
-        if (ghost < 0) {
-            patch->made++;
-            if (share == corners || (share && paradt__patch_owns(patch, (paradt_index)i, -1))) continue;
-            for (j = 0; j < corners; j++) {
-                if (links[j] >= 0) bw->cells.neighbors[links[j]] = PARADT__OPEN;
-            }
-        } else {
-            patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)i, ghost));
-            if (links[ghost] >= 0) // the cell of its facet is still there
-                bw->cells.neighbors[links[ghost]] = share ? PARADT__HULL : PARADT__OPEN;
-        }
-        vertices[0] = PARADT__DEAD;
+// Lists a facet that is open.
+static paradt_status paradt__patch_open(paradt__patch *patch, paradt_index handle) {
+    paradt_status status =
+        paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
+    if (!status) patch->list[patch->list_count++] = handle;
+    return status;
+}
+
+// What is on the other side of a facet is dropped. In the first `numbered` cells, which stay where they are, a facet
+// that becomes open is listed at once, elsewhere when its cell is numbered.
+static paradt_status paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes,
+                                       size_t numbered) {
+    if (handle < 0) return PARADT_OK; // its cell was dropped before
+    patch->bw.cells.neighbors[handle] = becomes;
+    if (becomes == PARADT__HULL || (size_t)handle >= numbered * (size_t)patch->bw.cells.corners) return PARADT_OK;
+    return paradt__patch_open(patch, handle);
+}
+
+// Drops a ghost, or a cell of another region, or a free place. The links to what is dropped: a facet of S's hull that
+// has a vertex of the region is one of T(P)'s hull; the others are open.
+static paradt_status paradt__patch_drop(paradt__patch *patch, size_t cell, int share, size_t numbered) {
+    int corners = patch->bw.cells.corners, ghost, j;
+    paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
+    const paradt_index *links = patch->bw.cells.neighbors + cell * (size_t)corners;
+    paradt_status status = PARADT_OK;
+    if (vertices[0] == PARADT__DEAD) return PARADT_OK;
+    ghost = paradt__bw_ghost(vertices, corners);
+    if (ghost >= 0) {
+        patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell, ghost));
+        status = paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN, numbered);
+    } else {
+        patch->made++;
+        for (j = 0; j < corners && !status; j++) status = paradt__patch_cut(patch, links[j], PARADT__OPEN, numbered);
     }
-    paradt__bw_close_gaps(bw);
+    vertices[0] = PARADT__DEAD;
+    return status;
+}
+
+// Is at a place a cell of the region? What else is there is dropped. Not for cells that have only own vertices.
+static int paradt__patch_keep(paradt__patch *patch, size_t place, size_t numbered, paradt_status *status) {
+    int corners = patch->bw.cells.corners, share = paradt__patch_share(patch, (paradt_index)place);
+    const paradt_index *vertices = paradt__patch_cell(patch, (paradt_index)place);
+    if (share && paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE) &&
+        paradt__patch_owns(patch, (paradt_index)place, -1))
+        return 1;
+    if (!*status) *status = paradt__patch_drop(patch, place, share, numbered);
+    return 0;
+}
+
+// Lists the open facets of a cell.
+static paradt_status paradt__patch_open_cell(paradt__patch *patch, size_t cell) {
+    size_t corners = (size_t)patch->bw.cells.corners, j;
+    paradt_status status = PARADT_OK;
+    for (j = cell * corners; j < (cell + 1) * corners && !status; j++) {
+        if (patch->bw.cells.neighbors[j] == PARADT__OPEN) status = paradt__patch_open(patch, (paradt_index)j);
+    }
+    return status;
+}
+
+// Drops all but the cells of the region, which are the first then, with the caller's vertices and neighbours that are
+// numbered among them; lists the facets that are open. All at once, as in paradt__bw_close_cells.
+PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, size_t corners) {
+    paradt__bw *bw = &patch->bw;
+    const paradt_index *vertices = bw->cells.vertices;
+    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
+    size_t end = bw->cells.count, i;
+    paradt_status status = PARADT_OK;
+    paradt__bw_mark_free(bw);
+    for (i = 0; i < end && !status; i++) {
+        if (!PARADT__LIKELY(paradt__vertices_among(vertices + i * corners, (int)corners, 0, own_count)) &&
+            !paradt__patch_keep(patch, i, i, &status)) {
+            for (end--; end > i && !paradt__vertices_among(vertices + end * corners, (int)corners, 0, own_count) &&
+                        !paradt__patch_keep(patch, end, i, &status);)
+                end--;
+            if (end == i) break;
+            paradt__bw_move(bw, i, end, corners, i);
+        }
+        if (!PARADT__LIKELY(!paradt__bw_number(bw, i, corners, patch->origin)) && !status)
+            status = paradt__patch_open_cell(patch, i);
+    }
+    bw->cells.count = end;
+    patch->made += end;
+    return status;
+}
+
+static paradt_status paradt__patch_close(paradt__patch *patch) {
+    size_t i;
+    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
+    if (patch->bw.cells.corners == 4) return paradt__patch_close_cells(patch, 4);
+    return paradt__patch_close_cells(patch, (size_t)patch->bw.cells.corners);
 }
 
 // Do the questions take longer than the insertion? They do where many spheres are too close to others' points for
@@ -7614,40 +7669,21 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
     }
-    if (!status) paradt__patch_close(patch);
-    return status;
+    return status ? status : paradt__patch_close(patch);
 }
 
-// Writes the vertices of the region's cells, in the caller's indices. It may be to where the patch has them.
-static void paradt__patch_emit_vertices(paradt__patch *patch, paradt_index *to) {
+// Puts the region's cells where they are to be, numbered from `offset` on, and so are the facets that are open. The
+// cells may be there already, or behind.
+static void paradt__patch_emit(paradt__patch *patch, paradt_index *vertices, paradt_index *neighbors, size_t offset) {
     const paradt__cells *cells = &patch->bw.cells;
     size_t count = cells->count * (size_t)cells->corners, i;
-    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
-    for (i = 0; i < count; i++) to[i] = patch->origin[cells->vertices[i]];
-}
-
-// Writes the links of the region's cells, numbered from `offset` on, and lists the facets that are open. It may be to
-// where the patch has them.
-PARADT__INLINE paradt_status paradt__patch_emit_shape(paradt__patch *patch, paradt_index *to, size_t offset,
-                                                      paradt_index corners) {
-    const paradt__cells *cells = &patch->bw.cells;
-    size_t i, count = cells->count * (size_t)corners;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < count && !status; i++) {
+    for (i = 0; i < patch->list_count; i++) patch->list[i] += (paradt_index)offset * cells->corners;
+    if (vertices != cells->vertices) memmove(vertices, cells->vertices, count * sizeof *vertices);
+    if (neighbors == cells->neighbors && !offset) return;
+    for (i = 0; i < count; i++) {
         paradt_index link = cells->neighbors[i];
-        to[i] = link < 0 ? link : link / corners + (paradt_index)offset;
-        if (PARADT__LIKELY(link >= 0) || link == PARADT__HULL) continue;
-        status =
-            paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
-        if (!status) patch->list[patch->list_count++] = (paradt_index)(i + offset * (size_t)corners);
+        neighbors[i] = link < 0 ? link : link + (paradt_index)offset;
     }
-    return status;
-}
-
-static paradt_status paradt__patch_emit_links(paradt__patch *patch, paradt_index *to, size_t offset) {
-    int corners = patch->bw.cells.corners;
-    return corners == 4 ? paradt__patch_emit_shape(patch, to, offset, 4)
-                        : paradt__patch_emit_shape(patch, to, offset, corners);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -7936,9 +7972,8 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__cells *own = &region->patch.bw.cells;
     size_t first = region->offset * (size_t)own->corners;
     int stays = paradt__stays_in_slice(work, index);
-    paradt__patch_emit_vertices(&region->patch, stays ? own->vertices : work->cells.vertices + first);
-    region->status = paradt__patch_emit_links(&region->patch, stays ? own->neighbors : work->cells.neighbors + first,
-                                              region->offset);
+    paradt__patch_emit(&region->patch, stays ? own->vertices : work->cells.vertices + first,
+                       stays ? own->neighbors : work->cells.neighbors + first, region->offset);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -8157,7 +8192,8 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     if (!status) status = work->region[index].status;
     if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
     if (status) return status;
-    paradt__patch_emit_vertices(patch, cells->vertices + cells->count * corners);
+    if (!own->lent)
+        memcpy(cells->vertices + cells->count * corners, own->vertices, own->count * corners * sizeof *own->vertices);
     cells->count += own->count;
     paradt__patch_end(patch);
     memset(patch, 0, sizeof *patch);
