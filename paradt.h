@@ -2937,8 +2937,9 @@ static paradt_status paradt__set_grade(paradt__set *set, paradt__memory *memory)
 // Doors: paradt__grid_build, paradt__grid_free, paradt__grid_cut, paradt__grid_axis, paradt__before; the lanes.
 
 enum {
-    PARADT__LANES = 8,      // points a grid cell, grid cells a group
-    PARADT__MAX_LEVELS = 21 // 8^21 > 2^62
+    PARADT__LANES = 8,       // points a grid cell, grid cells a group
+    PARADT__MAX_LEVELS = 21, // 8^21 > 2^62
+    PARADT__GRID_ROOM = (PARADT_MAX_DIM + 1) * PARADT__LANES
 };
 
 #define PARADT__FAR 1e300 // farther than any point of a set that the floating-point filter is used on
@@ -2947,7 +2948,7 @@ typedef struct paradt__grid {
     int levels;
     size_t cell_count;  // grid cells at level 0
     size_t group_width; // doubles a group of boxes: low and high of each axis, the largest grade, in lanes
-    double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate
+    double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate; NULL: not kept
     double *boxes[PARADT__MAX_LEVELS];    // [level] groups of eight bounding boxes
     size_t box_count[PARADT__MAX_LEVELS]; // [level] boxes
     double *rooms[PARADT__MAX_LEVELS];    // [level][group] low and high of each axis: the points inside are the group's
@@ -3105,13 +3106,22 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
     }
 }
 
-static void paradt__grid_fill_lanes(paradt__grid *grid, const paradt__set *set) {
-    size_t place, j;
-    for (place = 0; place < grid->cell_count * PARADT__LANES; place++) {
+// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated.
+static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes) {
+    size_t lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        size_t place = cell * PARADT__LANES + lane;
         const double *record = set->records + (place < set->count ? place : set->count - 1) * set->width;
-        double *lanes = grid->lanes + place / PARADT__LANES * set->width * PARADT__LANES + place % PARADT__LANES;
-        for (j = 0; j < set->width; j++) lanes[j * PARADT__LANES] = record[j];
+        for (j = 0; j < set->width; j++) lanes[j * PARADT__LANES + lane] = record[j];
     }
+}
+
+// The same, kept or in `room`, which has PARADT__GRID_ROOM doubles.
+PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const paradt__set *set, size_t cell,
+                                                double *room) {
+    if (PARADT__LIKELY(grid->lanes != NULL)) return grid->lanes + cell * set->width * PARADT__LANES;
+    paradt__lay_lanes(set, cell, room);
+    return room;
 }
 
 // One box of a level from the lanes of `count` boxes or points below it. Points have one row an axis, boxes two.
@@ -3136,10 +3146,11 @@ static void paradt__grid_fill_box(double *box, const double *below, int count, i
 }
 
 static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
-    size_t below_count = level ? grid->box_count[level - 1] : set->count;
-    size_t below_width = level ? grid->group_width : set->width * PARADT__LANES, i;
+    size_t below_count = level ? grid->box_count[level - 1] : set->count, i;
+    double room[PARADT__GRID_ROOM];
     for (i = 0; i < grid->box_count[level]; i++) {
-        const double *below = (level ? grid->boxes[level - 1] : grid->lanes) + i * below_width;
+        const double *below =
+            level ? grid->boxes[level - 1] + i * grid->group_width : paradt__grid_lanes(grid, set, i, room);
         double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
         size_t count = below_count - i * PARADT__LANES;
         paradt__grid_fill_box(box, below, count < PARADT__LANES ? (int)count : PARADT__LANES, set->space.ambient,
@@ -3151,7 +3162,8 @@ static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, 
 static void paradt__grid_fill(paradt__grid *grid, const paradt__set *set) {
     int level;
     size_t i;
-    paradt__grid_fill_lanes(grid, set);
+    for (i = 0; grid->lanes && i < grid->cell_count; i++)
+        paradt__lay_lanes(set, i, grid->lanes + i * set->width * PARADT__LANES);
     for (level = 0; level < grid->levels; level++) paradt__grid_fill_level(grid, set, level);
     for (i = 0; set->space.weighted && i < set->count; i++) {
         double weight = set->records[i * set->width + (size_t)set->space.ambient];
@@ -3169,22 +3181,23 @@ static void paradt__grid_free(paradt__grid *grid, paradt__memory *memory) {
     memset(grid, 0, sizeof *grid);
 }
 
-static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int rooms,
+// front: for a method that searches for every facet; it keeps lanes and rooms.
+static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int front,
                                            paradt__memory *memory) {
     size_t count;
     memset(grid, 0, sizeof *grid);
     count = grid->cell_count = (set->count + PARADT__LANES - 1) / PARADT__LANES;
     grid->group_width = (size_t)(2 * set->space.ambient + (set->grade != PARADT__UNGRADED)) * PARADT__LANES;
-    grid->lanes = (double *)paradt__alloc(memory, count * PARADT__LANES, set->width * sizeof(double));
-    if (!grid->lanes) return PARADT_ERROR_MEMORY;
+    if (front) grid->lanes = (double *)paradt__alloc(memory, count * PARADT__LANES, set->width * sizeof(double));
+    if (front && !grid->lanes) return PARADT_ERROR_MEMORY;
     do {
         int level = grid->levels++;
         size_t groups = (count + PARADT__LANES - 1) / PARADT__LANES;
         grid->box_count[level] = count;
         grid->boxes[level] = (double *)paradt__alloc(memory, groups * grid->group_width, sizeof(double));
-        if (rooms)
+        if (front)
             grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
-        if (!grid->boxes[level] || (rooms && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
+        if (!grid->boxes[level] || (front && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
         memset(grid->boxes[level] + (groups - 1) * grid->group_width, 0, grid->group_width * sizeof(double));
         count = groups;
     } while (count > 1);
@@ -3203,7 +3216,7 @@ static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, pa
     return PARADT_OK;
 }
 
-// Lays a grid over the set in the order that it has, for searches from the top. It has no rooms.
+// Lays a grid over the set in the order that it has, for few searches, from the top. It has no lanes and no rooms.
 static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
     paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
     if (!status) paradt__grid_fill(grid, set);
@@ -4325,7 +4338,8 @@ PARADT__INLINE int paradt__lane_of(double packed) {
 
 // The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
-    const double *lanes = s->grid->lanes + cell * s->set->width * PARADT__LANES;
+    double room[PARADT__GRID_ROOM];
+    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, room);
     unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
     int i;
     s->distance_evaluations += PARADT__LANES;
@@ -4389,14 +4403,14 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
 // A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
 static void paradt__search_near(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
-    double least = 0.5 * PARADT__FAR;
+    double least = 0.5 * PARADT__FAR, room[PARADT__GRID_ROOM];
     int i, count = 0;
     for (i = 0; i < s->space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
         count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
-        double t = s->test.best(&s->q, s->grid->lanes + cells[i] * s->set->width * PARADT__LANES);
+        double t = s->test.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], room));
         size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
         best = t < least ? position : best;
         least = t < least ? t : least;
