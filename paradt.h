@@ -7091,11 +7091,11 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
-// a curve, under a grid.
+// a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
-    size_t begin;
+    size_t begin, room;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
 } paradt__field;
 
@@ -7115,6 +7115,7 @@ typedef struct paradt__patch {
     paradt__bw bw;
     size_t capacity;                 // points that the arrays below have room for
     double *records;                 // [capacity][bw.width]
+    int lent;                        // these are those of the field
     paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
     int spans;                       // 1: the region has points that span the set, and they are the first inserted
@@ -7128,30 +7129,44 @@ typedef struct paradt__patch {
     uint64_t hull_facets; // whose smallest vertex is the region's
 } paradt__patch;
 
-// Lays the grid of a field over the positions [begin, end) of the set.
-static paradt_status paradt__field_begin(paradt__field *field, const paradt__set *set, size_t begin, size_t end,
+// Lays the grid of a field over `count` points of the set.
+static paradt_status paradt__field_begin(paradt__field *field, const paradt__set *set, size_t count,
                                          paradt__memory *memory) {
     field->set = *set;
-    field->set.records = set->records + begin * set->width;
+    field->set.records = set->records + field->begin * set->width;
     field->set.origin = NULL;
-    field->set.count = end - begin;
-    field->begin = begin;
-    return end > begin ? paradt__grid_lay(&field->grid, &field->set, memory) : PARADT_OK;
+    field->set.count = count;
+    return count ? paradt__grid_lay(&field->grid, &field->set, memory) : PARADT_OK;
 }
 
 // --- points
 
-// Room for `capacity` points
+// Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
     size_t used = patch->bw.count, width = patch->bw.width;
-    void *records = patch->records, *origin = patch->origin;
-    int grown = paradt__grow(patch->memory, &records, used * width, capacity * width, sizeof(double));
+    void *records = patch->lent ? NULL : patch->records, *origin = patch->origin;
+    if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
+    patch->lent = 0;
     patch->records = (double *)records;
     patch->bw.records = patch->records;
-    grown = grown && paradt__grow(patch->memory, &origin, used, capacity, sizeof *patch->origin);
+    if (!paradt__grow(patch->memory, &origin, used, capacity, sizeof *patch->origin)) return PARADT_ERROR_MEMORY;
     patch->origin = (paradt_index *)origin;
-    if (!grown) return PARADT_ERROR_MEMORY;
     patch->capacity = capacity;
+    return PARADT_OK;
+}
+
+// Begins with the region's own points, in the field, where the insertion can use its records.
+static paradt_status paradt__patch_lend(paradt__patch *patch) {
+    const paradt__field *own = patch->fields + patch->own;
+    if (patch->bw.width != own->set.width) return PARADT_OK;
+    patch->origin = (paradt_index *)paradt__alloc(patch->memory, own->room, sizeof *patch->origin);
+    if (!patch->origin) return PARADT_ERROR_MEMORY;
+    patch->records = own->set.records;
+    patch->bw.records = patch->records;
+    patch->capacity = own->room;
+    patch->lent = 1;
     return PARADT_OK;
 }
 
@@ -7165,14 +7180,15 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     return PARADT_OK;
 }
 
-// Adds the points of a range of positions, for which there is room.
-static void paradt__patch_add_range(paradt__patch *patch, size_t begin, size_t end) {
-    size_t at = patch->bw.count, width = patch->bw.width, i;
-    for (i = begin; i < end; i++, at++) {
-        paradt__copy_record(patch->records + at * width, patch->set->records + i * patch->set->width, width);
-        patch->origin[at] = (paradt_index)i;
+// Adds the region's own points, for which there is room.
+static void paradt__patch_add_own(paradt__patch *patch) {
+    const paradt__field *own = patch->fields + patch->own;
+    size_t width = patch->bw.width, i;
+    for (i = 0; i < own->set.count; i++) {
+        if (!patch->lent) paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
+        patch->origin[i] = (paradt_index)(own->begin + i);
     }
-    patch->bw.count = at;
+    patch->bw.count = own->set.count;
 }
 
 static int paradt__is_among(const paradt_index *points, int count, size_t position) {
@@ -7288,15 +7304,15 @@ static paradt_status paradt__patch_fill(paradt__patch *patch, const paradt_index
                                         const paradt_index *margin, size_t margin_count, size_t early) {
     const paradt__field *own = patch->fields + patch->own;
     paradt__bw *bw = &patch->bw;
-    size_t count = own->set.count, at = 0, i;
     int dim = patch->set->space.dim;
-    paradt_status status = paradt__patch_reserve(patch, count + (size_t)dim + 1 + margin_count + count / 64 + 256);
-    patch->order =
-        (paradt_index *)paradt__alloc(patch->memory, count + (size_t)dim + 1 + margin_count, sizeof *patch->order);
+    size_t count = own->set.count, needed = count + (size_t)dim + 1 + margin_count, at = 0, i;
+    paradt_status status = paradt__patch_lend(patch);
+    if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + count / 64 + 256);
+    patch->order = (paradt_index *)paradt__alloc(patch->memory, needed, sizeof *patch->order);
     if (!status && !patch->order) status = PARADT_ERROR_MEMORY;
     if (status) return status;
     bw->order = patch->order;
-    paradt__patch_add_range(patch, own->begin, own->begin + count);
+    paradt__patch_add_own(patch);
     for (i = 0; i <= (size_t)dim && !status; i++) {
         size_t vertex = (size_t)basis[i] - own->begin;
         patch->order[at++] = (paradt_index)(vertex < count ? vertex : bw->count);
@@ -7535,7 +7551,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__spheres3_free(patch->bw.spheres, patch->memory);
     paradt__release(patch->memory, patch->order);
-    paradt__release(patch->memory, patch->records);
+    if (!patch->lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->state);
     patch->bw.spheres = NULL;
     patch->bw.order = patch->order = NULL;
@@ -7940,12 +7956,12 @@ static void paradt__field_task(void *context, size_t index) {
     memcpy(field->low, part->low, sizeof field->low);
     memcpy(field->high, part->high, sizeof field->high);
     for (i = 0; i < count; i++) {
-        size_t to = part->begin + i;
-        paradt_index from = work->points[to];
+        size_t to = field->begin + i;
+        paradt_index from = work->points[part->begin + i];
         paradt__copy_record(permuted->records + to * set->width, paradt__record(set, from), set->width);
         permuted->origin[to] = set->origin[from];
     }
-    if (!region->status) region->status = paradt__field_begin(field, permuted, part->begin, part->end, &region->memory);
+    region->status = paradt__field_begin(field, permuted, count, &region->memory);
 }
 
 // By insertion, second step: the points to begin with.
@@ -8127,15 +8143,50 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     return status ? status : paradt__join_patches(work);
 }
 
+// Where the points of the regions go in the permuted set, each with room for what others' points it is likely to need.
+// Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        size_t count = work->parts[i].end - work->parts[i].begin;
+        work->fields[i].begin = total;
+        work->fields[i].room = count + count / 8 + 64;
+        total += work->fields[i].room;
+    }
+    return total;
+}
+
+// Points that span the set, as positions of the permuted one.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set, view = *set;
+    const double *basis[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], missing = set->space.dim + 1, k;
+    size_t i, place;
+    view.space.ambient = set->space.dim; // only the axes that orient
+    basis[0] = set->records;
+    paradt__span(&view, NULL, basis, axes, 0, 0);
+    set->space.counters = view.space.counters;
+    for (i = 0; i < work->regions; i++) { // as a rule they are all among the first
+        for (place = work->parts[i].begin; place < work->parts[i].end && missing; place++) {
+            for (k = 0; k <= set->space.dim; k++) {
+                if (paradt__record(set, work->points[place]) != basis[k]) continue;
+                work->basis[k] = (paradt_index)(work->fields[i].begin + place - work->parts[i].begin);
+                missing--;
+            }
+        }
+    }
+}
+
 // The first step of insertion: the permuted set takes the place of the set.
 static paradt_status paradt__permute_set(paradt__work *work) {
-    paradt__set *set = &work->set, *permuted = &work->permuted, view = *set;
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], i;
+    paradt__set *set = &work->set, *permuted = &work->permuted, view;
+    size_t positions = paradt__place_fields(work);
     paradt_status status;
-    *permuted = *set;
-    permuted->records = (double *)paradt__alloc(&work->memory, set->count, set->width * sizeof(double));
-    permuted->origin = (paradt_index *)paradt__alloc(&work->memory, set->count, sizeof *set->origin);
+    if (positions > (size_t)PARADT__NOWHERE) return PARADT_ERROR_TOO_LARGE;
+    paradt__find_basis(work);
+    view = *permuted = *set;
+    permuted->records = (double *)paradt__alloc(&work->memory, positions, set->width * sizeof(double));
+    permuted->origin = (paradt_index *)paradt__alloc(&work->memory, positions, sizeof *set->origin);
     status = permuted->records && permuted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__field_task);
@@ -8143,15 +8194,21 @@ static paradt_status paradt__permute_set(paradt__work *work) {
     paradt__set_free(&view, &work->memory);
     paradt__release(&work->memory, work->points);
     work->points = NULL;
-    if (status) return status;
-    view = *set;
-    view.space.ambient = set->space.dim; // only the axes that orient
-    basis[0] = set->records;
-    paradt__span(&view, NULL, basis, axes, 0, 0);
-    set->space.counters = view.space.counters;
-    for (i = 0; i <= set->space.dim; i++)
-        work->basis[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
-    return PARADT_OK;
+    return status;
+}
+
+// The permuted set without the room between its fields.
+static void paradt__close_set(paradt__work *work) {
+    paradt__set *set = &work->set;
+    size_t count = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__field *field = work->fields + i;
+        size_t own = field->set.count;
+        memmove(set->records + count * set->width, set->records + field->begin * set->width,
+                own * set->width * sizeof *set->records);
+        memmove(set->origin + count, set->origin + field->begin, own * sizeof *set->origin);
+        count += own;
+    }
 }
 
 // All regions at once, each step a task for each.
@@ -8361,7 +8418,7 @@ static size_t paradt__turns(const paradt__work *work) {
     return TURNS;
 }
 
-// By insertion. When regions give up, the set is permuted, but whole.
+// By insertion. When regions give up, the set is permuted.
 static paradt_status paradt__insert_all(paradt__work *work) {
     paradt_status status;
     work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && work->set.space.dim <= 3 &&
@@ -8371,6 +8428,7 @@ static paradt_status paradt__insert_all(paradt__work *work) {
     status = paradt__set_grade(&work->set, &work->memory); // for the questions
     if (!status) status = paradt__build_regions(work);
     if (status != PARADT__GAVE_UP) return status;
+    paradt__close_set(work);
     paradt__begin_again(work);
     work->regions = 1;
     return paradt__build_by_insertion(work);
