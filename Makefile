@@ -147,4 +147,4 @@ clean: ## Remove everything that was built
 help: ## List these targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{ printf "%-12s %s\n", $$1, $$2 }'
 
--include $(wildcard $(BUILD)/*.d $(T)/*.d $(T)/*/*.d)
+-include $(wildcard $(BUILD)/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)

@@ -2328,12 +2328,14 @@ static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
 typedef struct paradt__source {
     paradt_points points;
     size_t weight_stride; // bytes from one weight to the next
+    size_t spare;         // more points that the records are to have room for
 } paradt__source;
 
 static paradt__source paradt__source_of(const paradt_points *points) {
     paradt__source source;
     source.points = *points;
     source.weight_stride = sizeof(double);
+    source.spare = 0;
     return source;
 }
 
@@ -2598,7 +2600,7 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
     size_t count = loader->source->points.count;
     paradt__release(memory, loader->other);
     loader->other = NULL;
-    set->records = (double *)paradt__alloc(memory, count, set->width * sizeof(double));
+    set->records = (double *)paradt__alloc(memory, count + loader->source->spare, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, count, sizeof *set->origin);
     return set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
@@ -5416,12 +5418,9 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Of so many points the cells get room at once.
+// The cells of so many points get room at once: of all, or of few of them, as that is copied when there is more.
 static size_t paradt__bw_first_points(const paradt__bw *bw) {
-    size_t first = bw->count / PARADT__JUDGED_PART;
-    first += first / 4;
-    if (first < PARADT__FEW_POINTS) first = PARADT__FEW_POINTS;
-    return bw->count < first ? bw->count : first;
+    return bw->count < PARADT__FEW_POINTS ? bw->count : bw->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
 // Makes sure of `count` free places.

@@ -1015,7 +1015,20 @@ static paradt_status paradt_mpi__learn(paradt_mpi__work *w, paradt_status status
     return status;
 }
 
-// The set of the rows this rank got, without duplicates, along a curve; not collective.
+// So many points of others one rank is likely to learn: a layer and a quarter around a cube of its own points.
+static size_t paradt_mpi__expect_others(const paradt_mpi__work *w, size_t count) {
+    size_t side = 1, power, others;
+    int axis;
+    if (w->ranks == 1) return 0;
+    for (power = 1; power < count; side++) {
+        for (power = 1, axis = 0; axis < w->dim; axis++) power *= side;
+    }
+    others = count / side * (size_t)w->dim * 5 / 2 + 64;
+    return others < count / 4 + 64 ? others : count / 4 + 64;
+}
+
+// The set of the rows this rank got, without duplicates, along a curve, with room for points of others behind them; not
+// collective.
 static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, size_t count) {
     size_t i, width = (size_t)w->dim + (size_t)w->weighted, bad;
     paradt__source source;
@@ -1031,6 +1044,8 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     source.points.dim = w->dim;
     source.points.stride = source.weight_stride = (width + 1) * sizeof *rows;
     source.points.weights = w->weighted ? rows + w->dim : NULL;
+    source.spare = paradt_mpi__expect_others(w, count);
+    w->room = count + source.spare;
     // ids ascend, so the smallest index is the smallest id
     return paradt__set_gather(&w->set, &source, &paradt__alone, &w->memory, w->twin, &bad);
 }
@@ -1194,6 +1209,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     status = paradt_mpi__agree(w, status);
     if (status) return status;
     paradt_mpi__smallest(w, &all_near, 1);
+    if (near) w->room = set->count; // the records are others now
     if (near && !all_near) paradt_mpi__ungrade(set);
     if (!all_near) return PARADT_OK;
     MPI_Allreduce(&set->grade_limit, &limit, 1, MPI_DOUBLE, MPI_MAX, w->comm);
@@ -1209,9 +1225,9 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     int axis, bounded = w->shift != 0;
     size_t i;
     paradt_status status;
-    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, set->count, sizeof *w->home);
+    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, w->room, sizeof *w->home);
     if (!w->home) return PARADT_ERROR_MEMORY;
-    w->known = w->room = set->count;
+    w->known = set->count;
     w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
     if (w->ready) {
         status = paradt__grid_lay(&w->grid, set, &w->memory);
