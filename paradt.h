@@ -3206,6 +3206,30 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
+// A grid cell near x, found from the top, in each group by the nearest box.
+static size_t paradt__grid_near(const paradt__grid *grid, int ambient, const double *x) {
+    size_t cell = 0;
+    int level, lane, j;
+    for (level = grid->levels - 1; level >= 0; level--) {
+        const double *group = grid->boxes[level] + cell * grid->group_width;
+        size_t first = cell * PARADT__LANES, count = grid->box_count[level] - first;
+        double away[PARADT__LANES] = {0.0};
+        int best = 0;
+        for (j = 0; j < ambient; j++) {
+            const double *low = group + 2 * j * PARADT__LANES, *high = low + PARADT__LANES;
+            for (lane = 0; lane < PARADT__LANES; lane++) {
+                double below = low[lane] - x[j], above = x[j] - high[lane], most = below > above ? below : above;
+                most = most > 0.0 ? most : 0.0;
+                away[lane] += most * most;
+            }
+        }
+        for (lane = 1; lane < PARADT__LANES && (size_t)lane < count; lane++)
+            best = away[lane] < away[best] ? lane : best;
+        cell = first + (size_t)best;
+    }
+    return cell;
+}
+
 // Sorts the set and lays the grid over it. The set has at least one point.
 static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
     double room[2 * PARADT_MAX_DIM];
@@ -5156,6 +5180,40 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory, s
     for (r = 0; r < rounds; r++) place[r + 1] += place[r];
     *early = place[rounds];
     for (i = 0; i < count; i++) order[place[paradt__round_of(i, rounds)]++] = (paradt_index)i;
+    return order;
+}
+
+// The positions of records by rounds: those from `own` on come where the grid over the first ones has a cell near them,
+// behind its points. A new block, or NULL when there is no memory. *early: those before the last round.
+static paradt_index *paradt__merged_order(const paradt__grid *grid, const paradt__set *set, size_t own, size_t count,
+                                          paradt__memory *memory, size_t *early) {
+    size_t cells = grid->cell_count, others = count - own, i, at = 0, cell;
+    paradt_index *order = paradt__round_order(count, memory, early);
+    paradt_index *near = (paradt_index *)paradt__alloc(memory, others, sizeof *near);    // cells of the others
+    paradt_index *next = (paradt_index *)paradt__alloc(memory, cells + 1, sizeof *next); // first other of a cell
+    paradt_index *merged = (paradt_index *)paradt__alloc(memory, count + others, sizeof *merged);
+    if (order && near && next && merged) {
+        paradt_index *sorted = merged + count;
+        memset(next, 0, (cells + 1) * sizeof *next);
+        for (i = 0; i < others; i++) {
+            near[i] = (paradt_index)paradt__grid_near(grid, set->space.ambient, set->records + (own + i) * set->width);
+            next[near[i] + 1]++;
+        }
+        for (cell = 0; cell < cells; cell++) next[cell + 1] += next[cell];
+        for (i = 0; i < others; i++) sorted[next[near[i]]++] = (paradt_index)(own + i);
+        for (cell = i = 0; cell < cells; cell++) {
+            size_t point = cell * PARADT__LANES, end = point + PARADT__LANES < own ? point + PARADT__LANES : own;
+            while (point < end) merged[at++] = (paradt_index)point++;
+            for (; i < (size_t)next[cell]; i++) merged[at++] = sorted[i];
+        }
+        for (i = 0; i < count; i++) order[i] = merged[order[i]];
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, merged);
+    paradt__release(memory, next);
+    paradt__release(memory, near);
     return order;
 }
 
@@ -8672,13 +8730,15 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
     memset(engine, 0, sizeof *engine);
 }
 
-// Inserts all points of the set, which are in the order of a curve, or of a few. It is measured with all points that
-// are to come, spans them, and has no sagittas. wide: as in paradt__cells.
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, int wide,
-                                                 paradt__memory *memory, const paradt__progress *progress) {
+// Inserts all points of the set, of which the first `own` are in the order of a curve, under the grid, if there are
+// others. It is measured with all points that are to come, spans them, and has no sagittas. wide: as in paradt__cells.
+static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
+                                                 const paradt__grid *grid, size_t own, int wide, paradt__memory *memory,
+                                                 const paradt__progress *progress) {
     size_t early;
     memset(engine, 0, sizeof *engine);
-    engine->order = paradt__round_order(set->count, memory, &early);
+    engine->order = own == set->count ? paradt__round_order(own, memory, &early)
+                                      : paradt__merged_order(grid, set, own, set->count, memory, &early);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;
