@@ -3206,30 +3206,6 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// A grid cell near x, found from the top, in each group by the nearest box.
-static size_t paradt__grid_near(const paradt__grid *grid, int ambient, const double *x) {
-    size_t cell = 0;
-    int level, lane, j;
-    for (level = grid->levels - 1; level >= 0; level--) {
-        const double *group = grid->boxes[level] + cell * grid->group_width;
-        size_t first = cell * PARADT__LANES, count = grid->box_count[level] - first;
-        double away[PARADT__LANES] = {0.0};
-        int best = 0;
-        for (j = 0; j < ambient; j++) {
-            const double *low = group + 2 * j * PARADT__LANES, *high = low + PARADT__LANES;
-            for (lane = 0; lane < PARADT__LANES; lane++) {
-                double below = low[lane] - x[j], above = x[j] - high[lane], most = below > above ? below : above;
-                most = most > 0.0 ? most : 0.0;
-                away[lane] += most * most;
-            }
-        }
-        for (lane = 1; lane < PARADT__LANES && (size_t)lane < count; lane++)
-            best = away[lane] < away[best] ? lane : best;
-        cell = first + (size_t)best;
-    }
-    return cell;
-}
-
 // Sorts the set and lays the grid over it. The set has at least one point.
 static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
     double room[2 * PARADT_MAX_DIM];
@@ -5183,37 +5159,69 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory, s
     return order;
 }
 
-// The positions of records by rounds: those from `own` on come where the grid over the first ones has a cell near them,
-// behind its points. A new block, or NULL when there is no memory. *early: those before the last round.
-static paradt_index *paradt__merged_order(const paradt__grid *grid, const paradt__set *set, size_t own, size_t count,
-                                          paradt__memory *memory, size_t *early) {
-    size_t cells = grid->cell_count, others = count - own, i, at = 0, cell;
-    paradt_index *order = paradt__round_order(count, memory, early);
-    paradt_index *near = (paradt_index *)paradt__alloc(memory, others, sizeof *near);    // cells of the others
-    paradt_index *next = (paradt_index *)paradt__alloc(memory, cells + 1, sizeof *next); // first other of a cell
-    paradt_index *merged = (paradt_index *)paradt__alloc(memory, count + others, sizeof *merged);
-    if (order && near && next && merged) {
-        paradt_index *sorted = merged + count;
-        memset(next, 0, (cells + 1) * sizeof *next);
-        for (i = 0; i < others; i++) {
-            near[i] = (paradt_index)paradt__grid_near(grid, set->space.ambient, set->records + (own + i) * set->width);
-            next[near[i] + 1]++;
+// Where the curve comes by next to a point: the key of the nearest place in the box.
+static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__lattice *lattice, const double *x,
+                                 const int64_t *low, const int64_t *high) {
+    double inside[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < lattice->dim; axis++) {
+        int64_t bits = paradt__ordered_bits(x[axis]);
+        bits = bits < low[axis] ? low[axis] : bits > high[axis] ? high[axis] : bits;
+        inside[axis] = paradt__from_ordered_bits(bits);
+    }
+    return paradt__curve_key(hilbert, lattice, inside);
+}
+
+// Positions in the set: the first `own` of `count` are along the curve in the box of theirs; the others come where it
+// passes them, within a few own ones. sorted, other: room for count - own.
+static void paradt__merge_others(const paradt__set *set, size_t own, size_t count, paradt__keyed *sorted,
+                                 paradt__keyed *other, paradt_index *merged) {
+    enum { FEW = 8 };
+    paradt__hilbert hilbert;
+    paradt__lattice lattice;
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int ambient = set->space.ambient, levels = paradt__levels_for(own, ambient), axis;
+    size_t others = count - own, i, at = 0, next = 0;
+    for (i = 0; i < own; i++) {
+        for (axis = 0; axis < ambient; axis++) {
+            int64_t x = paradt__ordered_bits(set->records[i * set->width + (size_t)axis]);
+            low[axis] = i && low[axis] < x ? low[axis] : x;
+            high[axis] = i && high[axis] > x ? high[axis] : x;
         }
-        for (cell = 0; cell < cells; cell++) next[cell + 1] += next[cell];
-        for (i = 0; i < others; i++) sorted[next[near[i]]++] = (paradt_index)(own + i);
-        for (cell = i = 0; cell < cells; cell++) {
-            size_t point = cell * PARADT__LANES, end = point + PARADT__LANES < own ? point + PARADT__LANES : own;
-            while (point < end) merged[at++] = (paradt_index)point++;
-            for (; i < (size_t)next[cell]; i++) merged[at++] = sorted[i];
-        }
+    }
+    paradt__hilbert_begin(&hilbert, ambient, others + own / FEW);
+    paradt__lattice_begin(&lattice, ambient, levels, 0, low, high);
+    for (i = 0; i < others; i++) {
+        sorted[i].point = (paradt_index)(own + i);
+        sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
+    }
+    paradt__keyed_sort(sorted, other, others, paradt__key_shift(ambient * levels), 0);
+    for (i = 0; i < own; i++) {
+        uint64_t key = i % FEW == 0 ? paradt__curve_key(&hilbert, &lattice, set->records + i * set->width) : 0;
+        while (next < others && sorted[next].key < key) merged[at++] = sorted[next++].point;
+        merged[at++] = (paradt_index)i;
+    }
+    while (next < others) merged[at++] = sorted[next++].point;
+}
+
+// The positions of `count` points by rounds, and in each along the curve that the first `own`, at least one, are along:
+// a new block, or NULL when there is no memory.
+static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, size_t count, paradt__memory *memory) {
+    size_t others = count - own, early, i;
+    paradt_index *order = paradt__round_order(count, memory, &early);
+    paradt_index *merged = (paradt_index *)paradt__alloc(memory, count, sizeof *merged);
+    paradt__keyed *sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
+    if (order && merged && sorted && other) {
+        paradt__merge_others(set, own, count, sorted, other, merged);
         for (i = 0; i < count; i++) order[i] = merged[order[i]];
     } else {
         paradt__release(memory, order);
         order = NULL;
     }
+    paradt__release(memory, other);
+    paradt__release(memory, sorted);
     paradt__release(memory, merged);
-    paradt__release(memory, next);
-    paradt__release(memory, near);
     return order;
 }
 
@@ -8730,15 +8738,14 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
     memset(engine, 0, sizeof *engine);
 }
 
-// Inserts all points of the set, of which the first `own` are in the order of a curve, under the grid, if there are
-// others. It is measured with all points that are to come, spans them, and has no sagittas. wide: as in paradt__cells.
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set,
-                                                 const paradt__grid *grid, size_t own, int wide, paradt__memory *memory,
-                                                 const paradt__progress *progress) {
+// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
+// with all points that are to come, spans them, and has no sagittas. wide: as in paradt__cells.
+static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
+                                                 int wide, paradt__memory *memory, const paradt__progress *progress) {
     size_t early;
     memset(engine, 0, sizeof *engine);
     engine->order = own == set->count ? paradt__round_order(own, memory, &early)
-                                      : paradt__merged_order(grid, set, own, set->count, memory, &early);
+                                      : paradt__merged_order(set, own, set->count, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;

@@ -1797,8 +1797,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     progress.begin = 0.0;
     progress.length = 1.0;
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, &w->grid, w->set.count,
-                                       !(w->options.local.flags & PARADT_NO_NEIGHBORS), &w->memory, &progress);
+    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, !(w->options.local.flags & PARADT_NO_NEIGHBORS),
+                                       &w->memory, &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
