@@ -5145,16 +5145,14 @@ static int paradt__round_of(size_t i, int rounds) {
     return rounds - back;
 }
 
-// Positions on the curve by rounds, and in each in their order: a new block, or NULL when there is no memory. *early:
-// those before the last round.
-static paradt_index *paradt__round_order(size_t count, paradt__memory *memory, size_t *early) {
+// Positions on the curve by rounds, and in each in their order: a new block, or NULL when there is no memory.
+static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt_index *order = (paradt_index *)paradt__alloc(memory, count, sizeof *order);
     size_t place[PARADT__MOST_ROUNDS + 2] = {0}, i;
     int rounds = paradt__round_count(count), r;
     if (!order) return NULL;
     for (i = 0; i < count; i++) place[paradt__round_of(i, rounds) + 1]++;
     for (r = 0; r < rounds; r++) place[r + 1] += place[r];
-    *early = place[rounds];
     for (i = 0; i < count; i++) order[place[paradt__round_of(i, rounds)]++] = (paradt_index)i;
     return order;
 }
@@ -5181,7 +5179,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, size_t coun
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int ambient = set->space.ambient, levels = paradt__levels_for(own, ambient), axis;
-    size_t others = count - own, i, at = 0, next = 0;
+    size_t others = count - own, i, few, end, at = 0, next = 0;
     for (i = 0; i < own; i++) {
         for (axis = 0; axis < ambient; axis++) {
             int64_t x = paradt__ordered_bits(set->records[i * set->width + (size_t)axis]);
@@ -5196,24 +5194,25 @@ static void paradt__merge_others(const paradt__set *set, size_t own, size_t coun
         sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
     }
     paradt__keyed_sort(sorted, other, others, paradt__key_shift(ambient * levels), 0);
-    for (i = 0; i < own; i++) {
-        uint64_t key = i % FEW == 0 ? paradt__curve_key(&hilbert, &lattice, set->records + i * set->width) : 0;
+    for (i = 0; i < own; i += FEW) {
+        uint64_t key = paradt__curve_key(&hilbert, &lattice, set->records + i * set->width);
         while (next < others && sorted[next].key < key) merged[at++] = sorted[next++].point;
-        merged[at++] = (paradt_index)i;
+        for (end = i + FEW < own ? i + FEW : own, few = i; few < end; few++) merged[at++] = (paradt_index)few;
     }
     while (next < others) merged[at++] = sorted[next++].point;
 }
 
-// The positions of `count` points by rounds, and in each along the curve that the first `own`, at least one, are along:
-// a new block, or NULL when there is no memory.
+// The positions of `count` points by rounds, and in each along the curve that the first `own` are along: a new
+// block, or NULL when there is no memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, size_t count, paradt__memory *memory) {
-    size_t others = count - own, early, i;
-    paradt_index *order = paradt__round_order(count, memory, &early);
+    size_t others = count - own, i;
+    paradt_index *order = paradt__round_order(count, memory);
     paradt_index *merged = (paradt_index *)paradt__alloc(memory, count, sizeof *merged);
     paradt__keyed *sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
     paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
     if (order && merged && sorted && other) {
-        paradt__merge_others(set, own, count, sorted, other, merged);
+        if (own) paradt__merge_others(set, own, count, sorted, other, merged);
+        for (i = 0; !own && i < count; i++) merged[i] = (paradt_index)i;
         for (i = 0; i < count; i++) order[i] = merged[order[i]];
     } else {
         paradt__release(memory, order);
@@ -5222,36 +5221,6 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, si
     paradt__release(memory, other);
     paradt__release(memory, sorted);
     paradt__release(memory, merged);
-    return order;
-}
-
-// Some points of the set (subset NULL: the first ones) by rounds, and in each along the curve: a new block, or NULL
-// when there is no memory. *early: those before the last round.
-static paradt_index *paradt__curve_order(const paradt__set *set, const paradt_index *subset, size_t count,
-                                         paradt__memory *memory, size_t *early) {
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
-    paradt_index *order = paradt__round_order(count, memory, early);
-    paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    int dim = set->space.dim, levels = paradt__levels_for(SIZE_MAX, dim);
-    size_t i;
-    if (keyed && other && order) {
-        paradt__hilbert_begin(&hilbert, dim, count);
-        paradt__lattice_begin(&lattice, dim, levels, 0, set->space.low, set->space.high);
-        for (i = 0; i < count; i++) {
-            keyed[i].point = subset ? subset[i] : (paradt_index)i;
-            keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, keyed[i].point));
-        }
-        paradt__keyed_sort(keyed, other, count, paradt__key_shift(dim * levels), 0);
-        for (i = 0; i < count; i++) order[i] = keyed[order[i]].point;
-    }
-    if (!keyed || !other) {
-        paradt__release(memory, order);
-        order = NULL;
-    }
-    paradt__release(memory, keyed);
-    paradt__release(memory, other);
     return order;
 }
 
@@ -5504,13 +5473,13 @@ PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
 // Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
 PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
                                           paradt_index end) {
-    uint64_t span = (uint64_t)(end - begin);
+    paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
     int i, among = 1;
     if (corners == 4) {
-        return ((uint64_t)(vertices[0] - begin) < span) & ((uint64_t)(vertices[1] - begin) < span) &
-               ((uint64_t)(vertices[2] - begin) < span) & ((uint64_t)(vertices[3] - begin) < span);
+        return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
+               ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
     }
-    for (i = 0; i < corners; i++) among &= (uint64_t)(vertices[i] - begin) < span;
+    for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
     return among;
 }
 
@@ -6703,8 +6672,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
                                            int adjacency, const paradt__progress *progress, paradt__counters *counters,
                                            uint64_t *hull_facets) {
     paradt__bw bw;
-    size_t early;
-    paradt_index *order = paradt__round_order(set->count, memory, &early);
+    paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
     if (!order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&bw, set, order, memory);
@@ -7183,7 +7151,8 @@ typedef struct paradt__patch {
     int lent;                        // these are those of the field
     paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    int spans;                       // 1: the region has points that span the set, and they are the first inserted
+    int spans;                       // 1: the points in K span the set; else
+    size_t far;                      // there are vertices from this one on that may be outside of K
     int roomy;                       // all points in K are in the set, with those on its border
     unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
@@ -7256,14 +7225,6 @@ static void paradt__patch_add_own(paradt__patch *patch) {
     patch->bw.count = own->set.count;
 }
 
-static int paradt__is_among(const paradt_index *points, int count, size_t position) {
-    int i;
-    for (i = 0; i < count; i++) {
-        if ((size_t)points[i] == position) return 1;
-    }
-    return 0;
-}
-
 // Is the point in K?
 static int paradt__within(const double *x, const double *low, const double *high, int dim) {
     int axis;
@@ -7273,9 +7234,9 @@ static int paradt__within(const double *x, const double *low, const double *high
     return 1;
 }
 
-// Lists the points of a field's box that are in K and not of the basis.
+// Lists the points of a field's box that are in K.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
-                                          const double *low, const double *high, const paradt_index *basis) {
+                                          const double *low, const double *high) {
     int dim = patch->set->space.dim, axis;
     size_t first = box * PARADT__LANES, i;
     const double *bounds =
@@ -7287,9 +7248,8 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
     for (i = first; i < first + PARADT__LANES && !status; i++) {
         if (level) {
             if (i >= field->grid.box_count[level - 1]) break;
-            status = paradt__patch_gather(patch, field, level - 1, i, low, high, basis);
-        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim) &&
-                   !paradt__is_among(basis, dim + 1, field->begin + i)) {
+            status = paradt__patch_gather(patch, field, level - 1, i, low, high);
+        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim)) {
             status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
                                      patch->list_count + 1);
             if (!status) patch->list[patch->list_count++] = (paradt_index)(field->begin + i);
@@ -7319,7 +7279,7 @@ static double paradt__patch_margin(const paradt__field *field) {
 }
 
 // Lists the points of the others in the margin, which K has then.
-static paradt_status paradt__patch_find_margin(paradt__patch *patch, const paradt_index *basis) {
+static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
     double margin = paradt__patch_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
@@ -7335,88 +7295,65 @@ static paradt_status paradt__patch_find_margin(paradt__patch *patch, const parad
         int level = field->grid.levels - 1;
         size_t box;
         for (box = 0; i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status; box++) {
-            status = paradt__patch_gather(patch, field, level, box, low, high, basis);
+            status = paradt__patch_gather(patch, field, level, box, low, high);
         }
     }
     return status;
 }
 
-// Points of the region that span the set, or, if it has none, those of `whole`. Points far away would give the hull
-// cells so large that their spheres can't be told without exact arithmetic. rounds: the region's points in an order.
-static void paradt__patch_basis(paradt__patch *patch, const paradt_index *whole, const paradt_index *rounds,
-                                paradt_index *basis) {
-    const paradt__field *own = patch->fields + patch->own;
-    paradt__set view = own->set;
+// The points that the patch has so far, as a set
+static paradt__set paradt__patch_known(const paradt__patch *patch) {
+    paradt__set known = *patch->set;
+    known.records = patch->records;
+    known.width = patch->bw.width;
+    known.count = patch->bw.count;
+    memset(&known.space.counters, 0, sizeof known.space.counters);
+    return known;
+}
+
+// Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
+// points far away give the hull cells so large that their spheres can't be told without exact arithmetic.
+static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_index *whole) {
+    paradt__set known = paradt__patch_known(patch);
     const double *points[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim, i;
-    if (view.count > (size_t)dim) {
-        points[0] = paradt__record(&view, rounds[0]);
-        view.space.ambient = dim; // only the axes that orient
-        view.space.counters = patch->search.space.counters;
-        patch->spans = paradt__span(&view, rounds, points, axes, 0, 0) == dim;
-        patch->search.space.counters = view.space.counters;
+    int axes[PARADT_MAX_DIM + 1], dim = known.space.dim, i;
+    size_t j;
+    paradt_status status = PARADT_OK;
+    patch->far = patch->bw.count;
+    if (known.count > (size_t)dim) {
+        points[0] = known.records;
+        known.space.ambient = dim; // only the axes that orient
+        patch->spans = paradt__span(&known, NULL, points, axes, 0, 0) == dim;
     }
-    for (i = 0; i <= dim; i++) {
-        basis[i] = whole[i];
-        if (patch->spans) basis[i] = (paradt_index)(own->begin + (size_t)(points[i] - view.records) / view.width);
-    }
-}
-
-// The points to begin with, in the order of their insertion: the basis, the region's, those in the margin. All but the
-// last round of the margin come before the region's: each of them would see much of a flat hull later. Vertices are
-// the region's points first, in their order.
-static paradt_status paradt__patch_fill(paradt__patch *patch, const paradt_index *basis, const paradt_index *rounds,
-                                        const paradt_index *margin, size_t margin_count, size_t early) {
-    const paradt__field *own = patch->fields + patch->own;
-    paradt__bw *bw = &patch->bw;
-    int dim = patch->set->space.dim;
-    size_t count = own->set.count, needed = count + (size_t)dim + 1 + margin_count, at = 0, i;
-    paradt_status status = paradt__patch_lend(patch);
-    if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + count / 64 + 256);
-    patch->order = (paradt_index *)paradt__alloc(patch->memory, needed, sizeof *patch->order);
-    if (!status && !patch->order) status = PARADT_ERROR_MEMORY;
-    if (status) return status;
-    bw->order = patch->order;
-    paradt__patch_add_own(patch);
-    for (i = 0; i <= (size_t)dim && !status; i++) {
-        size_t vertex = (size_t)basis[i] - own->begin;
-        patch->order[at++] = (paradt_index)(vertex < count ? vertex : bw->count);
-        if (vertex >= count) status = paradt__patch_add(patch, (size_t)basis[i]);
-    }
-    for (i = 0; i < early && !status; i++) {
-        patch->order[at++] = (paradt_index)bw->count;
-        status = paradt__patch_add(patch, (size_t)margin[i]);
-    }
-    for (i = 0; i < count && !status; i++) {
-        patch->order[at] = rounds[i];
-        at += !paradt__is_among(basis, dim + 1, own->begin + (size_t)rounds[i]);
-    }
-    for (i = early; i < margin_count && !status; i++) {
-        patch->order[at++] = (paradt_index)bw->count;
-        status = paradt__patch_add(patch, (size_t)margin[i]);
+    for (i = 0; i <= dim && !patch->spans && !status; i++) {
+        for (j = 0; j < patch->far && patch->origin[j] != whole[i];) j++;
+        if (j == patch->far) status = paradt__patch_add(patch, (size_t)whole[i]);
     }
     return status;
 }
 
+// The points to begin with, and the order of their insertion. Vertices are the region's points first, in their order,
+// then those in the margin, which are inserted along with the region's.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
-    size_t own_count = patch->fields[patch->own].set.count, count, early = 0;
-    paradt_index basis[PARADT_MAX_DIM + 1], *margin = NULL, *rounds;
-    paradt_status status;
-    rounds = paradt__round_order(own_count, patch->memory, &early);
-    if (!rounds) return PARADT_ERROR_MEMORY;
-    early = 0;
-    paradt__patch_basis(patch, whole, rounds, basis);
-    status = paradt__patch_find_margin(patch, basis);
-    count = patch->list_count;
+    const paradt__field *own = patch->fields + patch->own;
+    size_t needed, i;
+    paradt__set known;
+    paradt_status status = paradt__patch_find_margin(patch);
+    if (!status) status = paradt__patch_lend(patch);
+    needed = own->set.count + patch->list_count + (size_t)patch->set->space.dim + 1;
+    if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
+    if (status) return status;
+    paradt__patch_add_own(patch);
+    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_add(patch, (size_t)patch->list[i]);
     patch->list_count = 0;
-    if (!status && count) {
-        margin = paradt__curve_order(patch->set, patch->list, count, patch->memory, &early);
-        if (!margin) status = PARADT_ERROR_MEMORY;
-    }
-    if (!status) status = paradt__patch_fill(patch, basis, rounds, margin, count, early);
-    paradt__release(patch->memory, margin);
-    paradt__release(patch->memory, rounds);
-    return status;
+    if (!status) status = paradt__patch_add_span(patch, whole);
+    if (status) return status;
+    known = paradt__patch_known(patch);
+    patch->order = paradt__merged_order(&known, own->set.count, known.count, patch->memory);
+    if (!patch->order) return PARADT_ERROR_MEMORY;
+    patch->bw.order = patch->order;
+    paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
+    return PARADT_OK;
 }
 
 // --- cells
@@ -7498,14 +7435,11 @@ static paradt_status paradt__patch_suspect_hull(paradt__patch *patch) {
     return status;
 }
 
-// Is it a ghost, or a cell with a vertex that may be outside of K? These come right behind the region's points, if its
-// own ones don't span the set.
+// Is it a ghost, or a cell with a vertex that may be outside of K?
 static int paradt__patch_is_far(const paradt__patch *patch, size_t cell) {
     int corners = patch->bw.cells.corners, i, far = 0;
     const paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
-    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
-    for (i = 0; i < corners; i++)
-        far |= vertices[i] < 0 || (vertices[i] >= own_count && vertices[i] < own_count + corners);
+    for (i = 0; i < corners; i++) far |= vertices[i] < 0 || (size_t)vertices[i] >= patch->far;
     return far;
 }
 
@@ -8742,14 +8676,41 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
 // with all points that are to come, spans them, and has no sagittas. wide: as in paradt__cells.
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
                                                  int wide, paradt__memory *memory, const paradt__progress *progress) {
-    size_t early;
     memset(engine, 0, sizeof *engine);
-    engine->order = own == set->count ? paradt__round_order(own, memory, &early)
-                                      : paradt__merged_order(set, own, set->count, memory);
+    engine->order =
+        own == set->count ? paradt__round_order(own, memory) : paradt__merged_order(set, own, set->count, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;
     return paradt__bw_build(&engine->bw, progress);
+}
+
+// The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
+// there is no memory.
+static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt__hilbert hilbert;
+    paradt__lattice lattice;
+    int dim = set->space.dim, levels = paradt__levels_for(SIZE_MAX, dim);
+    size_t i;
+    if (keyed && other && order) {
+        paradt__hilbert_begin(&hilbert, dim, set->count);
+        paradt__lattice_begin(&lattice, dim, levels, 0, set->space.low, set->space.high);
+        for (i = 0; i < set->count; i++) {
+            keyed[i].point = (paradt_index)i;
+            keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, (paradt_index)i));
+        }
+        paradt__keyed_sort(keyed, other, set->count, paradt__key_shift(dim * levels), 0);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].point;
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, keyed);
+    paradt__release(memory, other);
+    return order;
 }
 
 // Inserts one more point of the set, whose records may have moved.
@@ -8776,7 +8737,7 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
 }
 
 // Is at the place a ghost, or a cell with a vertex whose position in the set is not below `own`?
-static int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
+PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
     int corners = engine->bw.cells.corners, i;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
     if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;

@@ -1772,13 +1772,13 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
 // but by rounds, as points that come one beside the other outside of a flat hull make very large stars.
 static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
     paradt__set all = w->set, late = w->set;
-    size_t first = w->engine.bw.count, early, i;
+    size_t first = w->engine.bw.count, i;
     paradt_index *order;
     paradt_status status = PARADT_OK;
     all.count = w->known;
     late.records = w->set.records + first * w->set.width;
     late.count = w->known - first;
-    order = paradt__curve_order(&late, NULL, late.count, &w->memory, &early);
+    order = paradt__remote_late_order(&late, &w->memory);
     if (!order) return PARADT_ERROR_MEMORY;
     for (i = 0; i < late.count && !status; i++)
         status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i]);
@@ -2075,13 +2075,14 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
-    int dim = w->set.space.dim, i, j;
+    int dim = w->set.space.dim, rank, i, j;
     if (w->weighted || !(paradt_mpi__topics(w, &place) & PARADT_MPI__SPHERE)) return PARADT_OK;
     paradt_mpi__cell(w, place, cell, corners);
-    for (i = 0; i <= dim; i++) {
-        if ((size_t)cell[i] < w->set.count) continue;
+    for (i = 0, rank = w->rank; i <= dim; i++) {
+        if (w->home[cell[i]].rank == rank || w->home[cell[i]].rank == w->rank) continue; // told for another vertex
+        rank = w->home[cell[i]].rank;
         for (j = 0; j <= dim && !status; j++) {
-            if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, w->home[cell[i]].rank, cell[j]);
+            if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, rank, cell[j]);
         }
     }
     return status;
@@ -2400,12 +2401,11 @@ static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, siz
     return 1;
 }
 
-// The vertex that decides who owns a cell: the lexicographically smallest.
-static int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell) {
-    int k = w->set.space.dim + 1, i, own = 0;
+// Is the vertex that decides who owns a cell, the lexicographically smallest, an own point?
+PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell) {
+    int k = w->set.space.dim + 1;
+    if (PARADT__LIKELY(paradt__vertices_among(cell, k, 0, (paradt_index)w->set.count))) return 1;
     if (w->options.flags & PARADT_MPI_REPLICATED) return 1;
-    for (i = 0; i < k; i++) own += (size_t)cell[i] < w->set.count;
-    if (own == 0 || own == k) return own != 0;
     return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
 }
 
