@@ -7101,8 +7101,8 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // ---------------------------------------------------------------------------------------------------------------------
 // >>patches
 //
-// A region by insertion. The region inserts its own points, then those of the others in a margin around its box, and
-// then asks for every cell that could be wrong whether a point that it has not got is in conflict with the cell. Such a
+// A region by insertion. The region inserts its own points and those of the others in a margin around its box, and then
+// asks for every cell that could be wrong whether a point that it has not got is in conflict with the cell. Such a
 // point is inserted, until the answers are no. The answers are exact, so nothing depends on the width of the margin.
 //
 // Which cells could be wrong? Let K be the box with its margin, S the points inserted, q a point that is missing. S has
@@ -7117,7 +7117,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 // Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
 //
-// Where the region's points don't span the set, others that do are inserted first: it may have flat sets of points, or
+// Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit,
@@ -7443,8 +7443,8 @@ static int paradt__patch_is_far(const paradt__patch *patch, size_t cell) {
     return far;
 }
 
-// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, which are those of a basis
-// that is not the region's. Places that are free stay out of it.
+// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, of which there are some
+// where the points in K don't span the set. Places that are free stay out of it.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     paradt__bw *bw = &patch->bw;
     size_t cell;
