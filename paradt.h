@@ -968,7 +968,7 @@ PARADT__INLINE double paradt__largest(const double *x, int count) {
     return m;
 }
 
-PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
+PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
     if (!mantissa) return;
@@ -976,6 +976,13 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     range->unit = paradt__min(range->unit, e + paradt__trailing_zeros(mantissa));
     range->bottom = paradt__min(range->bottom, top - 1);
     range->top = paradt__max(range->top, top);
+}
+
+// Most numbers change nothing, which their exponents tell.
+PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
+    int biased = paradt__biased_exponent(x), e = biased - 1075, top = e + 53;
+    if (!PARADT__LIKELY((biased > 0) & (e >= range->unit) & (top > range->bottom) & (top <= range->top)))
+        paradt__measure_anew(range, x);
 }
 
 static void paradt__range_join(paradt__range *range, const paradt__range *other) {
@@ -2392,23 +2399,23 @@ static size_t paradt__loader_share(const paradt__loader *loader, size_t count, s
 // Looks at all coordinates.
 static void paradt__survey_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
-    const paradt__source *source = loader->source;
-    paradt__space *space = &loader->space[index];
-    size_t i, end = paradt__loader_share(loader, source->points.count, index, &i);
+    const paradt__source source = *loader->source; // a copy, that no store can change
+    paradt__space space = loader->set->space;
+    size_t i, end = paradt__loader_share(loader, source.points.count, index, &i);
     int largest = 0;
     double record[PARADT_MAX_DIM + 1];
-    *space = loader->set->space;
     loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
-        int exponent = paradt__read_record(source, i, record);
+        int exponent = paradt__read_record(&source, i, record);
         if (exponent == 2047) {
             loader->bad[index] = i;
             return;
         }
         largest = exponent > largest ? exponent : largest;
-        paradt__space_add(space, record);
+        paradt__space_add(&space, record);
         loader->representative[i] = (paradt_index)i;
     }
+    loader->space[index] = space;
     loader->exponent[index] = largest;
 }
 
