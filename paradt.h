@@ -1004,7 +1004,7 @@ static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weig
     }
 }
 
-static void paradt__space_add(paradt__space *s, const double *p) {
+PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     for (int j = 0; j < s->ambient; j++) {
         int64_t x = paradt__ordered_bits(p[j]);
         paradt__measure(&s->coordinates, p[j]);
@@ -2288,29 +2288,27 @@ static double paradt__widen(uint32_t bits) {
     return x;
 }
 
-// Where the caller has a coordinate.
-PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t point, int axis) {
+// Where the caller has a point.
+PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t point) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
-    size_t stride = points->stride ? points->stride : size * (size_t)points->dim;
-    return (const char *)points->data + point * stride + (size_t)axis * size;
+    return (const char *)points->data + point * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// One coordinate, -0.0 as 0.0.
-static double paradt__coordinate(const paradt_points *points, size_t point, int axis) {
-    const char *address = paradt__address(points, point, axis);
-    uint64_t bits;
-    double x;
-    if (points->scalar == PARADT_F32) {
+// The coordinates of a point, -0.0 as 0.0.
+PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t point, double *x) {
+    const char *address = paradt__address(points, point);
+    int axis;
+    for (axis = 0; axis < points->dim; axis++) {
+        uint64_t bits;
         uint32_t narrow;
-        memcpy(&narrow, address, sizeof narrow);
-        x = paradt__widen(narrow);
-    } else {
-        memcpy(&x, address, sizeof x);
+        if (points->scalar == PARADT_F32) {
+            memcpy(&narrow, address + (size_t)axis * sizeof narrow, sizeof narrow);
+            bits = paradt__bits(paradt__widen(narrow));
+        } else {
+            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
+        }
+        x[axis] = paradt__from_bits(bits << 1 ? bits : 0);
     }
-    memcpy(&bits, &x, sizeof bits);
-    if (bits << 1 == 0) bits = 0;
-    memcpy(&x, &bits, sizeof x);
-    return x;
 }
 
 static uint64_t paradt__mix(uint64_t h) {
@@ -2357,10 +2355,9 @@ static double paradt__weight(const paradt__source *source, size_t point) {
 PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t point, double *record) {
     const paradt_points *points = &source->points;
     int axis, dim = points->dim, largest = 0;
+    paradt__coordinates(points, point, record);
     for (axis = 0; axis < dim; axis++) {
-        int exponent;
-        record[axis] = paradt__coordinate(points, point, axis);
-        exponent = paradt__biased_exponent(record[axis]);
+        int exponent = paradt__biased_exponent(record[axis]);
         largest = exponent > largest ? exponent : largest;
     }
     if (!points->weights) return largest;
@@ -2396,14 +2393,14 @@ static size_t paradt__loader_share(const paradt__loader *loader, size_t count, s
     return index + 1 == tasks ? count : count / tasks * (index + 1);
 }
 
-// Looks at all coordinates.
-static void paradt__survey_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    const paradt__source source = *loader->source; // a copy, that no store can change
+// Looks at all coordinates of a task's points.
+PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim) {
+    paradt__source source = *loader->source; // copies, that no store through a pointer can change
     paradt__space space = loader->set->space;
     size_t i, end = paradt__loader_share(loader, source.points.count, index, &i);
     int largest = 0;
     double record[PARADT_MAX_DIM + 1];
+    source.points.dim = space.ambient = dim;
     loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
         int exponent = paradt__read_record(&source, i, record);
@@ -2417,6 +2414,12 @@ static void paradt__survey_task(void *context, size_t index) {
     }
     loader->space[index] = space;
     loader->exponent[index] = largest;
+}
+
+static void paradt__survey_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    if (loader->source->points.dim == 3) paradt__survey(loader, index, 3);
+    else paradt__survey(loader, index, loader->source->points.dim);
 }
 
 // Measures the set. *bad is the first point with a coordinate or weight that is no number.
@@ -2438,8 +2441,7 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
 
 PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t point) {
     double x[PARADT_MAX_DIM];
-    int axis;
-    for (axis = 0; axis < lattice->dim; axis++) x[axis] = paradt__coordinate(&loader->source->points, point, axis);
+    paradt__coordinates(&loader->source->points, point, x);
     return paradt__curve_key(&loader->hilbert, lattice, x);
 }
 
@@ -2452,8 +2454,10 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
+        double record[PARADT_MAX_DIM];
+        paradt__coordinates(&loader->source->points, (size_t)run[i].point, record);
         for (axis = 0; axis < dim; axis++) {
-            int64_t x = paradt__ordered_bits(paradt__coordinate(&loader->source->points, (size_t)run[i].point, axis));
+            int64_t x = paradt__ordered_bits(record[axis]);
             low[axis] = i && low[axis] < x ? low[axis] : x;
             high[axis] = i && high[axis] > x ? high[axis] : x;
             equal &= low[axis] == high[axis];
@@ -2571,7 +2575,7 @@ static void paradt__gather_task(void *context, size_t index) {
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        PARADT__PREFETCH(paradt__address(&loader->source->points, (size_t)loader->keyed[soon].point, 0));
+        PARADT__PREFETCH(paradt__address(&loader->source->points, (size_t)loader->keyed[soon].point));
         paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
         set->origin[i] = loader->keyed[i].point;
         repeating += (size_t)loader->keyed[i].key;
