@@ -668,23 +668,13 @@ static void paradt_mpi__number(paradt_mpi__work *w, size_t count) {
 
 // Reads this rank's points into rows of dim + weighted + 1 doubles; not collective.
 static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *local, double **rows) {
+    paradt__source source = paradt__source_of(local);
     size_t width = (size_t)w->dim + (size_t)w->weighted, i;
-    int axis;
     *rows = (double *)paradt__alloc(&w->memory, local->count, (width + 1) * sizeof **rows);
     if (!*rows) return PARADT_ERROR_MEMORY;
     for (i = 0; i < local->count; i++) {
         double *row = *rows + i * (width + 1);
-        int finite = 1;
-        for (axis = 0; axis < w->dim; axis++) {
-            row[axis] = paradt__coordinate(local, i, axis);
-            finite &= paradt__is_finite(row[axis]);
-        }
-        if (w->weighted) {
-            uint64_t bits = paradt_mpi__bits_at(local->weights + i);
-            paradt_mpi__put_bits(row + w->dim, bits << 1 == 0 ? 0 : bits);
-            finite &= paradt__is_finite(row[w->dim]);
-        }
-        if (!finite) {
+        if (paradt__read_record(&source, i, row) == 2047) {
             w->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
         }
@@ -2410,7 +2400,7 @@ PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_inde
 }
 
 // What the last local triangulation makes of a point
-enum { PARADT_MPI__NO_VERTEX, PARADT_MPI__VERTEX, PARADT_MPI__VERTEX_OF_OWN_CELL };
+enum { PARADT_MPI__NO_VERTEX = 0, PARADT_MPI__VERTEX = 1, PARADT_MPI__VERTEX_OF_OWN_CELL = 3 };
 
 // In the neighbours of a cell, if it is one, the number of a cell becomes another.
 PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
@@ -2425,7 +2415,7 @@ PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k,
 static void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t c, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, j;
     for (j = c * k; j < (c + 1) * k; j++) {
-        mark[w->local.cells[j]] = PARADT_MPI__VERTEX;
+        mark[w->local.cells[j]] |= PARADT_MPI__VERTEX;
         paradt_mpi__rename_across(w->local.neighbors, k, w->local.neighbors[j], (paradt_index)c, PARADT__OPEN);
     }
 }
@@ -2440,16 +2430,19 @@ static void paradt_mpi__move_cell(paradt_mpi__work *w, size_t from, size_t to) {
 }
 
 // Drops others' cells, and fills the gaps that they leave from the end, so that nearly all cells keep their numbers.
-// mark: [known], gets what others' cells make of each point. Not collective.
+// mark: [known], gets what the cells make of each point. Not collective.
 static void paradt_mpi__keep_own(paradt_mpi__work *w, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, end = w->local.cell_count, c;
+    size_t k = (size_t)w->out->dim + 1, end = w->local.cell_count, c, j;
+    const paradt_index *cells = w->local.cells;
     for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
     for (c = 0; c < end; c++) {
-        if (PARADT__LIKELY(paradt_mpi__owns(w, w->local.cells + c * k))) continue;
-        paradt_mpi__drop_cell(w, c, mark);
-        for (end--; end > c && !paradt_mpi__owns(w, w->local.cells + end * k); end--)
-            paradt_mpi__drop_cell(w, end, mark);
-        if (end > c) paradt_mpi__move_cell(w, end, c);
+        if (!PARADT__LIKELY(paradt_mpi__owns(w, cells + c * k))) {
+            paradt_mpi__drop_cell(w, c, mark);
+            for (end--; end > c && !paradt_mpi__owns(w, cells + end * k); end--) paradt_mpi__drop_cell(w, end, mark);
+            if (end == c) break;
+            paradt_mpi__move_cell(w, end, c);
+        }
+        for (j = c * k; j < (c + 1) * k; j++) mark[cells[j]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
     }
     w->stats.cells_recomputed += w->local.cell_count - end;
     w->local.cell_count = end;
@@ -2477,42 +2470,43 @@ static paradt_status paradt_mpi__place_neighbors(paradt_mpi__work *w) {
     return w->out->neighbors ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
-// Numbers the neighbours of a cell with k vertices among the cells of all ranks. They are read byte by byte, as it
-// were: they may lie in the block that the numbers go to, which has two types then.
-PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const char *neighbors,
-                                                    paradt_mpi__facets *f) {
+// Numbers the vertices of a cell, and, where they are wanted, its neighbours among the cells of all ranks. These are
+// read byte by byte, as it were: they may lie in the block that the numbers go to, which has two types then.
+PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *number,
+                                                    const char *neighbors, paradt_mpi__facets *f) {
     int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
     size_t j;
-    for (j = (c + 1) * k; j-- > c * k;) {
+    for (j = c * k; j < (c + 1) * k; j++) w->out->cells[j] = number[w->out->cells[j]];
+    for (j = (c + 1) * k; neighbors && j-- > c * k;) {
         paradt_index neighbor;
-        int64_t number;
+        int64_t global;
         memcpy(&neighbor, neighbors + j * sizeof neighbor, sizeof neighbor);
-        number = (int64_t)w->out->first_cell + neighbor;
-        if (!PARADT__LIKELY(neighbor >= 0)) number = final ? neighbor : (paradt_index)PARADT__OPEN;
-        memcpy(w->out->neighbors + j, &number, sizeof number);
+        global = (int64_t)w->out->first_cell + neighbor;
+        if (!PARADT__LIKELY(neighbor >= 0)) global = final ? neighbor : (paradt_index)PARADT__OPEN;
+        memcpy(w->out->neighbors + j, &global, sizeof global);
         if (PARADT__LIKELY(neighbor >= 0)) continue;
-        w->stats.hull_facets += number == PARADT__HULL && k > 1;
-        if (number == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
+        w->stats.hull_facets += global == PARADT__HULL && k > 1;
+        if (global == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
     }
     return PARADT_OK;
 }
 
-// Numbers the neighbours of the own cells, from the last to the first: where they are in the same block, no number is
-// written over one that is still to be read. Lists the facets whose other side is not known. Not collective.
-static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, paradt_mpi__facets *f) {
+// Numbers the vertices and neighbours of the own cells, from the last to the first: where the neighbours are in the
+// block that their numbers go to, none is written over one that is still to be read. Lists the facets whose other side
+// is not known. Not collective.
+static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     const char *neighbors = (const char *)w->local.neighbors;
     size_t k = (size_t)w->out->dim + 1, c;
-    paradt_status status = paradt_mpi__place_neighbors(w);
-    if (w->wide) neighbors = (const char *)w->out->neighbors;
-    for (c = w->local.cell_count; c-- > 0 && !status;)
-        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, neighbors, f) : paradt_mpi__close_cell(w, k, c, neighbors, f);
+    paradt_status status = PARADT_OK;
+    w->out->cells = w->local.cells;
+    w->local.cells = NULL;
+    if (w->options.local.flags & PARADT_NO_NEIGHBORS) neighbors = NULL;
+    else status = paradt_mpi__place_neighbors(w);
+    if (w->wide && neighbors) neighbors = (const char *)w->out->neighbors;
+    for (c = w->out->cell_count; c-- > 0 && !status;)
+        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, number, neighbors, f)
+                        : paradt_mpi__close_cell(w, k, c, number, neighbors, f);
     return status;
-}
-
-// mark: as paradt_mpi__keep_own left it; gets what own cells make of each point.
-static void paradt_mpi__mark_vertices(const paradt_mpi__work *w, paradt_index *mark) {
-    size_t values = w->local.cell_count * (size_t)(w->out->dim + 1), i;
-    for (i = 0; i < values; i++) mark[w->local.cells[i]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
 }
 
 // The row of a facet: returns the rank that it is sent to.
@@ -2522,7 +2516,7 @@ static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint6
     for (i = 0; i < k; i++) {
         uint64_t id;
         if (base + i == handle) continue;
-        id = w->home[w->local.cells[base + i]].id;
+        id = (uint64_t)w->out->vertices[w->out->cells[base + i]];
         for (j = count++; j > 0 && row[j - 1] > id; j--) row[j] = row[j - 1];
         row[j] = id;
     }
@@ -2586,11 +2580,11 @@ static paradt_status paradt_mpi__match(paradt_mpi__work *w, const uint64_t *rows
 }
 
 // Finds the neighbours on other ranks.
-static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_mpi__facets *f) {
+static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status, paradt_mpi__facets *f) {
     void *rows = NULL, *answers = NULL;
     int64_t *twins = NULL;
     size_t count = 0, back, i;
-    paradt_status status = paradt_mpi__sort_facets(w, f);
+    if (!status) status = paradt_mpi__sort_facets(w, f);
     status = paradt_mpi__exchange(w, status, f->rows, f->width * sizeof *f->rows, &rows, &count);
     if (!status) {
         twins = (int64_t *)paradt__alloc(&w->memory, count, sizeof *twins);
@@ -2732,17 +2726,6 @@ static void paradt_mpi__reduce_stats(paradt_mpi__work *w) {
     PARADT_MPI_TIMERS(PARADT_MPI__GIVE_TIME)
 }
 
-// Moves the own cells into the result, in the array that they are in; not collective.
-static paradt_status paradt_mpi__hand_over(paradt_mpi__work *w, paradt_index *number) {
-    size_t values = w->out->cell_count * (size_t)(w->out->dim + 1), i;
-    paradt_status status = paradt_mpi__list_vertices(w, number);
-    if (status) return status;
-    for (i = 0; i < values; i++) w->local.cells[i] = number[w->local.cells[i]];
-    w->out->cells = w->local.cells;
-    w->local.cells = NULL;
-    return PARADT_OK;
-}
-
 // Makes the result of the last local triangulation.
 static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
@@ -2762,14 +2745,15 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
         paradt_mpi__keep_own(w, number);
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         paradt_mpi__number_cells(w);
-        paradt_mpi__mark_vertices(w, number);
-        if (wanted) status = paradt_mpi__close_cells(w, &facets);
         status = paradt_mpi__represent(w, status, number);
     }
-    if (!status && wanted && out->dim > 0) status = paradt_mpi__link(w, &facets);
+    if (!status) {
+        status = paradt_mpi__list_vertices(w, number);
+        if (!status) status = paradt_mpi__close_cells(w, number, &facets);
+        status = wanted && out->dim > 0 ? paradt_mpi__link(w, status, &facets) : paradt_mpi__agree(w, status);
+    }
     paradt__release(&w->memory, facets.rows);
     paradt__release(&w->memory, facets.handles);
-    if (!status) status = paradt_mpi__agree(w, paradt_mpi__hand_over(w, number));
     paradt__release(&w->memory, number);
     w->stats.seconds_finish = paradt__now() - begun;
     return status;
