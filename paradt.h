@@ -5451,7 +5451,7 @@ static size_t paradt__bw_places(size_t count, int dim) {
 static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
     double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
-    double judged = count / PARADT__JUDGED_PART; // before, the hull has too large a share
+    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
     int known = bw->rate_at > judged && inserted > bw->rate_at;
     double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
     double more = rise * (count - inserted),

@@ -155,21 +155,60 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
     (void)state;
     for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
         size_t count = counts[c], early = 0;
+        int rounds = paradt__round_count(count);
         paradt__memory memory;
         paradt__memory_begin(&memory, NULL);
-        paradt_index *order = paradt__round_order(count, &memory, &early);
+        paradt_index *order = paradt__round_order(count, &memory);
         unsigned char *seen = (unsigned char *)need(count + 1, 1);
         assert_non_null(order);
         memset(seen, 0, count + 1);
+        for (size_t i = 0; i < count; i++) early += paradt__round_of(i, rounds) < rounds;
         for (size_t i = 0; i < count; i++) {
             assert_false(seen[order[i]]);
             seen[order[i]] = 1;
             if (i > early) assert_true(order[i - 1] < order[i]); // the last round is along the curve
         }
-        if (paradt__round_count(count)) assert_true(early >= count / 16 && early <= count / 16 + 1);
+        if (rounds) assert_true(early >= count / 16 && early <= count / 16 + 1);
         else assert_int_equal(early, 0);
         free(seen);
         paradt__release(&memory, order);
+    }
+}
+
+// Points at the places of own ones, and outside of the box of these, are merged into the order of the own ones.
+static void others_come_where_the_curve_passes_them(void **state) {
+    enum { OWN = 4000, TWINS = 500, OUTSIDE = 100, ALL = OWN + TWINS + OUTSIDE, NEAR = 16 };
+    static double x[ALL * 3];
+    static paradt__keyed sorted[TWINS + OUTSIDE], other[TWINS + OUTSIDE];
+    static paradt_index representative[OWN], merged[ALL];
+    static size_t place[ALL];
+    uint64_t random = 7;
+    paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
+    paradt__memory memory;
+    paradt__set set;
+    size_t bad;
+    (void)state;
+    memset(&set, 0, sizeof set);
+    paradt__memory_begin(&memory, NULL);
+    for (int i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(random++) >> 11) * 0x1p-53;
+    assert_int_equal(paradt__set_load(&set, &points, &paradt__alone, &memory, representative, &bad), PARADT_OK);
+    memcpy(x, set.records, OWN * 3 * sizeof *x);
+    for (int i = 0; i < TWINS; i++) memcpy(x + 3 * (OWN + i), x + 3 * (i * 8), 3 * sizeof *x);
+    for (int i = 3 * (OWN + TWINS); i < 3 * ALL; i++) x[i] = (double)(paradt__mix(random++) >> 11) * 0x1p-50 - 4;
+    paradt__set_free(&set, &memory);
+    set.records = x;
+    paradt__merge_others(&set, OWN, ALL, sorted, other, merged);
+    for (size_t i = 0; i < ALL; i++) place[i] = ALL;
+    for (size_t i = 0; i < ALL; i++) {
+        assert_in_range(merged[i], 0, ALL - 1);
+        assert_int_equal(place[merged[i]], ALL);
+        place[merged[i]] = i;
+    }
+    for (size_t i = 1; i < OWN; i++) assert_true(place[i - 1] < place[i]);
+    for (size_t i = 0; i < TWINS; i++) {
+        size_t between = 0, from = place[i * 8], to = place[OWN + i];
+        for (size_t j = from < to ? from : to; j < (from < to ? to : from); j++) between += merged[j] < OWN;
+        assert_true(between <= NEAR);
     }
 }
 
@@ -180,6 +219,7 @@ int main(void) {
         cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
         cmocka_unit_test(equal_points_are_found_on_all_scales),
         cmocka_unit_test(rounds_take_every_point_once_and_one_of_sixteen_earlier),
+        cmocka_unit_test(others_come_where_the_curve_passes_them),
     };
     return cmocka_run_group_tests_name("curve", tests, NULL, NULL);
 }
