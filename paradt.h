@@ -3258,7 +3258,7 @@ typedef struct paradt__cells {
     paradt_index *vertices;  // [capacity][corners]
     paradt_index *neighbors; // [capacity][corners]
     int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
-    int wide;                // the neighbors' block has room for as many numbers of 64 bits, which may take their place
+    int wide;                // the neighbors' block, which is not lent, has room for as many numbers of 64 bits
 } paradt__cells;
 
 enum {
@@ -5181,15 +5181,16 @@ static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__l
     return paradt__curve_key(hilbert, lattice, inside);
 }
 
-// Positions in the set: the first `own` of `count` are along the curve in the box of theirs; the others come where it
-// passes them, within a few own ones. sorted, other: room for count - own.
-static void paradt__merge_others(const paradt__set *set, size_t own, size_t count, paradt__keyed *sorted,
+// Positions in the set: the first `own` of `count` are along a curve, that of `along` points: of these, in their box,
+// or of more, in the box of the whole set. The others come where it passes them, within a few own ones. sorted, other:
+// room for count - own.
+static void paradt__merge_others(const paradt__set *set, size_t own, size_t count, size_t along, paradt__keyed *sorted,
                                  paradt__keyed *other, paradt_index *merged) {
     enum { FEW = 8 };
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int ambient = set->space.ambient, levels = paradt__levels_for(own, ambient), axis;
+    int ambient = set->space.ambient, levels = paradt__levels_for(along, ambient), axis;
     size_t others = count - own, i, few, end, at = 0, next = 0;
     for (i = 0; i < own; i++) {
         for (axis = 0; axis < ambient; axis++) {
@@ -5199,7 +5200,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, size_t coun
         }
     }
     paradt__hilbert_begin(&hilbert, ambient, others + own / FEW);
-    paradt__lattice_begin(&lattice, ambient, levels, 0, low, high);
+    paradt__lattice_begin(&lattice, ambient, levels, 0, along == own ? low : set->space.low,
+                          along == own ? high : set->space.high);
     for (i = 0; i < others; i++) {
         sorted[i].point = (paradt_index)(own + i);
         sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
@@ -5213,16 +5215,17 @@ static void paradt__merge_others(const paradt__set *set, size_t own, size_t coun
     while (next < others) merged[at++] = sorted[next++].point;
 }
 
-// The positions of `count` points by rounds, and in each along the curve that the first `own` are along: a new
-// block, or NULL when there is no memory.
-static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, size_t count, paradt__memory *memory) {
+// The positions of `count` points by rounds, and in each along the curve that the first `own` are along, as above: a
+// new block, or NULL when there is no memory.
+static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, size_t count, size_t along,
+                                          paradt__memory *memory) {
     size_t others = count - own, i;
     paradt_index *order = paradt__round_order(count, memory);
     paradt_index *merged = (paradt_index *)paradt__alloc(memory, count, sizeof *merged);
     paradt__keyed *sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
     paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
     if (order && merged && sorted && other) {
-        if (own) paradt__merge_others(set, own, count, sorted, other, merged);
+        if (own) paradt__merge_others(set, own, count, along, sorted, other, merged);
         for (i = 0; !own && i < count; i++) merged[i] = (paradt_index)i;
         for (i = 0; i < count; i++) order[i] = merged[order[i]];
     } else {
@@ -7360,7 +7363,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     if (!status) status = paradt__patch_add_span(patch, whole);
     if (status) return status;
     known = paradt__patch_known(patch);
-    patch->order = paradt__merged_order(&known, own->set.count, known.count, patch->memory);
+    patch->order = paradt__merged_order(&known, own->set.count, known.count, patch->set->count, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
     patch->bw.order = patch->order;
     paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
@@ -8083,7 +8086,7 @@ static paradt_status paradt__join_patches(paradt__work *work) {
 
 // What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
 // steps, when none of them runs. A task's account begins at nothing: it may give back what it held before only after it
-// has taken as much.
+// has taken as much, or when it takes no more.
 static void paradt__share_memory(paradt__work *work) {
     size_t peaks = work->memory.held, i;
     for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
@@ -8153,14 +8156,14 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     return status ? status : paradt__join_patches(work);
 }
 
-// Where the points of the regions go in the permuted set, each with room for what others' points it is likely to need.
-// Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work) {
+// Where the points of the regions go in the permuted set, each with room for what others' points it is likely to need,
+// if there is to be any. Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work, int roomy) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
         size_t count = work->parts[i].end - work->parts[i].begin;
         work->fields[i].begin = total;
-        work->fields[i].room = count + count / 8 + 64;
+        work->fields[i].room = roomy ? count + count / 8 + 64 : count;
         total += work->fields[i].room;
     }
     return total;
@@ -8190,9 +8193,9 @@ static void paradt__find_basis(paradt__work *work) {
 // The first step of insertion: the permuted set takes the place of the set.
 static paradt_status paradt__permute_set(paradt__work *work) {
     paradt__set *set = &work->set, *permuted = &work->permuted, view;
-    size_t positions = paradt__place_fields(work);
+    size_t positions = paradt__place_fields(work, 1);
     paradt_status status;
-    if (positions > (size_t)PARADT__NOWHERE) return PARADT_ERROR_TOO_LARGE;
+    if (positions > (size_t)PARADT__NOWHERE) positions = paradt__place_fields(work, 0);
     paradt__find_basis(work);
     view = *permuted = *set;
     permuted->records = (double *)paradt__alloc(&work->memory, positions, set->width * sizeof(double));
@@ -8689,7 +8692,7 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
                                                  int wide, paradt__memory *memory, const paradt__progress *progress) {
     memset(engine, 0, sizeof *engine);
     engine->order =
-        own == set->count ? paradt__round_order(own, memory) : paradt__merged_order(set, own, set->count, memory);
+        own == set->count ? paradt__round_order(own, memory) : paradt__merged_order(set, own, set->count, own, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;

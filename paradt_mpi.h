@@ -2069,7 +2069,7 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     if (w->weighted || !(paradt_mpi__topics(w, &place) & PARADT_MPI__SPHERE)) return PARADT_OK;
     paradt_mpi__cell(w, place, cell, corners);
     for (i = 0, rank = w->rank; i <= dim; i++) {
-        if (w->home[cell[i]].rank == rank || w->home[cell[i]].rank == w->rank) continue; // told for another vertex
+        if (w->home[cell[i]].rank == rank || w->home[cell[i]].rank == w->rank) continue; // or told already
         rank = w->home[cell[i]].rank;
         for (j = 0; j <= dim && !status; j++) {
             if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, rank, cell[j]);

@@ -175,41 +175,53 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
     }
 }
 
-// Points at the places of own ones, and outside of the box of these, are merged into the order of the own ones.
+enum { OWN = 4000, TWINS = 200, OUTSIDE = 100, OTHERS = TWINS + OUTSIDE, NEAR = 16 };
+
+// To `own` points of the set, along the curve of `along`, come others: at the places of own ones, and all around. Those
+// at their places must come with at most NEAR own ones between them and their twins.
+static void merge_and_compare(paradt__set *set, size_t own, size_t along) {
+    static paradt__keyed sorted[OTHERS], other[OTHERS];
+    static paradt_index merged[OWN + OTHERS];
+    static size_t place[OWN + OTHERS];
+    size_t all = own + OTHERS;
+    for (size_t i = 0; i < TWINS; i++)
+        memcpy(set->records + 3 * (own + i), set->records + 3 * (own / TWINS * i), 3 * sizeof(double));
+    for (size_t i = 3 * (own + TWINS); i < 3 * all; i++) set->records[i] = (double)(paradt__mix(i) >> 11) * 0x1p-50 - 4;
+    paradt__merge_others(set, own, all, along, sorted, other, merged);
+    for (size_t i = 0; i < all; i++) place[i] = all;
+    for (size_t i = 0; i < all; i++) {
+        assert_in_range(merged[i], 0, all - 1);
+        assert_int_equal(place[merged[i]], all);
+        place[merged[i]] = i;
+    }
+    for (size_t i = 1; i < own; i++) assert_true(place[i - 1] < place[i]);
+    for (size_t i = 0; i < TWINS; i++) {
+        size_t a = place[own / TWINS * i], b = place[own + i], between = 0;
+        for (size_t k = a < b ? a : b; k < (a < b ? b : a); k++) between += (size_t)merged[k] < own;
+        assert_true(between <= NEAR);
+    }
+}
+
 static void others_come_where_the_curve_passes_them(void **state) {
-    enum { OWN = 4000, TWINS = 500, OUTSIDE = 100, ALL = OWN + TWINS + OUTSIDE, NEAR = 16 };
-    static double x[ALL * 3];
-    static paradt__keyed sorted[TWINS + OUTSIDE], other[TWINS + OUTSIDE];
-    static paradt_index representative[OWN], merged[ALL];
-    static size_t place[ALL];
-    uint64_t random = 7;
+    static double x[(OWN + OTHERS) * 3];
+    static paradt_index representative[OWN];
     paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
     paradt__memory memory;
     paradt__set set;
-    size_t bad;
+    size_t bad, own = 0;
     (void)state;
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
-    for (int i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(random++) >> 11) * 0x1p-53;
+    for (size_t i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(i + 7) >> 11) * 0x1p-53;
     assert_int_equal(paradt__set_load(&set, &points, &paradt__alone, &memory, representative, &bad), PARADT_OK);
     memcpy(x, set.records, OWN * 3 * sizeof *x);
-    for (int i = 0; i < TWINS; i++) memcpy(x + 3 * (OWN + i), x + 3 * (i * 8), 3 * sizeof *x);
-    for (int i = 3 * (OWN + TWINS); i < 3 * ALL; i++) x[i] = (double)(paradt__mix(random++) >> 11) * 0x1p-50 - 4;
     paradt__set_free(&set, &memory);
     set.records = x;
-    paradt__merge_others(&set, OWN, ALL, sorted, other, merged);
-    for (size_t i = 0; i < ALL; i++) place[i] = ALL;
-    for (size_t i = 0; i < ALL; i++) {
-        assert_in_range(merged[i], 0, ALL - 1);
-        assert_int_equal(place[merged[i]], ALL);
-        place[merged[i]] = i;
+    merge_and_compare(&set, OWN, OWN);
+    for (size_t i = 0; i < OWN; i++) { // those of a region, with the curve of all
+        if (x[3 * i] > 0.37 && x[3 * i + 1] > 0.21) memmove(x + 3 * own++, x + 3 * i, 3 * sizeof *x);
     }
-    for (size_t i = 1; i < OWN; i++) assert_true(place[i - 1] < place[i]);
-    for (size_t i = 0; i < TWINS; i++) {
-        size_t between = 0, from = place[i * 8], to = place[OWN + i];
-        for (size_t j = from < to ? from : to; j < (from < to ? to : from); j++) between += merged[j] < OWN;
-        assert_true(between <= NEAR);
-    }
+    merge_and_compare(&set, own, OWN);
 }
 
 int main(void) {
