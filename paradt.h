@@ -7666,6 +7666,7 @@ PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, siz
     const paradt_index *vertices = bw->cells.vertices;
     paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
     size_t end = bw->cells.count, i;
+    int bare; // has the cell a facet without a neighbour?
     paradt_status status = PARADT_OK;
     paradt__bw_mark_free(bw);
     for (i = 0; i < end && !status; i++) {
@@ -7677,8 +7678,8 @@ PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, siz
             if (end == i) break;
             paradt__bw_move(bw, i, end, corners, i);
         }
-        if (!PARADT__LIKELY(!paradt__bw_number(bw, i, corners, patch->origin)) && !status)
-            status = paradt__patch_open_cell(patch, i);
+        bare = paradt__bw_number(bw, i, corners, patch->origin);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, i);
     }
     bw->cells.count = end;
     patch->made += end;

@@ -2399,7 +2399,7 @@ PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_inde
     return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
 }
 
-// What the last local triangulation makes of a point
+// What the last local triangulation makes of a point; by bits, so that an other's cell leaves an own one's mark
 enum { PARADT_MPI__NO_VERTEX = 0, PARADT_MPI__VERTEX = 1, PARADT_MPI__VERTEX_OF_OWN_CELL = 3 };
 
 // In the neighbours of a cell, if it is one, the number of a cell becomes another.
