@@ -2402,13 +2402,14 @@ PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_inde
 // What the last local triangulation makes of a point; by bits, so that an other's cell leaves an own one's mark
 enum { PARADT_MPI__NO_VERTEX = 0, PARADT_MPI__VERTEX = 1, PARADT_MPI__VERTEX_OF_OWN_CELL = 3 };
 
-// In the neighbours of a cell, if it is one, the number of a cell becomes another.
+// In the neighbours of a cell, if it is one, the number of a cell becomes another. It is there once; where cannot be
+// foreseen, so there is no branch.
 PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
                                               paradt_index is) {
     paradt_index *links = neighbors + (size_t)cell * k;
+    size_t j;
     if (cell < 0) return;
-    while (*links != was) links++;
-    *links = is;
+    for (j = 0; j < k; j++) links[j] = links[j] == was ? is : links[j];
 }
 
 // Takes an other's cell out. mark: see paradt_mpi__keep_own.
@@ -2470,25 +2471,38 @@ static paradt_status paradt_mpi__place_neighbors(paradt_mpi__work *w) {
     return w->out->neighbors ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
+// The numbers of the neighbours that a cell lacks here: of those on other ranks the facets are listed.
+PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_t k, size_t c, int64_t *numbers,
+                                                      const paradt_index *neighbors, paradt_mpi__facets *f) {
+    int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
+    size_t j;
+    for (j = 0; j < k; j++) {
+        if (neighbors[j] >= 0) continue;
+        numbers[j] = final ? neighbors[j] : (paradt_index)PARADT__OPEN;
+        w->stats.hull_facets += numbers[j] == PARADT__HULL && k > 1;
+        if (numbers[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, c * k + j)) return PARADT_ERROR_MEMORY;
+    }
+    return PARADT_OK;
+}
+
 // Numbers the vertices of a cell, and, where they are wanted, its neighbours among the cells of all ranks. These are
 // read byte by byte, as it were: they may lie in the block that the numbers go to, which has two types then.
 PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *number,
                                                     const char *neighbors, paradt_mpi__facets *f) {
-    int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
+    paradt_index *vertices = w->out->cells + c * k, near[PARADT_MAX_DIM + 1], any = 0;
+    int64_t numbers[PARADT_MAX_DIM + 1], first = (int64_t)w->out->first_cell;
+    paradt_status status = PARADT_OK;
     size_t j;
-    for (j = c * k; j < (c + 1) * k; j++) w->out->cells[j] = number[w->out->cells[j]];
-    for (j = (c + 1) * k; neighbors && j-- > c * k;) {
-        paradt_index neighbor;
-        int64_t global;
-        memcpy(&neighbor, neighbors + j * sizeof neighbor, sizeof neighbor);
-        global = (int64_t)w->out->first_cell + neighbor;
-        if (!PARADT__LIKELY(neighbor >= 0)) global = final ? neighbor : (paradt_index)PARADT__OPEN;
-        memcpy(w->out->neighbors + j, &global, sizeof global);
-        if (PARADT__LIKELY(neighbor >= 0)) continue;
-        w->stats.hull_facets += global == PARADT__HULL && k > 1;
-        if (global == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
+    for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
+    if (!neighbors) return PARADT_OK;
+    memcpy(near, neighbors + c * k * sizeof *near, k * sizeof *near);
+    for (j = 0; j < k; j++) {
+        any |= near[j];
+        numbers[j] = first + near[j];
     }
-    return PARADT_OK;
+    if (!PARADT__LIKELY(any >= 0)) status = paradt_mpi__close_open(w, k, c, numbers, near, f);
+    memcpy(w->out->neighbors + c * k, numbers, k * sizeof *numbers);
+    return status;
 }
 
 // Numbers the vertices and neighbours of the own cells, from the last to the first: where the neighbours are in the
