@@ -8798,15 +8798,13 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
     return 1;
 }
 
-// Is at the place a ghost, or a cell with a vertex whose position in the set is not below `own`?
+// Is at the place a ghost or a cell of whose vertices some, but not all, have positions in the set below `own`?
 PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
-    int corners = engine->bw.cells.corners, i;
+    int corners = engine->bw.cells.corners, i, inside = 0;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
     if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] == PARADT__INFINITE || vertices[i] >= own) return 1;
-    }
-    return 0;
+    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
+    return inside;
 }
 
 // The place on the other side of a facet of what is at a place

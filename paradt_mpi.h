@@ -2007,7 +2007,7 @@ static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi_
 }
 
 // Lists the questions for the sake of a place. *open: may a point that is not known here be in conflict with what is
-// there?
+// there, and does that matter?
 static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions *q, size_t place, int *open) {
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
@@ -2018,6 +2018,7 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     if (!topics) return PARADT_OK;
     paradt_mpi__cell(w, place, cell, corners);
     count = paradt_mpi__own_corners(w, cell, own);
+    *open = count > 0;
     if (!count) return PARADT_OK;
     if (topics & PARADT_MPI__SPHERE) status = paradt_mpi__look_at_sphere(w, q, place, cell, corners, own, count, open);
     for (j = 0; j <= w->set.space.dim && !status; j++) {
@@ -2080,9 +2081,10 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
 
 // Lists the questions while points are inserted, when not all cells need be looked at. The cells and ghosts in conflict
 // with a point p that is not known here are connected through facets, and one of them has p in it, or beyond it. That
-// is a ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. No sphere of them is
-// inside of the room that this rank knows. So they are reached from such cells and ghosts, which are looked at first,
-// through cells whose spheres are not inside.
+// is a ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. On the way from there
+// to a cell of own points alone, the last that is none shares a facet with the next, so it has own vertices and others.
+// Such cells and ghosts are looked at first, then what is reached from them through cells whose spheres are not inside
+// of the room that this rank knows: no sphere in conflict with p is. What has no own vertex does not matter.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;

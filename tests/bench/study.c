@@ -14,6 +14,9 @@
 #include "examples/paradt_points.h"
 
 #include <stdio.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 enum { DIM = 3 };
 
@@ -58,11 +61,22 @@ static void rank_program(int rank) {
     free(coordinates);
 }
 
+// The process keeps the memory that ranks give back, for the runs that follow. Else new pages, which may take ten times
+// as long for one rank as for another of the same process, decide which rank is the slowest.
+static void keep_memory(void) {
+#ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}
+
 int main(int argc, char **argv) {
     const char *wrong = argc < 4 ? "study RUNS gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[2]);
     double one = 0;
     if (wrong) fail(wrong);
     if (atoi(argv[1]) < 1) fail("RUNS is a number from 1 on");
+    keep_memory();
     for (int i = 3; i < argc; i++) {
         int ranks = atoi(argv[i]);
         double n = (double)study.spec.count, time;
