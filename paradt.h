@@ -7746,8 +7746,8 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
     enum { FIRST_PATIENCE = 10000 }; // looks that take a millisecond
     const paradt__counters *c = &patch->search.space.counters;
     uint64_t looked = patch->search.grid_cells_visited + c->insphere_calls + c->orient_calls;
-    uint64_t cells = patch->bw.cells.count; // one takes as long as a few looks, in higher dimensions as many
-    return looked > (patch->bw.cells.corners <= 4 ? cells / 3 : cells * 4) + FIRST_PATIENCE;
+    uint64_t cells = patch->bw.cells.count; // one takes as long as some looks, in higher dimensions as many
+    return looked > (patch->bw.cells.corners <= 4 ? cells : cells * 4) + FIRST_PATIENCE;
 }
 
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
