@@ -2084,7 +2084,8 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
 // is a ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. On the way from there
 // to a cell of own points alone, the last that is none shares a facet with the next, so it has own vertices and others.
 // Such cells and ghosts are looked at first, then what is reached from them through cells whose spheres are not inside
-// of the room that this rank knows: no sphere in conflict with p is. What has no own vertex does not matter.
+// of the room that this rank knows: no sphere in conflict with p is, and with weights cells with others' vertices never
+// count as such. What has no own vertex does not matter.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
@@ -2408,9 +2409,10 @@ enum { PARADT_MPI__NO_VERTEX = 0, PARADT_MPI__VERTEX = 1, PARADT_MPI__VERTEX_OF_
 // foreseen, so there is no branch.
 PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
                                               paradt_index is) {
-    paradt_index *links = neighbors + (size_t)cell * k;
+    paradt_index *links;
     size_t j;
     if (cell < 0) return;
+    links = neighbors + (size_t)cell * k;
     for (j = 0; j < k; j++) links[j] = links[j] == was ? is : links[j];
 }
 
