@@ -575,13 +575,13 @@ extern "C" {
 #define PARADT__INLINE            static __forceinline
 #define PARADT__NOINLINE          static __declspec(noinline)
 #define PARADT__LIKELY(condition) (condition)
-#define PARADT__PREFETCH(address) ((void)0)
+#define PARADT__PREFETCH(address) ((void)(address))
 #define PARADT__RESTRICT          __restrict
 #else
 #define PARADT__INLINE            static inline
 #define PARADT__NOINLINE          static
 #define PARADT__LIKELY(condition) (condition)
-#define PARADT__PREFETCH(address) ((void)0)
+#define PARADT__PREFETCH(address) ((void)(address))
 #define PARADT__RESTRICT
 #endif
 
@@ -5279,7 +5279,10 @@ enum {
     PARADT__SMALL_STAR = 256,        // new cells for whose edges there is room to begin with
     PARADT__SMALL_STAR_VERTICES = 130,
     PARADT__SMALL_STAR_ROW = 144, // of the table of edges: 9 cache lines, so that rows don't compete for the same
-    PARADT__FEW_NUMBERS = 48      // more than these are forgotten before the next point
+    PARADT__FEW_NUMBERS = 48,     // more than these are forgotten before the next point
+    PARADT__LATE = 16,            // facets that wait for a sphere to be made again, while others are looked at
+    PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
+    PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
 };
 
 #ifdef PARADT_INDEX64
@@ -5332,6 +5335,8 @@ typedef struct paradt__spheres3 {
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] here, or in
     // large_edges.
     paradt_index edges[PARADT__SMALL_STAR_VERTICES * PARADT__SMALL_STAR_ROW];
+
+    paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
     // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
     paradt_index base[PARADT__STAR + 3];  // 4 times their places
@@ -5690,8 +5695,8 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
 }
 
 // The sphere through p and p + a, p + b, p + c, positively oriented. Straight code, to be vectorised: where the
-// determinant is too small it is replaced, and the difference, scaled, is a bound on the error that leaves all in
-// doubt.
+// determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with x87
+// registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
 PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double square, const paradt__seen3 *p,
                                          double ax, double ay, double az, double bx, double by, double bz, double cx,
                                          double cy, double cz, double *nx, double *ny, double *nz, double *constant,
@@ -5730,7 +5735,7 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double s
     *nz = -2.0 * p->s[2] - wz;
     *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
     *error = 64.0 * PARADT__UNIT_ERROR * (square + (size * reach + sides) * inverse) +
-             (safe - det) * inverse * PARADT__NO_ERROR_BOUND;
+             (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
 // The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
@@ -5885,32 +5890,69 @@ typedef struct paradt__dig3 {
     const paradt_index *neighbors;
     paradt__sphere3 *table;
     paradt__tag mask;
+    int waiting_count;
 } paradt__dig3;
 
-// Looks at the other side of a facet of the cavity, which becomes part of the cavity or the rim, without branches.
+// What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
+PARADT__INLINE void paradt__bw3_judge(paradt__dig3 *dig, paradt_index inner, paradt__sphere3 *sphere,
+                                      unsigned conflict) {
+    unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
+    sphere->tag |= conflict ? PARADT__KNOWN : 0;
+    dig->cavity[dig->cavity_count] = dig->neighbors[inner];
+    dig->cavity_count += fresh;
+    dig->rim[dig->rim_count] = inner;
+    dig->rim_count += conflict ^ 1;
+}
+
+// Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
+// count: of facets that wait already. Returns how many wait then.
+PARADT__NOINLINE int paradt__bw3_wait(const paradt__bw *bw, paradt_index inner, paradt_index other, int count) {
+    PARADT__PREFETCH(bw->cells.vertices + 4 * (size_t)other);
+    bw->spheres->waiting[count] = inner;
+    return count + 1;
+}
+
+// Looks at the other side of a facet of the cavity.
 PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen, const double *x,
                                      paradt_index inner) {
     paradt_index handle = dig->neighbors[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
     paradt__sphere3 *sphere = dig->table + (other & dig->mask);
     double power = paradt__sphere3_power(sphere, seen);
-    unsigned conflict = power < 0.0, fresh;
+    unsigned conflict = power < 0.0;
+    PARADT__PREFETCH(dig->neighbors + 4 * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
+        if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
+            dig->waiting_count = paradt__bw3_wait(bw, inner, (paradt_index)other, dig->waiting_count);
+            return;
+        }
         conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
     }
-    PARADT__PREFETCH(dig->neighbors + 4 * (size_t)other);
-    fresh = conflict & !(sphere->tag & PARADT__KNOWN);
-    sphere->tag |= conflict ? PARADT__KNOWN : 0;
-    dig->cavity[dig->cavity_count] = handle;
-    dig->cavity_count += fresh;
-    dig->rim[dig->rim_count] = inner;
-    dig->rim_count += conflict ^ 1;
+    paradt__bw3_judge(dig, inner, sphere, conflict);
 }
 
-// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more.
+// Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
+PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen,
+                                            const double *x) {
+    const paradt_index *waiting = bw->spheres->waiting;
+    int i, count = dig->waiting_count;
+    for (i = 0; i < count; i++) {
+        paradt_index opposite = bw->cells.vertices[dig->neighbors[waiting[i]]];
+        PARADT__PREFETCH(paradt__bw_record(bw, opposite >= 0 ? opposite : 0));
+    }
+    for (i = 0; i < count; i++) {
+        paradt__tag other = (paradt__tag)dig->neighbors[waiting[i]] >> 2;
+        paradt__bw3_judge(dig, waiting[i], dig->table + (other & dig->mask),
+                          paradt__bw3_settle(bw, (paradt_index)other, seen, x));
+    }
+    dig->waiting_count = 0;
+}
+
+// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
+// those that wait.
 PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
                                          size_t head) {
-    size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
+    size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig3 dig = *work;
     paradt__seen3 seen = *at;
     if (!head) paradt__bw3_look(bw, &dig, &seen, x, dig.cavity[0]); // the first cell was not entered by that facet
@@ -5949,12 +5991,18 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     dig.cavity[0] = 4 * first;
     dig.cavity_count = 1;
     dig.rim_count = 0;
+    dig.waiting_count = 0;
     paradt__bw3_sphere_of(bw, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
-    while ((head = spread(bw, &dig, seen, x, head)) < dig.cavity_count) {
-        paradt_status status =
-            paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity, dig.cavity_count + 4);
-        if (!status) status = paradt__bw_list(bw, &bw->rim, dig.rim_count, &bw->rim_capacity, dig.rim_count + 4);
+    for (;;) {
+        paradt_status status;
+        head = spread(bw, &dig, seen, x, head);
+        if (head == dig.cavity_count && !dig.waiting_count) break;
+        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x);
+        status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
+                                 dig.cavity_count + PARADT__DIG_ROOM);
+        if (!status)
+            status = paradt__bw_list(bw, &bw->rim, dig.rim_count, &bw->rim_capacity, dig.rim_count + PARADT__DIG_ROOM);
         if (status) return status;
         dig.cavity = bw->cavity;
         dig.rim = bw->rim;
@@ -6271,6 +6319,8 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     if (status) return status;
     if (bw->inserted + 1 < bw->count)
         s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
+    if (bw->inserted + PARADT__AHEAD < bw->count)
+        PARADT__PREFETCH(paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + PARADT__AHEAD)));
     for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
     s->made += bw->rim_count;
@@ -6325,7 +6375,7 @@ static const unsigned char paradt__packing[16][16] = {
 
 PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at,
                                                    const double *x, size_t head) {
-    size_t cells = bw->cavity_capacity - 4, facets = bw->rim_capacity - 4;
+    size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig3 dig = *work;
     const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0), lift = _mm256_set1_pd(at->lift);
     const __m256d sign = _mm256_set1_pd(-0.0);
