@@ -5829,10 +5829,12 @@ PARADT__INLINE double paradt__sphere3_power(const paradt__sphere3 *sphere, const
 // A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
 // two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
 // it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
+// Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
+// in a longer register and the other is not, and the walk would not end.
 PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__seen3 *seen, const double *x) {
     paradt_index cell = bw->spheres->start;
     const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
-    double power = paradt__sphere3_power(sphere, seen), error = sphere->error;
+    double power = paradt__rounded(paradt__sphere3_power(sphere, seen)), error = sphere->error;
     while (power >= -error) {
         const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)cell;
         double least = power;
@@ -5842,7 +5844,7 @@ PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__see
             paradt_index other = neighbors[i] >> 2;
             double value;
             sphere = paradt__bw3_sphere_of(bw, other);
-            value = paradt__sphere3_power(sphere, seen);
+            value = paradt__rounded(paradt__sphere3_power(sphere, seen));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
