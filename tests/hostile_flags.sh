@@ -87,13 +87,12 @@ same gcc_fast_math "$sse" gcc -O2 -ffast-math
 same gcc_native "zero $sse" gcc -O3 -march=native
 same gcc_native_fast_math "up $sse" gcc -O3 -march=native -ffast-math -ffp-contract=fast
 same gcc_x87 "up $x87" gcc -O2 -m32 -mfpmath=387 -mno-sse
-same gcc_x87_O1 "" gcc -O1 -m32 -mfpmath=387 -mno-sse # what is rounded and what is not is up to the optimiser
 same gcc_x87_Ofast "single" gcc -Ofast -m32 -mfpmath=387 -mno-sse
 same gcc_m32_sse "$sse" gcc -O2 -m32 -msse2 -mfpmath=sse
 same clang_O2 "down" clang -O2
 same clang_native_fast "up $sse" clang -Ofast -march=native -w
 same clang_x87 "double+down" clang -O2 -m32 -mno-sse
-same tcc "up" tcc
+same tcc "" tcc
 runner=qemu-aarch64
 if has $runner; then same arm64_Ofast "" clang --target=aarch64-linux-gnu -Ofast -static -w; else skip arm64_Ofast "$runner is not installed"; fi
 # The stack that wasm-ld gives if it is not told is too small for the exact stages.
