@@ -206,7 +206,7 @@
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
 // once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
-// 10^6 uniform points in space need 187 bytes a point instead of 267, and a fifth more time. memory_limit bounds the
+// 10^6 uniform points in space need 187 bytes a point instead of 267, and a third more time. memory_limit bounds the
 // bytes that one call holds at any time, the result included; regions get equal shares of what the points have left of
 // it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions: an upper bound, the sum
 // of their peaks).
@@ -8499,7 +8499,7 @@ static void paradt__begin_again(paradt__work *work) {
 }
 
 // Without neighbours, how many regions to build one after another. Five need 187 bytes a point where one needs 267, and
-// a fifth more time; small sets would take more.
+// a third more time; small sets would take more.
 static size_t paradt__turns(const paradt__work *work) {
     enum { TURNS = 5, LEAST_POINTS = 500000 };
     if (work->regions > 1 || work->set.count < LEAST_POINTS) return work->regions;
