@@ -201,7 +201,8 @@
 //
 // Under Linux blocks of 4 MB and more that come from malloc are advised to be of huge pages, which takes a tenth off
 // the time of large sets where the system leaves that to programs. <sys/mman.h> has to declare it, as it does but for
-// -std=c99 and the like without _DEFAULT_SOURCE. Not with PARADT_NO_HUGE_PAGES, nor for an allocator of yours.
+// -std=c99 and the like without _DEFAULT_SOURCE. What malloc keeps of them after they are freed stays advised. Not with
+// PARADT_NO_HUGE_PAGES, nor for an allocator of yours.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
@@ -539,6 +540,7 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <string.h>
 #include <time.h>
 #if defined(__linux__) && !defined(PARADT_NO_HUGE_PAGES)
+#include <errno.h>
 #include <sys/mman.h>
 #endif
 #if defined(__SSE2__)
@@ -628,11 +630,13 @@ enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line
 #endif
 
 // Tells Linux that a block may be made of huge pages. Each round of an insertion goes through all cells; with pages of
-// 4 KB it waits for the tables of pages as well as for the cells.
+// 4 KB it waits for the tables of pages as well as for the cells. Systems may refuse; errno stays what it was.
 static void paradt__prefer_huge_pages(void *block, size_t size) {
 #if defined(MADV_HUGEPAGE) && !defined(PARADT_NO_HUGE_PAGES)
     const uintptr_t page = (uintptr_t)1 << 21, begin = ((uintptr_t)block + page - 1) / page * page;
+    int before = errno;
     (void)madvise((void *)begin, ((uintptr_t)block + size - begin) / page * page, MADV_HUGEPAGE);
+    errno = before;
 #else
     (void)block, (void)size;
 #endif
@@ -1078,8 +1082,8 @@ static int paradt__precise(void) {
 #endif
 }
 
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are subtracted from in
-// several places: all must see the same.
+// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
+// in several places: all must see the same.
 PARADT__INLINE double paradt__rounded(double x) {
     volatile double rounded = x;
     return rounded;
