@@ -124,7 +124,8 @@
 // options.regions = k divides space into k boxes. Each box is built alone and makes just the cells that it owns, those
 // whose lexicographically smallest vertex lies in it; these are put together, and neighbours are linked across the
 // seams. The cells at a seam are made by more than one region and kept by one: stats.cells_recomputed of them were made
-// in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division.
+// in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division. By insertion
+// a region also gets cells among others' points alone, which count too, whether they are in the result or in none.
 //
 //     PARADT_BISECTION  boxes of equal numbers of points: each box is cut across the longest side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
@@ -436,7 +437,7 @@ typedef struct paradt_stats {
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
-    uint64_t cells_recomputed;     // cells that a region made and another owns: the duplication
+    uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall

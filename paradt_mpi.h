@@ -209,7 +209,7 @@ typedef struct paradt_mpi_options {
     X(points_guessed, "points got from others by the guess")                                                           \
     X(points_asked, "points got from others because of an edge or a conflict")                                         \
     X(cells, "cells that this rank owns")                                                                              \
-    X(cells_recomputed, "cells made last that another rank owns: the duplication")                                     \
+    X(cells_recomputed, "cells made last that are not the rank's own: the duplication")                                \
     X(cells_asked, "cells sent to others in question")                                                                 \
     X(rounds, "times that cells were sent in question")                                                                \
     X(triangulations, "times that this rank triangulated")                                                             \
