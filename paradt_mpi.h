@@ -2394,9 +2394,8 @@ static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, siz
     return 1;
 }
 
-// Is the vertex that decides who owns a cell, the lexicographically smallest, an own point?
-PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, const paradt_index *cell) {
-    int k = w->set.space.dim + 1;
+// Is the vertex that decides who owns a cell of k vertices, the lexicographically smallest, an own point?
+PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, int k, const paradt_index *cell) {
     if (PARADT__LIKELY(paradt__vertices_among(cell, k, 0, (paradt_index)w->set.count))) return 1;
     if (w->options.flags & PARADT_MPI_REPLICATED) return 1;
     return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
@@ -2417,16 +2416,16 @@ PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k,
 }
 
 // Takes an other's cell out. mark: see paradt_mpi__keep_own.
-static void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t c, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, j;
+PARADT__INLINE void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t k, size_t c, paradt_index *mark) {
+    size_t j;
     for (j = c * k; j < (c + 1) * k; j++) {
         mark[w->local.cells[j]] |= PARADT_MPI__VERTEX;
         paradt_mpi__rename_across(w->local.neighbors, k, w->local.neighbors[j], (paradt_index)c, PARADT__OPEN);
     }
 }
 
-static void paradt_mpi__move_cell(paradt_mpi__work *w, size_t from, size_t to) {
-    size_t k = (size_t)w->out->dim + 1, j;
+PARADT__INLINE void paradt_mpi__move_cell(paradt_mpi__work *w, size_t k, size_t from, size_t to) {
+    size_t j;
     paradt_index *neighbors = w->local.neighbors;
     memcpy(w->local.cells + to * k, w->local.cells + from * k, k * sizeof *neighbors);
     memcpy(neighbors + to * k, neighbors + from * k, k * sizeof *neighbors);
@@ -2434,23 +2433,23 @@ static void paradt_mpi__move_cell(paradt_mpi__work *w, size_t from, size_t to) {
         paradt_mpi__rename_across(neighbors, k, neighbors[j], (paradt_index)from, (paradt_index)to);
 }
 
-// Drops others' cells, and fills the gaps that they leave from the end, so that nearly all cells keep their numbers.
-// mark: [known], gets what the cells make of each point. Not collective.
-static void paradt_mpi__keep_own(paradt_mpi__work *w, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, end = w->local.cell_count, c, j;
+// Drops others' cells of k vertices, and fills the gaps that they leave from the end, so that nearly all cells keep
+// their numbers. mark: [known], gets what the cells make of each point. Returns how many are left. Not collective.
+PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt_index *mark) {
+    size_t end = w->local.cell_count, c, j;
     const paradt_index *cells = w->local.cells;
     for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
     for (c = 0; c < end; c++) {
-        if (!PARADT__LIKELY(paradt_mpi__owns(w, cells + c * k))) {
-            paradt_mpi__drop_cell(w, c, mark);
-            for (end--; end > c && !paradt_mpi__owns(w, cells + end * k); end--) paradt_mpi__drop_cell(w, end, mark);
+        if (!PARADT__LIKELY(paradt_mpi__owns(w, (int)k, cells + c * k))) {
+            paradt_mpi__drop_cell(w, k, c, mark);
+            for (end--; end > c && !paradt_mpi__owns(w, (int)k, cells + end * k); end--)
+                paradt_mpi__drop_cell(w, k, end, mark);
             if (end == c) break;
-            paradt_mpi__move_cell(w, end, c);
+            paradt_mpi__move_cell(w, k, end, c);
         }
         for (j = c * k; j < (c + 1) * k; j++) mark[cells[j]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
     }
-    w->stats.cells_recomputed += w->local.cell_count - end;
-    w->local.cell_count = end;
+    return end;
 }
 
 // Numbers the own cells of all ranks.
@@ -2749,7 +2748,7 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
     paradt_mpi__facets facets; // whose other side is not known
     paradt_index *number;
-    size_t i;
+    size_t cells, i;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
     paradt_status status = PARADT_ERROR_MEMORY;
@@ -2760,7 +2759,10 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     if (number && out->representative) status = PARADT_OK;
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        paradt_mpi__keep_own(w, number);
+        cells = w->local.cell_count;
+        w->local.cell_count =
+            out->dim == 3 ? paradt_mpi__keep_own(w, 4, number) : paradt_mpi__keep_own(w, (size_t)out->dim + 1, number);
+        w->stats.cells_recomputed += cells - w->local.cell_count;
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         paradt_mpi__number_cells(w);
         status = paradt_mpi__represent(w, status, number);
