@@ -6609,6 +6609,15 @@ static void paradt__bw_mark_free(paradt__bw *bw) {
     for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
 }
 
+// Is at a place a ghost or a cell of whose vertices some, but not all, are below `own`? Free places are marked.
+PARADT__INLINE int paradt__bw_is_seam(const paradt__bw *bw, size_t place, paradt_index own) {
+    int corners = bw->cells.corners, i, inside = 0;
+    const paradt_index *vertices = bw->cells.vertices + place * (size_t)corners;
+    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
+    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
+    return inside;
+}
+
 // Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
 PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners, uint64_t *ghosts) {
     paradt_index *vertices = bw->cells.vertices + place * corners;
@@ -7198,15 +7207,19 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // asks for every cell that could be wrong whether a point that it has not got is in conflict with the cell. Such a
 // point is inserted, until the answers are no. The answers are exact, so nothing depends on the width of the margin.
 //
-// Which cells could be wrong? Let K be the box with its margin, S the points inserted, q a point that is missing. S has
-// all points in K, so q is outside K, and in conflict with no cell whose sphere is inside K. The cells of T(S) in
+// Which cells could be wrong? Let K be the box with its margin (or the box alone, where there is none), S the points
+// inserted, q a point that is missing. K is convex, and S has all points in it, so q is outside K. The cells of T(S) in
 // conflict with q are connected through facets, and one of them contains q (or, q being outside of the hull, is a ghost
-// that q is strictly beyond). K is convex: a cell with all its vertices in K contains no point outside. So the cells in
-// conflict are reached from ghosts, from the cells on them, and from cells with a vertex outside K, through cells in
-// conflict. A cell without a vertex of the region may stay wrong: it is only passed through, unasked. New cells have a
-// new vertex outside K, so all of them are asked about. When the list is empty, every cell with a vertex of the region
-// is one of T(P): the region's vertices have all their cells, and those whose smallest vertex is the region's are its
-// own.
+// that q is strictly beyond): a ghost, or a cell with a vertex outside K. Let such a path lead there from a cell with a
+// vertex of the region. If all cells on the path have one, so has the last. Else there is a first one that has none,
+// and the facet through which it is reached is of a cell with just one. So where none of these cells with vertices of
+// the region is in conflict with a point that is missing, none at all is:
+//
+//     ghosts; cells with a vertex that may be outside K; cells with just one vertex of the region
+//
+// Then the region's vertices have all their cells of T(P), and those whose smallest vertex is the region's are its own.
+// Of the cells without a vertex of the region it does not matter whether they are right. Nor need those be asked about
+// whose sphere is inside K.
 //
 // Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
 //
@@ -7229,7 +7242,7 @@ typedef struct paradt__field {
 enum {
     PARADT__UNKNOWN,
     PARADT__WAITING, // it is in the list of cells to be asked about
-    PARADT__ASKED    // it is one of T(P), or it is not and was passed through
+    PARADT__ASKED    // it is one of T(P)
 };
 
 typedef struct paradt__patch {
@@ -7244,9 +7257,8 @@ typedef struct paradt__patch {
     int lent;                        // these are those of the field
     paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    int spans;                       // 1: the points in K span the set; else
-    size_t far;                      // there are vertices from this one on that may be outside of K
-    int roomy;                       // all points in K are in the set, with those on its border
+    size_t far;                      // vertices from this one on may be outside of K
+    int roomy;                       // there is a margin: all points in K are in the set, with those on its border
     unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
@@ -7412,15 +7424,15 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     int axes[PARADT_MAX_DIM + 1], dim = known.space.dim, i;
     size_t j;
     paradt_status status = PARADT_OK;
-    patch->far = patch->bw.count;
+    patch->far = patch->roomy ? known.count : patch->fields[patch->own].set.count;
     if (known.count > (size_t)dim) {
         points[0] = known.records;
         known.space.ambient = dim; // only the axes that orient
-        patch->spans = paradt__span(&known, NULL, points, axes, 0, 0) == dim;
+        if (paradt__span(&known, NULL, points, axes, 0, 0) == dim) return PARADT_OK;
     }
-    for (i = 0; i <= dim && !patch->spans && !status; i++) {
-        for (j = 0; j < patch->far && patch->origin[j] != whole[i];) j++;
-        if (j == patch->far) status = paradt__patch_add(patch, (size_t)whole[i]);
+    for (i = 0; i <= dim && !status; i++) {
+        for (j = 0; j < known.count && patch->origin[j] != whole[i];) j++;
+        if (j == known.count) status = paradt__patch_add(patch, (size_t)whole[i]);
     }
     return status;
 }
@@ -7486,8 +7498,6 @@ static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
     paradt_status status;
     if (patch->state[cell] != PARADT__UNKNOWN) return PARADT_OK;
-    PARADT__PREFETCH(paradt__patch_cell(patch, cell));
-    PARADT__PREFETCH(patch->bw.cells.neighbors + (size_t)cell * (size_t)patch->bw.cells.corners);
     patch->state[cell] = PARADT__WAITING;
     status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
     if (!status) patch->list[patch->list_count++] = cell;
@@ -7506,49 +7516,36 @@ static paradt_status paradt__patch_states(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// Lists the ghosts, which are connected, and the cells on them.
-static paradt_status paradt__patch_suspect_hull(paradt__patch *patch) {
-    paradt__bw *bw = &patch->bw;
-    int corners = bw->cells.corners, ghost = -1, i;
-    size_t cell, next;
-    paradt_status status;
-    for (cell = 0; ghost < 0; cell++) {
-        if (patch->state[cell] != PARADT__ASKED) // free places are marked so
-            ghost = paradt__bw_ghost(bw->cells.vertices + cell * (size_t)corners, corners);
+// Could a cell or ghost be wrong that has not only vertices of the region? Free places are marked.
+static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
+    int share = 0, far = 0, i;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
+        far |= vertices[i] < 0 || (size_t)vertices[i] >= patch->far;
     }
-    status = paradt__patch_wait(patch, (paradt_index)(cell - 1));
-    for (next = 0; next < patch->list_count && !status; next++) {
-        cell = (size_t)patch->list[next];
-        if (paradt__bw_ghost(bw->cells.vertices + cell * (size_t)corners, corners) < 0) continue;
-        for (i = 0; i < corners && !status; i++) {
-            paradt_index handle = bw->cells.neighbors[cell * (size_t)corners + (size_t)i];
-            status = paradt__patch_wait(patch, paradt__bw_cell(bw, handle));
-        }
+    return vertices[0] != PARADT__DEAD && (share == 1 || (share && far));
+}
+
+// Lists the cells that could be wrong.
+PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
+    const paradt_index *vertices = patch->bw.cells.vertices;
+    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
+    size_t cell, count = patch->bw.cells.count;
+    paradt_status status = PARADT_OK;
+    for (cell = 0; cell < count; cell++, vertices += corners) {
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own_count))) continue;
+        if (!status && paradt__patch_is_suspect(patch, vertices))
+            status = paradt__patch_wait(patch, (paradt_index)cell);
     }
     return status;
 }
 
-// Is it a ghost, or a cell with a vertex that may be outside of K?
-static int paradt__patch_is_far(const paradt__patch *patch, size_t cell) {
-    int corners = patch->bw.cells.corners, i, far = 0;
-    const paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
-    for (i = 0; i < corners; i++) far |= vertices[i] < 0 || (size_t)vertices[i] >= patch->far;
-    return far;
-}
-
-// The list to begin with: ghosts, the cells on them, and the cells with a vertex outside K, of which there are some
-// where the points in K don't span the set. Places that are free stay out of it.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
-    paradt__bw *bw = &patch->bw;
-    size_t cell;
     paradt_status status = paradt__patch_states(patch);
-    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__ASKED;
-    for (cell = 0; cell < bw->cells.count && !patch->spans && !status; cell++) {
-        if (paradt__patch_is_far(patch, cell)) status = paradt__patch_wait(patch, (paradt_index)cell);
-    }
-    if (!status) status = paradt__patch_suspect_hull(patch);
-    for (cell = 0; cell < bw->spare_count && !status; cell++) patch->state[bw->spare[cell]] = PARADT__UNKNOWN;
-    return status;
+    if (status) return status;
+    paradt__bw_mark_free(&patch->bw);
+    if (patch->bw.cells.corners == 4) return paradt__patch_list_suspects(patch, 4);
+    return paradt__patch_list_suspects(patch, (size_t)patch->bw.cells.corners);
 }
 
 // Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
@@ -7603,31 +7600,18 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     for (i = 0; i < bw->rim_count && !status; i++) {
         paradt_index made = paradt__bw_made(bw, i);
         patch->state[made] = PARADT__UNKNOWN;
-        status = paradt__patch_wait(patch, made);
+        if (paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
     }
     return status;
 }
 
-// Puts the neighbours of a cell into the list, or only the one across `place`, if that is not negative.
-static paradt_status paradt__patch_spread(paradt__patch *patch, paradt_index cell, int place) {
-    paradt__bw *bw = &patch->bw;
-    size_t corners = (size_t)bw->cells.corners, i;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < corners && !status; i++) {
-        paradt_index handle = bw->cells.neighbors[(size_t)cell * corners + i];
-        if (place < 0 || i == (size_t)place) status = paradt__patch_wait(patch, paradt__bw_cell(bw, handle));
-    }
-    return status;
-}
-
-// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K. Where the
-// region has no vertex the answer would not change the cell: it is passed through unasked.
+// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), patch->bw.cells.corners);
+    const paradt__bw *bw = &patch->bw;
+    int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
     paradt_index answer = -1;
     size_t number;
     patch->state[cell] = PARADT__ASKED;
-    if (!paradt__patch_share(patch, cell)) return paradt__patch_spread(patch, cell, -1);
     paradt__patch_aim(patch, cell, ghost);
     if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
     for (number = 0; number < patch->field_count && answer < 0; number++) {
@@ -7635,8 +7619,9 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
             answer = paradt__patch_ask(patch, number, cell, ghost);
     }
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
-    // The facet of a ghost: points in its plane conflict with both sides.
-    return ghost < 0 ? PARADT_OK : paradt__patch_spread(patch, cell, ghost);
+    if (ghost < 0) return PARADT_OK;
+    // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
+    return paradt__patch_wait(patch, paradt__bw_cell(bw, bw->cells.neighbors[cell * bw->cells.corners + ghost]));
 }
 
 // Gives back what only the building needs: all patches wait together for the last step.
@@ -8828,15 +8813,6 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
     *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
     *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
     return 1;
-}
-
-// Is at the place a ghost or a cell of whose vertices some, but not all, have positions in the set below `own`?
-PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
-    int corners = engine->bw.cells.corners, i, inside = 0;
-    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
-    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
-    return inside;
 }
 
 // The place on the other side of a facet of what is at a place
