@@ -38,7 +38,6 @@
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
 //     PARADT_NO_SIMD         no second copy of the inner loops that is chosen where the processor has AVX2 and FMA
 //                            (x86, GCC or Clang); the instructions that the compiler was told of are used all the same
-//     PARADT_NO_HUGE_PAGES   large blocks are as malloc gives them (see MEMORY)
 //
 // WHAT IT DOES
 //
@@ -200,10 +199,8 @@
 // several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
 // keeps a copy of it for paradt_free.
 //
-// Under Linux blocks of 4 MB and more that come from malloc are advised to be of huge pages, which takes a tenth off
-// the time of large sets where the system leaves that to programs. <sys/mman.h> has to declare it, as it does but for
-// -std=c99 and the like without _DEFAULT_SOURCE. What malloc keeps of them after they are freed stays advised. Not with
-// PARADT_NO_HUGE_PAGES, nor for an allocator of yours.
+// Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
+// has them ready, and adds a third on a virtual machine whose host has to provide them anew.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
@@ -540,10 +537,6 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#if defined(__linux__) && !defined(PARADT_NO_HUGE_PAGES)
-#include <errno.h>
-#include <sys/mman.h>
-#endif
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -630,25 +623,9 @@ enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line
 #define PARADT__ALLOW(memory, size)  (void)0
 #endif
 
-// Tells Linux that a block may be made of huge pages. Each round of an insertion goes through all cells; with pages of
-// 4 KB it waits for the tables of pages as well as for the cells. Systems may refuse; errno stays what it was.
-static void paradt__prefer_huge_pages(void *block, size_t size) {
-#if defined(MADV_HUGEPAGE) && !defined(PARADT_NO_HUGE_PAGES)
-    const uintptr_t page = (uintptr_t)1 << 21, begin = ((uintptr_t)block + page - 1) / page * page;
-    int before = errno;
-    (void)madvise((void *)begin, ((uintptr_t)block + size - begin) / page * page, MADV_HUGEPAGE);
-    errno = before;
-#else
-    (void)block, (void)size;
-#endif
-}
-
 static void *paradt__default_alloc(void *user, size_t size) {
-    enum { LARGE = 1 << 22 }; // there is a whole huge page in it
-    void *block = malloc(size);
     (void)user;
-    if (block && size >= LARGE) paradt__prefer_huge_pages(block, size);
-    return block;
+    return malloc(size);
 }
 
 static void paradt__default_free(void *user, void *memory) {

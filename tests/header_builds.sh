@@ -40,7 +40,7 @@ for family in gcc clang; do
         skip "header_builds_with_$family" "$family or $cxx is not installed"
         continue
     fi
-    for standard in c99 c11 gnu17; do
+    for standard in c99 c11; do
         builds "${family}_$standard" "$family -std=$standard -O2 $c $smallest -o $work/${family}_$standard -lm"
     done
     for standard in c++11 c++20; do
@@ -49,7 +49,6 @@ for family in gcc clang; do
     # Other warnings appear at other levels of optimisation.
     builds "${family}_O0" "$family -std=c99 -O0 $c $smallest -o $work/${family}_O0 -lm"
     builds "${family}_O3_ndebug" "$family -std=c99 -O3 -DNDEBUG $c $smallest -o $work/${family}_O3_ndebug -lm"
-    builds "${family}_no_huge_pages" "$family -DPARADT_NO_HUGE_PAGES $c $smallest -o $work/${family}_no_huge_pages -lm"
     builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
     builds "${family}_index64_cxx" \
         "$cxx -std=c++11 -DPARADT_INDEX64 $common -x c++ $smallest -o $work/${family}_index64_cxx -lm"

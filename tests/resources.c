@@ -8,40 +8,12 @@ static void *counted(void *memory) {
     direct_allocations++;
     return memory;
 }
-static char *last_block; // of malloc's
-static size_t last_size;
-static void *counted_malloc(size_t size) {
-    last_size = size;
-    return last_block = (char *)counted(malloc(size));
-}
-// So is advice for blocks, which is refused. Of what is wrong with it the last is kept.
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-#ifdef MADV_HUGEPAGE
-#include <errno.h>
-#include <stdint.h>
-static int advised;
-static const char *wrong_advice;
-static int refuse_advice(void *memory, size_t size, int advice) {
-    const size_t page = (size_t)1 << 21;
-    advised++;
-    if (advice != MADV_HUGEPAGE || !size || (uintptr_t)memory % page || size % page)
-        wrong_advice = "not for whole huge pages";
-    if ((char *)memory < last_block || (char *)memory + size > last_block + last_size)
-        wrong_advice = "not within the block";
-    errno = EINVAL;
-    return -1;
-}
-#define madvise(memory, size, advice) refuse_advice(memory, size, advice)
-#endif
-#define malloc(size) counted_malloc(size)
+#define malloc(size) counted(malloc(size))
 #define realloc(memory, size) counted(realloc(memory, size))
 #define calloc(count, size) counted(calloc(count, size))
 #define PARADT_IMPLEMENTATION
 #include "paradt.h"
 #undef PARADT_IMPLEMENTATION
-#undef madvise
 #undef malloc
 #undef realloc
 #undef calloc
@@ -219,39 +191,6 @@ static void all_memory_is_the_allocators_and_goes_back(void **state) {
         assert_empty(&t);
         sample_free(&c.s);
     }
-}
-
-static void large_blocks_of_malloc_are_advised_and_no_others(void **state) {
-#ifdef MADV_HUGEPAGE
-    sample s = family_make(&families[family_named("uniform")], NULL, 3, 50000, 1);
-    paradt_points points = points_of(&s), few = points;
-    paradt_triangulation t;
-    paradt_options options;
-    books b = books_open();
-    (void)state;
-    memset(&options, 0, sizeof options);
-    few.count = 1000;
-    advised = 0;
-    assert_int_equal(paradt_triangulate(&t, &few, &options), PARADT_OK);
-    paradt_free(&t);
-    assert_int_equal(advised, 0);
-    errno = 4321;
-    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
-    assert_int_equal(errno, 4321);
-    paradt_free(&t);
-    assert_true(advised > 0);
-    if (wrong_advice)
-        fail_msg("%s", wrong_advice);
-    advised = 0;
-    keep_books(&options, &b);
-    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
-    paradt_free(&t);
-    assert_int_equal(advised, 0);
-    sample_free(&s);
-#else
-    (void)state;
-    skip();
-#endif
 }
 
 static void every_failing_allocation_is_an_error_and_leaks_nothing(void **state) {
@@ -661,7 +600,6 @@ static void auto_gives_up_searching_where_ties_abound(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_memory_is_the_allocators_and_goes_back),
-        cmocka_unit_test(large_blocks_of_malloc_are_advised_and_no_others),
         cmocka_unit_test(every_failing_allocation_is_an_error_and_leaks_nothing),
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_progress_call_can_cancel),
