@@ -203,6 +203,7 @@
 // has them ready, and adds a third on a virtual machine whose host has to provide them anew.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
+// Arrays may have room for a quarter more at their ends, where regions made that much in vain.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
 // once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
 // 10^6 uniform points in space need 187 bytes a point instead of 267, and a third more time. memory_limit bounds the
@@ -8185,8 +8186,8 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
         total += work->region[i].patch.bw.cells.count;
         in_place = in_place && work->region[i].patch.bw.cells.lent;
     }
-    // Slices of which an eighth would be left empty don't become the result.
-    in_place = in_place && work->slices.capacity <= total + total / 8 + 64;
+    // Slices of which a quarter would be left empty don't become the result. To copy it takes as much again.
+    in_place = in_place && work->slices.capacity <= total + total / 4 + 64;
     if (in_place) *cells = work->slices;
     else status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
     cells->count = total;
