@@ -6587,15 +6587,6 @@ static void paradt__bw_mark_free(paradt__bw *bw) {
     for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
 }
 
-// Is at a place a ghost or a cell of whose vertices some, but not all, are below `own`? Free places are marked.
-PARADT__INLINE int paradt__bw_is_seam(const paradt__bw *bw, size_t place, paradt_index own) {
-    int corners = bw->cells.corners, i, inside = 0;
-    const paradt_index *vertices = bw->cells.vertices + place * (size_t)corners;
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
-    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
-    return inside;
-}
-
 // Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
 PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners, uint64_t *ghosts) {
     paradt_index *vertices = bw->cells.vertices + place * corners;
@@ -8791,6 +8782,15 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
     *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
     *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
     return 1;
+}
+
+// Is at the place a ghost or a cell of whose vertices some, but not all, have positions in the set below `own`?
+PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
+    int corners = engine->bw.cells.corners, i, inside = 0;
+    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
+    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
+    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
+    return inside;
 }
 
 // The place on the other side of a facet of what is at a place

@@ -2096,7 +2096,7 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     if (!list.seen) return PARADT_ERROR_MEMORY;
     memset(list.seen, 0, count);
     for (place = 0; place < count && !status; place++) {
-        if (!paradt__bw_is_seam(&w->engine.bw, place, (paradt_index)w->set.count)) continue;
+        if (!paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count)) continue;
         status = paradt_mpi__wait(w, &list, place);
         if (!status) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
     }
