@@ -38,12 +38,15 @@ static void rank_program(int rank) {
     size_t first = n / ranks * (size_t)rank, end = rank + 1 == alone.ranks ? n : first + n / ranks;
     double *coordinates = (double *)malloc((end - first + 1) * DIM * sizeof(double));
     paradt_points points = {coordinates, end - first, DIM, 0, PARADT_F64, NULL};
+    paradt_mpi_options options;
     paradt_mpi_triangulation t;
     uint64_t hash;
+    memset(&options, 0, sizeof options);
+    options.local.progress = alone_progress;
     if (!coordinates) fail("no memory");
     paradt_gen_points(&study.spec, DIM, first, end - first, coordinates);
     alone_leave(); // the time begins
-    if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, NULL)) fail("it was not triangulated");
+    if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, &options)) fail("it was not triangulated");
     alone_enter();
     if (rank == 0) {
         study.sum = t.sum;

@@ -6,8 +6,10 @@
 // (in CPU time of its thread), and by what the step's messages cost: for the rank that sends and gets the most,
 // LATENCY for each message and 1 / BANDWIDTH for each byte, both ways counted; for the collective call itself LATENCY
 // for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it. The program runs
-// several times, in the same steps; of each rank's each step the least time counts, so that what else the machine does
-// is not taken for the rank's work.
+// several times, in the same steps. A step of a rank consists of stretches from one of its calls to the next, to MPI or
+// to alone_progress; of each stretch the least time counts, so that what else the machine does is not taken for the
+// rank's work. Stretches of milliseconds, because the least of long ones would still hold the machine's average: one
+// rank, whose work is one long step, would look slow beside many.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
@@ -40,8 +42,9 @@ typedef struct alone_rank {
     pthread_cond_t turn;
     const void *in; // of the collective call that it waits in
     void *out;
-    double began;                 // the thread's time when the last call ended
-    double step, messages, bytes; // of this step
+    double began;           // the thread's time when the last call ended
+    double messages, bytes; // of this step
+    size_t stretch;         // the number of the one at hand
     int ended;
     alone_message *mail; // sent to it, first come first
     alone_message **last;
@@ -56,11 +59,18 @@ static struct {
     void (*program)(int rank);
 } alone;
 
-// Seconds of the steps: the least of the runs so far; messages are the same in all
+// Seconds of a rank's stretches, the least of the runs so far
+typedef struct alone_stretches {
+    double *least;
+    size_t room;
+} alone_stretches;
+
+// What is known of the steps of all runs; messages are the same in all
 static struct {
     int runs;
     unsigned long steps, room;
-    double *work; // [steps][ranks]
+    alone_stretches rank[ALONE_MOST_RANKS];
+    size_t *ends; // [steps][ranks]: the first stretch after the step
     double *talk; // [steps]
 } alone_times;
 
@@ -77,15 +87,36 @@ static double alone_now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+static void *alone_room(void *block, size_t count, size_t bytes) {
+    void *larger = realloc(block, count * bytes);
+    if (!larger) abort();
+    return larger;
+}
+
+// Ends a stretch.
 static alone_rank *alone_enter(void) {
     alone_rank *me = &alone.rank[alone_me];
-    me->step += alone_now() - me->began;
+    alone_stretches *mine = &alone_times.rank[alone_me];
+    double seconds = alone_now() - me->began, *least;
+    if (me->stretch == mine->room) {
+        mine->room = 2 * mine->room + 64;
+        mine->least = (double *)alone_room(mine->least, mine->room, sizeof *mine->least);
+    }
+    least = &mine->least[me->stretch++];
+    *least = alone_times.runs && *least < seconds ? *least : seconds;
     return me;
 }
 
 static int alone_leave(void) {
     alone.rank[alone_me].began = alone_now();
     return MPI_SUCCESS;
+}
+
+// A paradt_progress
+static int alone_progress(void *user, double fraction) {
+    (void)user, (void)fraction;
+    alone_enter();
+    return alone_leave();
 }
 
 // Gives the turn to the next rank that has not ended.
@@ -111,21 +142,21 @@ static void alone_yield(void) {
 
 // received: bytes that each rank gets in the call that ends the step
 static void alone_end_step(double received) {
-    double longest = 0, rounds = 0, *work;
+    double longest = 0, rounds = 0;
+    size_t *ends, ranks = (size_t)alone.ranks;
     if (alone.calls == alone_times.room) {
         alone_times.room = 2 * alone_times.room + 64;
-        alone_times.work =
-            (double *)realloc(alone_times.work, alone_times.room * (size_t)alone.ranks * sizeof *alone_times.work);
-        alone_times.talk = (double *)realloc(alone_times.talk, alone_times.room * sizeof *alone_times.talk);
-        if (!alone_times.work || !alone_times.talk) abort();
+        alone_times.ends = (size_t *)alone_room(alone_times.ends, alone_times.room * ranks, sizeof *alone_times.ends);
+        alone_times.talk = (double *)alone_room(alone_times.talk, alone_times.room, sizeof *alone_times.talk);
     }
-    work = alone_times.work + alone.calls * (size_t)alone.ranks;
+    ends = alone_times.ends + alone.calls * ranks;
     for (int r = 0; r < alone.ranks; r++) {
         alone_rank *rank = &alone.rank[r];
         double talk = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
         longest = talk > longest ? talk : longest;
-        work[r] = alone_times.runs && work[r] < rank->step ? work[r] : rank->step;
-        rank->step = rank->messages = rank->bytes = 0;
+        if (alone_times.runs && ends[r] != rank->stretch) abort(); // the runs did not do the same
+        ends[r] = rank->stretch;
+        rank->messages = rank->bytes = 0;
     }
     for (int reached = 1; reached < alone.ranks; reached *= 2) rounds++;
     alone_times.talk[alone.calls] =
@@ -138,12 +169,20 @@ typedef struct alone_sum {
     double computing, talking;  // of each step the slowest rank; the messages
 } alone_sum;
 
+// Seconds of a rank in a step
+static double alone_work(unsigned long step, int rank) {
+    const size_t *end = alone_times.ends + step * (size_t)alone.ranks + (size_t)rank;
+    double sum = 0;
+    for (size_t i = step ? end[-alone.ranks] : 0; i < *end; i++) sum += alone_times.rank[rank].least[i];
+    return sum;
+}
+
 static alone_sum alone_add_up(unsigned long steps) {
     alone_sum sum = {0, 0, 0, 0};
     for (unsigned long step = 0; step < steps; step++) {
         double slowest = 0;
         for (int r = 0; r < alone.ranks; r++) {
-            double work = alone_times.work[step * (size_t)alone.ranks + (size_t)r];
+            double work = alone_work(step, r);
             slowest = work > slowest ? work : slowest;
         }
         sum.computing += slowest;
@@ -151,8 +190,7 @@ static alone_sum alone_add_up(unsigned long steps) {
     }
     for (int r = 0; r < alone.ranks; r++) {
         double work = 0;
-        for (unsigned long step = 0; step < steps; step++)
-            work += alone_times.work[step * (size_t)alone.ranks + (size_t)r];
+        for (unsigned long step = 0; step < steps; step++) work += alone_work(step, r);
         sum.all_work += work;
         sum.most_work = work > sum.most_work ? work : sum.most_work;
     }
@@ -413,7 +451,7 @@ static void alone_run_once(int ranks, void (*program)(int rank)) {
 
 // Runs the program as so many ranks, several times.
 static void alone_run(int ranks, int runs, void (*program)(int rank)) {
-    alone_times.steps = alone_times.room = 0;
+    alone_times.steps = alone_times.room = 0; // the last run's number of ranks was another
     for (alone_times.runs = 0; alone_times.runs < runs; alone_times.runs++) {
         alone_run_once(ranks, program);
         if (alone_times.runs && alone.calls != alone_times.steps) abort(); // the runs did not do the same
