@@ -6627,8 +6627,8 @@ PARADT__INLINE int paradt__bw_number(paradt__bw *bw, size_t place, size_t corner
     return any < 0;
 }
 
-// Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices (origin NULL: does
-// not). All at once: the cells don't fit into a cache. Returns the ghosts' number.
+// Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices. All at once: the
+// cells don't fit into a cache. Returns the ghosts' number.
 PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
     size_t end = bw->cells.count, i;
     uint64_t ghosts = 0;
@@ -8793,6 +8793,20 @@ PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *en
     return inside;
 }
 
+// May what is at such a place be the first in conflict with a point that is missing? See >>patches: a ghost, or a cell
+// that has just one vertex with a position below `own`, or one that is marked. far: [positions], from `own` on
+static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine, size_t place, paradt_index own,
+                                            const unsigned char *far) {
+    int corners = engine->bw.cells.corners, i, share = 0, marked = 0;
+    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] >= own) marked |= far[vertices[i] - own];
+        else if (vertices[i] >= 0) share++;
+        else marked = 1;
+    }
+    return marked || share == 1;
+}
+
 // The place on the other side of a facet of what is at a place
 static size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
     size_t corners = (size_t)engine->bw.cells.corners;
@@ -8809,12 +8823,69 @@ static void paradt__remote_engine_cell(const paradt__remote_engine *engine, size
     }
 }
 
-// Ends the insertion: the cells.
-static void paradt__remote_engine_end(paradt__remote_engine *engine, paradt__cells *cells, paradt__memory *memory) {
-    paradt__bw_close(&engine->bw, NULL);
+// No more points come: gives all memory back but that of what is at the places.
+static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
+    paradt__bw_mark_free(&engine->bw);
+    paradt__bw_end(&engine->bw);
+    engine->bw.memory = NULL;
+    paradt__release(memory, engine->order);
+    engine->order = NULL;
+}
+
+// What the cells make of a point; by bits, so that an other's cell leaves an own one's mark
+enum { PARADT__NO_VERTEX = 0, PARADT__VERTEX = 1, PARADT__VERTEX_OF_OWN_CELL = 3 };
+
+// Is at a place an own cell, one whose smallest vertex is? What else is there is taken out: the facets on its other
+// sides become open. The rest as in paradt__remote_engine_close.
+PARADT__INLINE int paradt__remote_engine_keep(paradt__remote_engine *engine, const paradt__set *set, size_t place,
+                                              size_t corners, paradt_index *mark, uint64_t *others) {
+    paradt_index own = (paradt_index)set->count, *neighbors = engine->bw.cells.neighbors, *links;
+    const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
+    int is_cell;
+    size_t j;
+    if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+    if (is_cell && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own) return 1;
+    links = neighbors + place * corners;
+    for (j = 0; j < corners; j++) {
+        if (is_cell) mark[vertices[j]] |= PARADT__VERTEX;
+        if (links[j] >= 0) neighbors[links[j]] = PARADT__OPEN;
+    }
+    *others += (uint64_t)is_cell;
+    return 0;
+}
+
+// Keeps the own cells, as paradt__bw_close_cells does all. set: of the own points, the first; mark: [positions], gets
+// what the cells make of each. Returns how many cells others own.
+PARADT__INLINE uint64_t paradt__remote_engine_close(paradt__remote_engine *engine, const paradt__set *set,
+                                                    size_t corners, paradt_index *mark) {
+    paradt__bw *bw = &engine->bw;
+    const paradt_index *vertices = bw->cells.vertices;
+    size_t end = bw->cells.count, i, j;
+    uint64_t others = 0;
+    for (i = 0; i < end; i++) {
+        if (!PARADT__LIKELY(paradt__remote_engine_keep(engine, set, i, corners, mark, &others))) {
+            for (end--; end > i && !paradt__remote_engine_keep(engine, set, end, corners, mark, &others);) end--;
+            if (end == i) break;
+            paradt__bw_move(bw, i, end, corners, i);
+        }
+        for (j = i * corners; j < (i + 1) * corners; j++) mark[vertices[j]] = PARADT__VERTEX_OF_OWN_CELL;
+        paradt__bw_number(bw, i, corners, NULL);
+    }
+    bw->cells.count = end;
+    return others;
+}
+
+// Ends an insertion that rests: the own cells, all facets without one on the other side open. mark: all NO_VERTEX
+static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__cells *cells,
+                                          paradt_index *mark) {
+    size_t corners = (size_t)engine->bw.cells.corners;
+    uint64_t others = corners == 4 ? paradt__remote_engine_close(engine, set, 4, mark)
+                                   : paradt__remote_engine_close(engine, set, corners, mark);
     *cells = engine->bw.cells;
-    memset(&engine->bw.cells, 0, sizeof engine->bw.cells);
-    paradt__remote_engine_free(engine, memory);
+    memset(engine, 0, sizeof *engine);
+    return others;
 }
 
 // Grades the set by a reference sphere that is given, as paradt__set_grade does by one it finds. *near: whether the set

@@ -336,13 +336,17 @@ typedef struct paradt_mpi__table {
     size_t size, count; // size is a power of two, or 0
 } paradt_mpi__table;
 
-typedef struct paradt_mpi__directory { // boxes around all points of all ranks, in groups of eight as in >>grid
-    double *groups;                    // [ranks][PARADT_MPI__GROUPS][width]
-    int *count;                        // [ranks] boxes of each
-    double *ranks;                     // [ranks / 8, rounded up][width] one box a rank
-    double *rooms;                     // [ranks][2 dim + 1] low and high of each axis, and how far beyond them each
-                                       // rank wants to know all points
-    size_t width;                      // doubles a group
+typedef struct paradt_mpi__directory {   // boxes around all points of all ranks, in groups of eight as in >>grid
+    double *groups;                      // [ranks][PARADT_MPI__GROUPS][width]
+    int *count;                          // [ranks] boxes of each
+    double *ranks;                       // [ranks / 8, rounded up][width] one box a rank
+    double *rooms;                       // [ranks][2 dim + 1] low and high of each axis, and how far beyond them each
+                                         // rank wants to know all points
+    size_t width;                        // doubles a group
+    int *near;                           // [near_count] other ranks that have points in the vicinity,
+    int near_count;                      //
+    int *listeners;                      // [ranks] those who may have to be asked about a cell
+    double vicinity[2 * PARADT_MAX_DIM]; // some way around this rank's points: low and high of each axis
 } paradt_mpi__directory;
 
 typedef struct paradt_mpi__places { // that are to be looked at
@@ -391,7 +395,8 @@ typedef struct paradt_mpi__work {
     size_t known, room;                // points in set.records, and places for them
     paradt_mpi__home *home;            // [room]
     paradt_mpi__table others;          // points of others that are known: value is the place in set.records
-    paradt_mpi__table told;            // ranks and the own points that they were told
+    int *audience;                     // [set.count] the first rank that was told of each own point, or -1
+    paradt_mpi__table told;            // other ranks, and the own points that they were told
     paradt_index *twin;                // [received] of each point received the one that stands for it
     uint64_t *received;                // [received] their ids
     size_t received_count;             //
@@ -601,12 +606,19 @@ static int paradt_mpi__table_put(paradt_mpi__table *table, int rank, paradt_inde
 
 // Was the rank told of the own point?
 static int paradt_mpi__knows(const paradt_mpi__work *w, int rank, paradt_index place) {
-    return w->told.size && paradt_mpi__find(&w->told, rank, place)->rank >= 0;
+    int first = w->audience[place];
+    return first == rank || (first >= 0 && w->told.size && paradt_mpi__find(&w->told, rank, place)->rank >= 0);
 }
 
 // Lists a point for a rank unless it was told of it already.
 static paradt_status paradt_mpi__list_news(paradt_mpi__work *w, paradt_mpi__list *list, int rank, paradt_index place) {
-    paradt_status status = paradt_mpi__table_room(w, &w->told, 1);
+    paradt_status status;
+    if (w->audience[place] == rank) return PARADT_OK;
+    if (w->audience[place] < 0) {
+        w->audience[place] = rank;
+        return paradt_mpi__list_add(w, list, rank, place);
+    }
+    status = paradt_mpi__table_room(w, &w->told, 1);
     if (!status && !paradt_mpi__table_put(&w->told, rank, place, 0))
         status = paradt_mpi__list_add(w, list, rank, place);
     return status;
@@ -1216,7 +1228,8 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     size_t i;
     paradt_status status;
     w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, w->room, sizeof *w->home);
-    if (!w->home) return PARADT_ERROR_MEMORY;
+    w->audience = (int *)paradt__alloc(&w->memory, set->count, sizeof *w->audience);
+    if (!w->home || !w->audience) return PARADT_ERROR_MEMORY;
     w->known = set->count;
     w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
     if (w->ready) {
@@ -1234,6 +1247,7 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
         w->home[i].id = w->received[set->origin[i]];
         w->home[i].rank = w->rank;
         w->home[i].place = (paradt_index)i;
+        w->audience[i] = -1;
     }
     return PARADT_OK;
 }
@@ -1291,6 +1305,8 @@ static void paradt_mpi__unsettle_questions(paradt_mpi__work *w) {
     if (w->grid.levels) paradt__grid_free(&w->grid, &w->memory);
     paradt__release(&w->memory, w->others.slots);
     paradt__release(&w->memory, w->told.slots);
+    paradt__release(&w->memory, w->audience);
+    w->audience = NULL;
     memset(&w->grid, 0, sizeof w->grid);
     memset(&w->others, 0, sizeof w->others);
     memset(&w->told, 0, sizeof w->told);
@@ -1454,6 +1470,8 @@ static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows)
 // those that are guessed: the margin is where more of these would take as long as fewer of those save.
 #define PARADT_MPI__REACH  0.4
 #define PARADT_MPI__MARGIN 0.5
+// In margins: how far from a rank's points most spheres end that it may have to ask about.
+#define PARADT_MPI__VICINITY 4
 
 // One box a rank, around its boxes.
 static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
@@ -1473,6 +1491,29 @@ static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
                 if (lower ? x < *to : x > *to) *to = x;
             }
         }
+    }
+}
+
+// May the rank have points in the box (low and high of each axis that orients)?
+static int paradt_mpi__may_have(const paradt_mpi__work *w, int rank, const double *box) {
+    const paradt_mpi__directory *d = &w->directory;
+    const double *bounds = d->ranks + (size_t)(rank / PARADT__LANES) * d->width + rank % PARADT__LANES;
+    int j = 0;
+    if (!d->count[rank]) return 0;
+    for (; j < w->set.space.dim && bounds[0] <= box[1] && bounds[PARADT__LANES] >= box[0]; j++, box += 2)
+        bounds += 2 * PARADT__LANES;
+    return j == w->set.space.dim;
+}
+
+// Lists the ranks that have points up to `margin` away from this one's.
+static void paradt_mpi__list_near(paradt_mpi__work *w, double margin) {
+    paradt_mpi__directory *d = &w->directory;
+    const double *mine = d->ranks + (size_t)(w->rank / PARADT__LANES) * d->width + w->rank % PARADT__LANES;
+    int r, j;
+    for (j = 0; j < 2 * w->set.space.dim; j++) d->vicinity[j] = mine[j * PARADT__LANES] + (j % 2 ? margin : -margin);
+    d->near_count = 0;
+    for (r = 0; r < w->ranks; r++) {
+        if (r != w->rank && paradt_mpi__may_have(w, r, d->vicinity)) d->near[d->near_count++] = r;
     }
 }
 
@@ -1500,7 +1541,7 @@ static double paradt_mpi__margin(const paradt_mpi__work *w) {
 static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     paradt_mpi__directory *d = &w->directory;
     size_t ranks = (size_t)w->ranks, size, room;
-    double *mine;
+    double *mine, margin;
     int count = 0, level = 0;
     paradt_status status = PARADT_OK;
     d->width = (size_t)(2 * w->dim + (w->set.grade != PARADT__UNGRADED)) * PARADT__LANES;
@@ -1510,8 +1551,11 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     d->count = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->count);
     d->ranks = (double *)paradt__alloc(&w->memory, room, sizeof *d->ranks);
     d->rooms = (double *)paradt__alloc(&w->memory, ranks, (2 * (size_t)w->dim + 1) * sizeof *d->rooms);
+    d->near = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->near);
+    d->listeners = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->listeners);
     mine = (double *)paradt__alloc(&w->memory, size, sizeof *mine);
-    if (!d->groups || !d->count || !d->ranks || !d->rooms || !mine) status = PARADT_ERROR_MEMORY;
+    if (!d->groups || !d->count || !d->ranks || !d->rooms || !d->near || !d->listeners || !mine)
+        status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
         memset(mine, 0, size * sizeof *mine);
@@ -1528,8 +1572,9 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
         paradt_mpi__bound_ranks(w);
         size = 2 * (size_t)w->dim + 1;
         memcpy(mine, w->inside, (size - 1) * sizeof *mine);
-        mine[size - 1] = w->ready && w->set.space.filtered ? paradt_mpi__margin(w) : 0.0;
+        mine[size - 1] = margin = w->ready && w->set.space.filtered ? paradt_mpi__margin(w) : 0.0;
         MPI_Allgather(mine, (int)size, MPI_DOUBLE, d->rooms, (int)size, MPI_DOUBLE, w->comm);
+        paradt_mpi__list_near(w, PARADT_MPI__VICINITY * margin);
     }
     paradt__release(&w->memory, mine);
     return status;
@@ -1809,21 +1854,6 @@ static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
     return status;
 }
 
-// No more points come: the cells are in w->local.
-static void paradt_mpi__settle_cells(paradt_mpi__work *w) {
-    paradt__cells cells;
-    double begun = paradt__now();
-    if (!w->inserting) return;
-    w->inserting = 0;
-    paradt__remote_engine_end(&w->engine, &cells, &w->memory);
-    w->local.dim = w->set.space.dim;
-    w->local.cell_count = cells.count;
-    w->local.cells = cells.vertices;
-    w->local.neighbors = cells.neighbors;
-    w->wide = cells.wide;
-    w->stats.seconds_build += paradt__now() - begun;
-}
-
 // Places of cells, for paradt_mpi__cell.
 static size_t paradt_mpi__place_count(paradt_mpi__work *w) {
     if (!w->inserting) return w->local.cell_count;
@@ -1910,20 +1940,32 @@ static int paradt_mpi__boxes_hit(const paradt_mpi__work *w, int rank) {
     return 0;
 }
 
-// Lists the ranks to be asked the question that the search is set to.
+// Which ranks of a group of eight may have an answer to the question that the search is set to?
+static unsigned paradt_mpi__ranks_hit(const paradt_mpi__work *w, int group) {
+    return paradt__remote_boxes(&w->search, w->directory.ranks + (size_t)group * w->directory.width);
+}
+
+// Lists the question for such a rank, if it has to be asked.
+static paradt_status paradt_mpi__ask_rank(paradt_mpi__work *w, paradt_mpi__questions *q, int rank,
+                                          const paradt_index *cell, size_t place, int opposite) {
+    if (paradt_mpi__is_told(w, rank, cell)) return PARADT_OK;
+    // The first is for weights: without them such a rank was told all vertices.
+    if ((opposite < 0 && paradt_mpi__has_vertex_of(w, rank, cell)) || paradt_mpi__boxes_hit(w, rank))
+        return paradt_mpi__ask(w, q, rank, (paradt_index)place, opposite);
+    return PARADT_OK;
+}
+
+// Lists it for all ranks that have to be asked.
 static paradt_status paradt_mpi__ask_ranks(paradt_mpi__work *w, paradt_mpi__questions *q, const paradt_index *cell,
-                                           paradt_index place, int opposite) {
+                                           size_t place, int opposite) {
     paradt_status status = PARADT_OK;
     int group, lane;
     for (group = 0; group * PARADT__LANES < w->ranks; group++) {
-        unsigned mask = paradt__remote_boxes(&w->search, w->directory.ranks + (size_t)group * w->directory.width);
+        unsigned mask = paradt_mpi__ranks_hit(w, group);
         for (lane = 0; lane < PARADT__LANES && !status; lane++) {
             int r = group * PARADT__LANES + lane;
             if (!(mask >> lane & 1) || r >= w->ranks || r == w->rank || !w->directory.count[r]) continue;
-            if (paradt_mpi__is_told(w, r, cell)) continue;
-            // The first is for weights: without them such a rank was told all vertices.
-            if ((opposite < 0 && paradt_mpi__has_vertex_of(w, r, cell)) || paradt_mpi__boxes_hit(w, r))
-                status = paradt_mpi__ask(w, q, r, place, opposite);
+            status = paradt_mpi__ask_rank(w, q, r, cell, place, opposite);
         }
     }
     return status;
@@ -1965,31 +2007,23 @@ static int paradt_mpi__sphere_box3(const double *const *p, double *box) {
     return 1;
 }
 
-// Is there a rank with points in the box, by the directory, that does not know all own vertices of the cell?
-static int paradt_mpi__has_listeners(const paradt_mpi__work *w, const paradt_index *cell, const double *box) {
-    const paradt_mpi__directory *d = &w->directory;
-    const double *group = d->ranks;
-    int first, lane, j;
-    for (first = 0; first < w->ranks; first += PARADT__LANES, group += d->width) {
-        int meets[PARADT__LANES];
-        for (lane = 0; lane < PARADT__LANES; lane++) meets[lane] = 1;
-        for (j = 0; j < w->set.space.dim; j++) {
-            const double *low = group + 2 * j * PARADT__LANES, *high = low + PARADT__LANES;
-            for (lane = 0; lane < PARADT__LANES; lane++)
-                meets[lane] &= (low[lane] <= box[2 * j + 1]) & (high[lane] >= box[2 * j]);
-        }
-        for (lane = 0; lane < PARADT__LANES && first + lane < w->ranks; lane++) {
-            int r = first + lane;
-            if (meets[lane] && r != w->rank && d->count[r] && !paradt_mpi__is_told(w, r, cell)) return 1;
-        }
-    }
-    return 0;
-}
-
 static int paradt_mpi__is_within(const double *box, const double *room, int dim) {
     int j = 0;
     while (j < dim && box[2 * j] > room[2 * j] && box[2 * j + 1] < room[2 * j + 1]) j++;
     return j == dim;
+}
+
+// Lists in d->listeners the ranks that may have points in the box and don't know all own vertices of the cell. Returns
+// how many.
+static int paradt_mpi__find_listeners(paradt_mpi__work *w, const paradt_index *cell, const double *box) {
+    paradt_mpi__directory *d = &w->directory;
+    int all = !paradt_mpi__is_within(box, d->vicinity, w->set.space.dim), found = 0, i;
+    for (i = 0; i < (all ? w->ranks : d->near_count); i++) {
+        int r = all ? i : d->near[i];
+        if (r != w->rank && paradt_mpi__may_have(w, r, box) && !paradt_mpi__is_told(w, r, cell))
+            d->listeners[found++] = r;
+    }
+    return found;
 }
 
 // Lists the questions about the sphere of a cell. *open: may a point that is not known here be in it?
@@ -1997,13 +2031,21 @@ static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi_
                                                 const paradt_index *cell, const double **corners,
                                                 const paradt_index *own, int count, int *open) {
     double box[6];
-    int certain = w->search.plain3 && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box);
+    int certain = w->search.plain3 && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box), listeners = 0, i;
+    paradt_status status = PARADT_OK;
     *open = !certain || !paradt_mpi__is_within(box, w->inside, 3);
-    if (!*open || (certain && !paradt_mpi__has_listeners(w, cell, box))) return PARADT_OK;
+    if (*open && certain) listeners = paradt_mpi__find_listeners(w, cell, box);
+    if (!*open || (certain && !listeners)) return PARADT_OK;
     paradt__remote_cell(&w->search, corners, own);
     // With weights a point of another rank may be heavier than all own ones; so cells with such vertices count as open.
     *open = (w->weighted && count <= w->set.space.dim) || !paradt__remote_confined(&w->search, w->inside);
-    return *open ? paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, -1) : PARADT_OK;
+    if (*open && !certain) return paradt_mpi__ask_ranks(w, q, cell, place, -1);
+    for (i = 0; i < listeners && *open && !status; i++) {
+        int r = w->directory.listeners[i];
+        if (paradt_mpi__ranks_hit(w, r / PARADT__LANES) >> r % PARADT__LANES & 1)
+            status = paradt_mpi__ask_rank(w, q, r, cell, place, -1);
+    }
+    return status;
 }
 
 // Lists the questions for the sake of a place. *open: may a point that is not known here be in conflict with what is
@@ -2021,10 +2063,10 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     *open = count > 0;
     if (!count) return PARADT_OK;
     if (topics & PARADT_MPI__SPHERE) status = paradt_mpi__look_at_sphere(w, q, place, cell, corners, own, count, open);
-    for (j = 0; j <= w->set.space.dim && !status; j++) {
+    for (topics &= ~(unsigned)PARADT_MPI__SPHERE, j = 0; topics >> j && !status; j++) {
         if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
         paradt__remote_facet(&w->search, corners, own, j);
-        status = paradt_mpi__ask_ranks(w, q, cell, (paradt_index)place, j);
+        status = paradt_mpi__ask_ranks(w, q, cell, place, j);
     }
     return status;
 }
@@ -2079,36 +2121,53 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     return status;
 }
 
-// Lists the questions while points are inserted, when not all cells need be looked at. The cells and ghosts in conflict
-// with a point p that is not known here are connected through facets, and one of them has p in it, or beyond it. That
-// is a ghost or has a vertex that is no own point: this rank's box is convex and p is not in it. On the way from there
-// to a cell of own points alone, the last that is none shares a facet with the next, so it has own vertices and others.
-// Such cells and ghosts are looked at first, then what is reached from them through cells whose spheres are not inside
-// of the room that this rank knows: no sphere in conflict with p is, and with weights cells with others' vertices never
-// count as such. What has no own vertex does not matter.
+// Marks the points of others that are not inside the room that this rank knows; with weights all, as none but own
+// points keep cells from being in conflict with points outside of their spheres' boxes then.
+static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
+    size_t others = w->known - w->set.count, i;
+    unsigned char *far = (unsigned char *)paradt__alloc(&w->memory, others, 1);
+    for (i = 0; far && i < others; i++) {
+        const double *x = paradt__record(&w->set, (paradt_index)(w->set.count + i));
+        int j = 0;
+        while (j < w->set.space.dim && x[j] > w->inside[2 * j] && x[j] < w->inside[2 * j + 1]) j++;
+        far[i] = w->weighted || j < w->set.space.dim;
+    }
+    return far;
+}
+
+// Lists the questions while points are inserted, when not all cells need be looked at. What is in conflict with a point
+// p that is not known here is connected through facets. Where it has own vertices, some of it is a ghost or a cell with
+// a vertex that is far, or just one that is own, by the reasons given in >>patches of paradt.h: this rank's box and the
+// room make a convex set, and p is not in it. Such suspects are looked at first, then what is reached from them through
+// cells whose spheres are not inside of the room: no sphere in conflict with p is, and with weights cells with others'
+// vertices never count as such. What has no own vertex does not matter.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
+    paradt_index own = (paradt_index)w->set.count;
+    unsigned char *far = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
-    size_t place;
+    size_t first;
     int open, j;
     memset(&list, 0, sizeof list);
     list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
-    if (!list.seen) return PARADT_ERROR_MEMORY;
-    memset(list.seen, 0, count);
-    for (place = 0; place < count && !status; place++) {
-        if (!paradt__remote_engine_is_seam(&w->engine, place, (paradt_index)w->set.count)) continue;
-        status = paradt_mpi__wait(w, &list, place);
-        if (!status) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
-    }
-    while (list.count && !status && !w->stuck) {
-        place = list.items[--list.count];
-        status = paradt_mpi__look(w, q, place, &open);
-        paradt_mpi__limit_questions(w, q);
-        for (j = 0; j <= w->set.space.dim && open && !status; j++)
-            status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, place, j));
+    if (!far || !list.seen) status = PARADT_ERROR_MEMORY;
+    if (!status) memset(list.seen, 0, count);
+    for (first = 0; first < count && !status; first++) {
+        if (!paradt__remote_engine_is_seam(&w->engine, first, own)) continue;
+        status = paradt_mpi__tell_vertices(w, &q->to_tell, first);
+        if (!status && paradt__remote_engine_is_suspect(&w->engine, first, own, far))
+            status = paradt_mpi__wait(w, &list, first);
+        while (list.count && !status && !w->stuck) {
+            size_t place = list.items[--list.count];
+            status = paradt_mpi__look(w, q, place, &open);
+            paradt_mpi__limit_questions(w, q);
+            for (j = 0; j <= w->set.space.dim && open && !status; j++)
+                status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, place, j));
+        }
     }
     paradt__release(&w->memory, list.seen);
     paradt__release(&w->memory, list.items);
+    paradt__release(&w->memory, far);
     return status;
 }
 
@@ -2366,7 +2425,7 @@ static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
         w->progress_length = 0.9 * (1.0 - w->progress_begin);
         status = paradt_mpi__agree(w, news || w->stuck ? paradt_mpi__triangulate_known(w) : PARADT_OK);
     }
-    if (!status) paradt_mpi__settle_cells(w);
+    if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
     return status;
 }
 
@@ -2401,9 +2460,6 @@ PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, int k, const para
     return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
 }
 
-// What the last local triangulation makes of a point; by bits, so that an other's cell leaves an own one's mark
-enum { PARADT_MPI__NO_VERTEX = 0, PARADT_MPI__VERTEX = 1, PARADT_MPI__VERTEX_OF_OWN_CELL = 3 };
-
 // In the neighbours of a cell, if it is one, the number of a cell becomes another. It is there once; where cannot be
 // foreseen, so there is no branch.
 PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
@@ -2419,7 +2475,7 @@ PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k,
 PARADT__INLINE void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t k, size_t c, paradt_index *mark) {
     size_t j;
     for (j = c * k; j < (c + 1) * k; j++) {
-        mark[w->local.cells[j]] |= PARADT_MPI__VERTEX;
+        mark[w->local.cells[j]] |= PARADT__VERTEX;
         paradt_mpi__rename_across(w->local.neighbors, k, w->local.neighbors[j], (paradt_index)c, PARADT__OPEN);
     }
 }
@@ -2434,11 +2490,10 @@ PARADT__INLINE void paradt_mpi__move_cell(paradt_mpi__work *w, size_t k, size_t 
 }
 
 // Drops others' cells of k vertices, and fills the gaps that they leave from the end, so that nearly all cells keep
-// their numbers. mark: [known], gets what the cells make of each point. Returns how many are left. Not collective.
+// their numbers. mark: [known], gets what the cells make of each point. Returns how many are left.
 PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt_index *mark) {
     size_t end = w->local.cell_count, c, j;
     const paradt_index *cells = w->local.cells;
-    for (c = 0; c < w->known; c++) mark[c] = PARADT_MPI__NO_VERTEX;
     for (c = 0; c < end; c++) {
         if (!PARADT__LIKELY(paradt_mpi__owns(w, (int)k, cells + c * k))) {
             paradt_mpi__drop_cell(w, k, c, mark);
@@ -2447,9 +2502,28 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
             if (end == c) break;
             paradt_mpi__move_cell(w, k, end, c);
         }
-        for (j = c * k; j < (c + 1) * k; j++) mark[cells[j]] = PARADT_MPI__VERTEX_OF_OWN_CELL;
+        for (j = c * k; j < (c + 1) * k; j++) mark[cells[j]] = PARADT__VERTEX_OF_OWN_CELL;
     }
     return end;
+}
+
+// Leaves the own cells in w->local, and in mark, [known], what all cells make of each point. Not collective.
+static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
+    size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, i;
+    paradt__cells cells;
+    for (i = 0; i < w->known; i++) mark[i] = PARADT__NO_VERTEX;
+    if (!w->inserting) {
+        w->local.cell_count = k == 4 ? paradt_mpi__keep_own(w, 4, mark) : paradt_mpi__keep_own(w, k, mark);
+        w->stats.cells_recomputed += made - w->local.cell_count;
+        return;
+    }
+    w->inserting = 0;
+    w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &cells, mark);
+    w->local.dim = w->set.space.dim;
+    w->local.cell_count = cells.count;
+    w->local.cells = cells.vertices;
+    w->local.neighbors = cells.neighbors;
+    w->wide = cells.wide;
 }
 
 // Numbers the own cells of all ranks.
@@ -2640,7 +2714,7 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     int axis, exact = 1;
     paradt_status status;
     for (i = 0; i < w->known; i++) {
-        number[i] = number[i] == PARADT_MPI__VERTEX_OF_OWN_CELL ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
+        number[i] = number[i] == PARADT__VERTEX_OF_OWN_CELL ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
         if (i + 1 == w->set.count) out->vertex_own = count;
     }
     out->vertex_count = count;
@@ -2706,7 +2780,7 @@ static paradt_status paradt_mpi__represent(paradt_mpi__work *w, paradt_status st
     }
     if (!status) {
         memset(used, 0, w->received_count);
-        for (i = 0; i < w->set.count; i++) used[w->set.origin[i]] = mark[i] != PARADT_MPI__NO_VERTEX;
+        for (i = 0; i < w->set.count; i++) used[w->set.origin[i]] = mark[i] != PARADT__NO_VERTEX;
         status = paradt_mpi__exceptions(w, used, &rows);
     }
     status = paradt_mpi__exchange(w, status, rows, 2 * sizeof *rows, &got, &count);
@@ -2748,7 +2822,7 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_mpi_triangulation *out = w->out;
     paradt_mpi__facets facets; // whose other side is not known
     paradt_index *number;
-    size_t cells, i;
+    size_t i;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
     paradt_status status = PARADT_ERROR_MEMORY;
@@ -2759,10 +2833,7 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     if (number && out->representative) status = PARADT_OK;
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        cells = w->local.cell_count;
-        w->local.cell_count =
-            out->dim == 3 ? paradt_mpi__keep_own(w, 4, number) : paradt_mpi__keep_own(w, (size_t)out->dim + 1, number);
-        w->stats.cells_recomputed += cells - w->local.cell_count;
+        paradt_mpi__take_own(w, number);
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         paradt_mpi__number_cells(w);
         status = paradt_mpi__represent(w, status, number);
@@ -2910,6 +2981,8 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
     paradt__release(&w->memory, w->directory.count);
     paradt__release(&w->memory, w->directory.ranks);
     paradt__release(&w->memory, w->directory.rooms);
+    paradt__release(&w->memory, w->directory.near);
+    paradt__release(&w->memory, w->directory.listeners);
     paradt__release(&w->memory, w->first);
     paradt__release(&w->memory, w->from);
     paradt__release(&w->memory, w->next);

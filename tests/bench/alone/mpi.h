@@ -1,6 +1,6 @@
 // An MPI of one process, for measuring: ranks are threads that run one at a time, each until it has to wait for others.
 // So what a rank does between two calls is timed alone, whatever the number of ranks, and what its calls would send is
-// counted. It has just what paradt_mpi.h and study.c call.
+// counted. It has just what paradt_mpi.h and the programs that include it call.
 //
 // The clock of the ranks. A collective call ends a step: the time of the whole grows by that of the step's slowest rank
 // (in CPU time of its thread), and by what the step's messages cost: for the rank that sends and gets the most,
