@@ -8841,12 +8841,13 @@ PARADT__INLINE int paradt__remote_engine_keep(paradt__remote_engine *engine, con
                                               size_t corners, paradt_index *mark, uint64_t *others) {
     paradt_index own = (paradt_index)set->count, *neighbors = engine->bw.cells.neighbors, *links;
     const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
-    int is_cell;
+    int is_cell, share = 0;
     size_t j;
     if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) return 1;
     if (vertices[0] == PARADT__DEAD) return 0;
     is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-    if (is_cell && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own) return 1;
+    for (j = 0; j < corners; j++) share |= vertices[j] < own;
+    if (is_cell && share && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own) return 1;
     links = neighbors + place * corners;
     for (j = 0; j < corners; j++) {
         if (is_cell) mark[vertices[j]] |= PARADT__VERTEX;

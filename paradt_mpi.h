@@ -2112,7 +2112,7 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     if (w->weighted || !(paradt_mpi__topics(w, &place) & PARADT_MPI__SPHERE)) return PARADT_OK;
     paradt_mpi__cell(w, place, cell, corners);
     for (i = 0, rank = w->rank; i <= dim; i++) {
-        if (w->home[cell[i]].rank == rank || w->home[cell[i]].rank == w->rank) continue; // or told already
+        if ((size_t)cell[i] < w->set.count || w->home[cell[i]].rank == rank) continue; // own, or told already
         rank = w->home[cell[i]].rank;
         for (j = 0; j <= dim && !status; j++) {
             if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, rank, cell[j]);
@@ -2618,27 +2618,29 @@ static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint6
 
 // The rows of the facets, and these in the order of ranks; fills w->to. Not collective.
 static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__facets *f) {
-    size_t i, *handles = (size_t *)paradt__alloc(&w->memory, f->count, sizeof *handles);
+    size_t i, width = (size_t)w->out->dim + 1,
+              *handles = (size_t *)paradt__alloc(&w->memory, f->count, sizeof *handles);
+    uint64_t *rows = (uint64_t *)paradt__alloc(&w->memory, f->count, width * sizeof *rows);
     int *rank = (int *)paradt__alloc(&w->memory, f->count, sizeof *rank);
-    uint64_t row[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_ERROR_MEMORY;
-    f->width = (size_t)w->out->dim + 1;
-    f->rows = (uint64_t *)paradt__alloc(&w->memory, f->count, f->width * sizeof *f->rows);
-    if (handles && rank && f->rows) {
+    f->width = width;
+    f->rows = (uint64_t *)paradt__alloc(&w->memory, f->count, width * sizeof *f->rows);
+    if (handles && rows && rank && f->rows) {
         size_t *unsorted = f->handles;
         memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
-        for (i = 0; i < f->count; i++) w->to[rank[i] = paradt_mpi__facet_row(w, unsorted[i], row)]++;
+        for (i = 0; i < f->count; i++) w->to[rank[i] = paradt_mpi__facet_row(w, unsorted[i], rows + i * width)]++;
         paradt_mpi__begin_sorting(w);
         for (i = 0; i < f->count; i++) {
             size_t place = w->next[rank[i]]++;
             handles[place] = unsorted[i];
-            paradt_mpi__facet_row(w, unsorted[i], f->rows + place * f->width);
+            memcpy(f->rows + place * width, rows + i * width, width * sizeof *rows);
         }
         f->handles = handles;
         handles = unsorted;
         status = PARADT_OK;
     }
     paradt__release(&w->memory, handles);
+    paradt__release(&w->memory, rows);
     paradt__release(&w->memory, rank);
     return status;
 }
