@@ -715,7 +715,7 @@ typedef struct paradt_mpi__box {
     uint64_t offset;               // of the cut from low[axis], its upper bits so far
     int bits;                      // of the offset, that are not known yet
     int64_t cut;                   // ordered bits of the first coordinate of the upper half
-    int upper;                     // index of the upper half's box, the lower one's is that of the box
+    uint32_t sides[2];             // indices of the halves' boxes, or twice that of the box
 } paradt_mpi__box;
 
 typedef struct paradt_mpi__cutter {
@@ -731,19 +731,29 @@ typedef struct paradt_mpi__cutter {
     int64_t *bounds;  // [ranks][2 * dim]
 } paradt_mpi__cutter;
 
-// Bounding boxes of the points of all boxes.
-static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+// Puts the points into the halves of their boxes, and bounds them there, if that is wanted. Which half cannot be
+// foreseen, so there is no branch. Not collective.
+static void paradt_mpi__deal(const paradt_mpi__work *w, paradt_mpi__cutter *c, int bounds) {
     size_t dim = (size_t)w->dim, i, j;
-    int b;
     for (i = 0; i < (size_t)c->box_count * 2 * dim; i++) c->bounds[i] = INT64_MAX;
     for (i = 0; i < c->count; i++) {
-        int64_t *bound = c->bounds + c->inside[i] * 2 * dim;
-        for (j = 0; j < dim; j++) {
-            int64_t x = paradt__ordered_bits(c->rows[i * c->width + j]);
+        const double *row = c->rows + i * c->width;
+        const paradt_mpi__box *box = c->boxes + c->inside[i];
+        int64_t *bound;
+        c->inside[i] = box->sides[paradt__ordered_bits(row[box->axis]) >= box->cut];
+        bound = c->bounds + c->inside[i] * 2 * dim;
+        for (j = 0; bounds && j < dim; j++) {
+            int64_t x = paradt__ordered_bits(row[j]);
             if (x < bound[2 * j]) bound[2 * j] = x;
             if (~x < bound[2 * j + 1]) bound[2 * j + 1] = ~x; // ~ turns the order and does not overflow
         }
     }
+}
+
+// Bounding boxes of the points of all boxes, of those of all ranks.
+static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    size_t dim = (size_t)w->dim, j;
+    int b;
     paradt_mpi__smallest(w, c->bounds, (int)((size_t)c->box_count * 2 * dim));
     for (b = 0; b < c->box_count; b++) {
         for (j = 0; j < dim; j++) {
@@ -834,6 +844,7 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     int b, boxes = c->box_count, several = 0, more = 1;
     size_t i;
     for (b = 0; b < boxes; b++) several |= c->boxes[b].ranks > 1;
+    paradt_mpi__deal(w, c, several);
     if (!several) return 0;
     paradt_mpi__bound(w, c);
     paradt_mpi__count_boxes(w, c, c->counts);
@@ -850,21 +861,15 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     }
     for (b = 0; b < boxes; b++) {
         paradt_mpi__box *box = c->boxes + b, *upper = c->boxes + c->box_count;
-        box->upper = -1;
+        box->sides[0] = box->sides[1] = (uint32_t)b;
         if (box->ranks == 1) continue;
         paradt_mpi__cut(w, box);
         *upper = *box;
-        box->upper = c->box_count++;
-        upper->upper = -1;
+        box->sides[1] = (uint32_t)c->box_count++;
         upper->first += box->ranks / 2;
         upper->ranks -= box->ranks / 2;
         box->ranks /= 2;
         upper->from[box->axis] = box->to[box->axis] = box->cut;
-    }
-    for (i = 0; i < c->count; i++) {
-        const paradt_mpi__box *box = c->boxes + c->inside[i];
-        if (box->upper >= 0 && paradt__ordered_bits(c->rows[i * c->width + (size_t)box->axis]) >= box->cut)
-            c->inside[i] = (uint32_t)box->upper;
     }
     return 1;
 }
