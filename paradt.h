@@ -8794,7 +8794,7 @@ PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *en
 }
 
 // May what is at such a place be the first in conflict with a point that is missing? See >>patches: a ghost, or a cell
-// that has just one vertex with a position below `own`, or one that is marked. far: [positions], from `own` on
+// that has just one vertex with a position below `own`, or a vertex that is marked. far: [positions - own], the marks
 static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine, size_t place, paradt_index own,
                                             const unsigned char *far) {
     int corners = engine->bw.cells.corners, i, share = 0, marked = 0;

@@ -2623,8 +2623,8 @@ static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint6
 
 // The rows of the facets, and these in the order of ranks; fills w->to. Not collective.
 static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__facets *f) {
-    size_t i, width = (size_t)w->out->dim + 1,
-              *handles = (size_t *)paradt__alloc(&w->memory, f->count, sizeof *handles);
+    size_t width = (size_t)w->out->dim + 1, i;
+    size_t *handles = (size_t *)paradt__alloc(&w->memory, f->count, sizeof *handles);
     uint64_t *rows = (uint64_t *)paradt__alloc(&w->memory, f->count, width * sizeof *rows);
     int *rank = (int *)paradt__alloc(&w->memory, f->count, sizeof *rank);
     paradt_status status = PARADT_ERROR_MEMORY;
