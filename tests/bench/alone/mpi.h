@@ -7,9 +7,9 @@
 // LATENCY for each message and 1 / BANDWIDTH for each byte, both ways counted; for the collective call itself LATENCY
 // for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it. The program runs
 // several times, in the same steps. A step of a rank consists of stretches from one of its calls to the next, to MPI or
-// to alone_progress; of each stretch the least time counts, so that what else the machine does is not taken for the
-// rank's work. Stretches of milliseconds, because the least of long ones would still hold the machine's average: one
-// rank, whose work is one long step, would look slow beside many.
+// to alone_progress, which comes after every thousand insertions; of each stretch the least time counts, so that what
+// else the machine does is not taken for the rank's work. A step as a whole would be no measure: one rank's insertion
+// takes so long that its least time still holds the machine's average, and beside it many ranks would look fast.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
