@@ -2126,8 +2126,8 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     return status;
 }
 
-// Marks the points of others that are not inside the room that this rank knows; with weights all, as none but own
-// points keep cells from being in conflict with points outside of their spheres' boxes then.
+// Marks the points of others that are not inside the room that this rank knows. With weights it marks all: a cell with
+// one of them for a vertex may be in conflict with a point far from its sphere then, if that is heavy.
 static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
     size_t others = w->known - w->set.count, i;
     unsigned char *far = (unsigned char *)paradt__alloc(&w->memory, others, 1);
