@@ -5460,7 +5460,8 @@ static size_t paradt__bw_places(size_t count, int dim) {
 }
 
 // The number of cells to make room for when `needed` is too much for now: what the cells per point now, and what they
-// were when there was last made room, let expect, and somewhat more. Along curves they grow with the points.
+// were when there was last made room, let expect, and somewhat more. Along curves they grow with the points. On scanned
+// surfaces there are soon more than uniform points ever have, and 4 % more again in the end; other sets have no more.
 static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
     double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
@@ -5469,7 +5470,7 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
     double more = rise * (count - inserted),
            expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
-    double most = dim <= 3 ? (double)paradt__bw_places(bw->count, dim) : 1e15;
+    double most = dim <= 3 && rate < paradt__cells_a_point(dim) ? (double)paradt__bw_places(bw->count, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     bw->rate = rate;
     bw->rate_at = inserted;
@@ -5477,9 +5478,10 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// The cells of so many points get room at once: of all, or of few of them, as that is copied when there is more.
+// The cells of so many points get room at once: of all, and the more that surfaces have; or of few of them, as that is
+// copied when there is more.
 static size_t paradt__bw_first_points(const paradt__bw *bw) {
-    return bw->count < PARADT__FEW_POINTS ? bw->count : bw->count / PARADT__JUDGED_PART * 5 / 4;
+    return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
 // Makes sure of `count` free places.
@@ -7195,8 +7197,8 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_emit,
-// paradt__patch_end.
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build,
+// paradt__patch_emit_vertices, paradt__patch_emit_neighbors, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
 // a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
@@ -7733,7 +7735,7 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
     const paradt__counters *c = &patch->search.space.counters;
     uint64_t looked = patch->search.grid_cells_visited + c->insphere_calls + c->orient_calls;
     uint64_t cells = patch->bw.cells.count; // to make one takes as long as two looks or more, with the dimension many
-    return looked > (patch->bw.cells.corners <= 4 ? cells : cells * 4) + FIRST_PATIENCE;
+    return looked > cells * (patch->bw.cells.corners <= 4 ? 2 : 4) + FIRST_PATIENCE;
 }
 
 // Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
@@ -7749,13 +7751,18 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
     return status ? status : paradt__patch_close(patch);
 }
 
-// Puts the region's cells where they are to be, numbered from `offset` on, and so are the facets that are open. The
-// cells may be there already, or behind.
-static void paradt__patch_emit(paradt__patch *patch, paradt_index *vertices, paradt_index *neighbors, size_t offset) {
+// Puts the vertices of the region's cells where they are to be. They may be there already, or behind.
+static void paradt__patch_emit_vertices(const paradt__patch *patch, paradt_index *vertices) {
+    const paradt__cells *cells = &patch->bw.cells;
+    if (vertices == cells->vertices) return;
+    memmove(vertices, cells->vertices, cells->count * (size_t)cells->corners * sizeof *vertices);
+}
+
+// The same of the neighbours, with the cells numbered from `offset` on, and so are the facets that are open.
+static void paradt__patch_emit_neighbors(paradt__patch *patch, paradt_index *neighbors, size_t offset) {
     const paradt__cells *cells = &patch->bw.cells;
     size_t count = cells->count * (size_t)cells->corners, i;
     for (i = 0; i < patch->list_count; i++) patch->list[i] += (paradt_index)offset * cells->corners;
-    if (vertices != cells->vertices) memmove(vertices, cells->vertices, count * sizeof *vertices);
     if (neighbors == cells->neighbors && !offset) return;
     for (i = 0; i < count; i++) {
         paradt_index link = cells->neighbors[i];
@@ -8042,15 +8049,20 @@ static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
     return index > 1 && work->cells.vertices == work->slices.vertices;
 }
 
-// By insertion, last step: into the result, or together at the begin of the region's slice.
+// By insertion, last step: into the result, or together at the begin of the region's slice. Region 0 is in place as a
+// rule, so of the first two each task takes the one's neighbours and the other's vertices.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__cells *own = &region->patch.bw.cells;
-    size_t first = region->offset * (size_t)own->corners;
-    int stays = paradt__stays_in_slice(work, index);
-    paradt__patch_emit(&region->patch, stays ? own->vertices : work->cells.vertices + first,
-                       stays ? own->neighbors : work->cells.neighbors + first, region->offset);
+    paradt__region *region = work->region + index, *other = index < 2 ? work->region + 1 - index : region;
+    size_t corners = (size_t)work->cells.corners;
+    paradt_index *vertices = work->cells.vertices + other->offset * corners;
+    paradt_index *neighbors = work->cells.neighbors + region->offset * corners;
+    if (paradt__stays_in_slice(work, index)) {
+        vertices = region->patch.bw.cells.vertices;
+        neighbors = region->patch.bw.cells.neighbors;
+    }
+    paradt__patch_emit_vertices(&other->patch, vertices);
+    paradt__patch_emit_neighbors(&region->patch, neighbors, region->offset);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -8128,6 +8140,12 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
+// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, and what is
+// left of it nothing but addresses.
+static size_t paradt__slice_places(const paradt__patch *patch, int dim) {
+    return paradt__bw_places(patch->bw.count + patch->bw.count / 16, dim);
+}
+
 // Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
 // dimensions. A patch whose cells don't fit takes arrays of its own.
 static paradt_status paradt__lend_slices(paradt__work *work) {
@@ -8137,7 +8155,7 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     paradt_status status;
     slices->corners = dim + 1;
     if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__bw_places(work->region[i].patch.bw.count, dim);
+    for (i = 0; i < work->regions; i++) total += paradt__slice_places(&work->region[i].patch, dim);
     status = paradt__cells_reserve(slices, total, &work->memory);
     if (slices->capacity < total) { // more than can be numbered, or no memory
         paradt__cells_free(slices, &work->memory);
@@ -8146,7 +8164,7 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     paradt__share_memory(work);
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__bw_places(patch->bw.count, dim);
+        size_t capacity = paradt__slice_places(patch, dim);
         status = paradt__bw_lend(&patch->bw, slices->vertices + first * (size_t)slices->corners,
                                  slices->neighbors + first * (size_t)slices->corners, capacity);
         first += capacity;
@@ -8327,7 +8345,7 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
         status = paradt__build_turn(work, i);
         work->done = work->region[i].done;
     }
-    if (!status && cells->capacity > cells->count + cells->count / 8 + 64) {
+    if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
         void *vertices = cells->vertices;
         size_t used = cells->count * corners;
         if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
