@@ -5323,8 +5323,8 @@ typedef struct paradt__spheres3 {
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
-    // in-sphere filter did
-    size_t made, missed, vague;
+    // in-sphere filter did; points inserted when it was
+    size_t made, missed, vague, judged;
     int sharp;         // the bounds on the powers' errors are the sharp ones
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
@@ -6028,14 +6028,16 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
 }
 
 // Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again. It takes at most half of the memory
-// that the cells take.
+// and a table of four times the size if many spheres have had to be made again, and the points that are left would
+// have more of them made again than the table has places. It takes at most half of the memory that the cells take.
 PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
-    int often = s->missed > s->made / 4;
+    double points = (double)(bw->inserted - s->judged) + 1.0, left = (double)(bw->count - bw->inserted);
+    int often = s->missed > s->made / 4 && (double)s->missed * left > (double)size * points;
     if (s->vague > s->made / 16) s->sharp = 1;
     s->made = s->missed = s->vague = 0;
+    s->judged = bw->inserted;
     if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
     paradt__release(bw->memory, s->large_table);
     s->large_table = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
@@ -8829,6 +8831,22 @@ static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine,
 static size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
     size_t corners = (size_t)engine->bw.cells.corners;
     return (size_t)paradt__bw_cell(&engine->bw, engine->bw.cells.neighbors[place * corners + (size_t)facet]);
+}
+
+// Fetches what is at a place ahead of its use.
+static void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t place) {
+    size_t corners = (size_t)engine->bw.cells.corners;
+    PARADT__PREFETCH(engine->bw.cells.vertices + place * corners);
+    PARADT__PREFETCH(engine->bw.cells.neighbors + place * corners);
+}
+
+// The same of its vertices' records.
+static void paradt__remote_engine_fetch_points(const paradt__remote_engine *engine, size_t place) {
+    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)engine->bw.cells.corners;
+    int i;
+    for (i = 0; i < engine->bw.cells.corners; i++) {
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__bw_record(&engine->bw, vertices[i]));
+    }
 }
 
 // The vertices of the cell at a place, as positions in the set, and their records.

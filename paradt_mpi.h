@@ -2140,6 +2140,17 @@ static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
     return far;
 }
 
+// Fetches what is looked at next: what is at the places first, then what that leads to.
+static void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi__places *list, size_t at) {
+    enum { SOON = 4, LATER = 8 };
+    int j;
+    if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, list->items[at + LATER]);
+    if (at + SOON >= list->count) return;
+    paradt__remote_engine_fetch_points(&w->engine, list->items[at + SOON]);
+    for (j = 0; j <= w->set.space.dim; j++)
+        PARADT__PREFETCH(list->seen + paradt__remote_engine_across(&w->engine, list->items[at + SOON], j));
+}
+
 // Lists the questions while points are inserted, when not all cells need be looked at. What is in conflict with a point
 // p that is not known here is connected through facets. Where it has own vertices, some of it is a ghost or a cell with
 // a vertex that is far, or just one that is own, by the reasons given in >>patches of paradt.h: this rank's box and the
@@ -2151,24 +2162,24 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     unsigned char *far = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
-    size_t first;
+    size_t place, at;
     int open, j;
     memset(&list, 0, sizeof list);
     list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
     if (!far || !list.seen) status = PARADT_ERROR_MEMORY;
     if (!status) memset(list.seen, 0, count);
-    for (first = 0; first < count && !status; first++) {
-        if (!paradt__remote_engine_is_seam(&w->engine, first, own)) continue;
-        status = paradt_mpi__tell_vertices(w, &q->to_tell, first);
-        if (!status && paradt__remote_engine_is_suspect(&w->engine, first, own, far))
-            status = paradt_mpi__wait(w, &list, first);
-        while (list.count && !status && !w->stuck) {
-            size_t place = list.items[--list.count];
-            status = paradt_mpi__look(w, q, place, &open);
-            paradt_mpi__limit_questions(w, q);
-            for (j = 0; j <= w->set.space.dim && open && !status; j++)
-                status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, place, j));
-        }
+    for (place = 0; place < count && !status; place++) {
+        if (!paradt__remote_engine_is_seam(&w->engine, place, own)) continue;
+        status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
+        if (!status && paradt__remote_engine_is_suspect(&w->engine, place, own, far))
+            status = paradt_mpi__wait(w, &list, place);
+    }
+    for (at = 0; at < list.count && !status && !w->stuck; at++) {
+        paradt_mpi__fetch_ahead(w, &list, at);
+        status = paradt_mpi__look(w, q, list.items[at], &open);
+        paradt_mpi__limit_questions(w, q);
+        for (j = 0; j <= w->set.space.dim && open && !status; j++)
+            status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, list.items[at], j));
     }
     paradt__release(&w->memory, list.seen);
     paradt__release(&w->memory, list.items);
