@@ -5379,6 +5379,7 @@ typedef struct paradt__bw {
     const paradt_index *order; // [count] of insertion; NULL: that of the records
     size_t width, count;
     size_t inserted;         // points so far
+    size_t later;            // points that may come after these, as far as can be foreseen: for the room
     double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
     paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
     unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
@@ -5464,13 +5465,14 @@ static size_t paradt__bw_places(size_t count, int dim) {
 // surfaces there are soon more than uniform points ever have, and 4 % more again in the end; other sets have no more.
 static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
-    double inserted = (double)bw->inserted + 1.0, count = (double)bw->count, rate = (double)needed / inserted;
+    size_t points = bw->count + bw->later;
+    double inserted = (double)bw->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
     double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
     int known = bw->rate_at > judged && inserted > bw->rate_at;
     double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
     double more = rise * (count - inserted),
            expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
-    double most = dim <= 3 && rate < paradt__cells_a_point(dim) ? (double)paradt__bw_places(bw->count, dim) : 1e15;
+    double most = dim <= 3 && rate < paradt__cells_a_point(dim) ? (double)paradt__bw_places(points, dim) : 1e15;
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     bw->rate = rate;
     bw->rate_at = inserted;
@@ -8750,6 +8752,7 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;
+    engine->bw.later = (set->count - own) / 6; // of others' points, so many are missing as a rule
     return paradt__bw_build(&engine->bw, progress);
 }
 
