@@ -5323,8 +5323,8 @@ typedef struct paradt__spheres3 {
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
-    // in-sphere filter did; points inserted when it was
-    size_t made, missed, vague, judged;
+    // in-sphere filter did
+    size_t made, missed, vague;
     int sharp;         // the bounds on the powers' errors are the sharp ones
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
@@ -6030,16 +6030,15 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
 }
 
 // Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and the points that are left would
-// have more of them made again than the table has places. It takes at most half of the memory that the cells take.
+// and a table of four times the size if many spheres have had to be made again, and of the cells to come more would be
+// than the table has places. It takes at most half of the memory that the cells take.
 PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
-    double points = (double)(bw->inserted - s->judged) + 1.0, left = (double)(bw->count - bw->inserted);
-    int often = s->missed > s->made / 4 && (double)s->missed * left > (double)size * points;
+    double to_come = 28.0 * (double)(bw->count - bw->inserted); // cells, at least
+    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
     if (s->vague > s->made / 16) s->sharp = 1;
     s->made = s->missed = s->vague = 0;
-    s->judged = bw->inserted;
     if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
     paradt__release(bw->memory, s->large_table);
     s->large_table = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
