@@ -206,7 +206,7 @@
 // Arrays may have room for a quarter more at their ends, where regions made that much in vain.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
 // once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
-// 10^6 uniform points in space need 187 bytes a point instead of 267, and a third more time. memory_limit bounds the
+// 10^6 uniform points in space need 190 bytes a point instead of 274, and a third more time. memory_limit bounds the
 // bytes that one call holds at any time, the result included; regions get equal shares of what the points have left of
 // it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions: an upper bound, the sum
 // of their peaks).
@@ -6031,8 +6031,8 @@ static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
 }
 
 // Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and of the cells to come more would be
-// than the table has places. It takes at most half of the memory that the cells take.
+// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
+// to come that it has no more places. It takes at most half of the memory that the cells take.
 PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
@@ -8145,9 +8145,10 @@ static void paradt__share_memory(paradt__work *work) {
 }
 
 // Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, and what is
-// left of it nothing but addresses.
+// left of it nothing but addresses. Not where there are so many points of others that a quarter could be left.
 static size_t paradt__slice_places(const paradt__patch *patch, int dim) {
-    return paradt__bw_places(patch->bw.count + patch->bw.count / 16, dim);
+    size_t count = patch->bw.count, own = patch->fields[patch->own].set.count;
+    return paradt__bw_places(count - own <= own / 8 ? count + count / 16 : count, dim);
 }
 
 // Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
@@ -8479,7 +8480,7 @@ static void paradt__begin_again(paradt__work *work) {
     work->stats->cells_recomputed = work->stats->hull_facets = 0;
 }
 
-// Without neighbours, how many regions to build one after another. Five need 187 bytes a point where one needs 267, and
+// Without neighbours, how many regions to build one after another. Five need 190 bytes a point where one needs 274, and
 // a third more time; small sets would take more.
 static size_t paradt__turns(const paradt__work *work) {
     enum { TURNS = 5, LEAST_POINTS = 500000 };
@@ -8752,7 +8753,7 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.cells.wide = wide;
-    engine->bw.later = (set->count - own) / 6; // of others' points, so many are missing as a rule
+    engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
     return paradt__bw_build(&engine->bw, progress);
 }
 
