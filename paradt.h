@@ -5463,7 +5463,7 @@ static size_t paradt__bw_places(size_t count, int dim) {
 // The number of cells to make room for when `needed` is too much for now: what the cells per point now, and what they
 // were when there was last made room, let expect, and somewhat more. Along curves they grow with the points. Few sets
 // have more than uniform points; but scanned surfaces do, and lattices that are shaken: 3 to 6 % more a point in the
-// end than when they are judged.
+// end than when they are judged. In the plane no set has more.
 static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     int dim = bw->cells.corners - 1;
     size_t points = bw->count + bw->later;

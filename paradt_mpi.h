@@ -349,9 +349,9 @@ typedef struct paradt_mpi__directory {   // boxes around all points of all ranks
     double vicinity[2 * PARADT_MAX_DIM]; // some way around this rank's points: low and high of each axis
 } paradt_mpi__directory;
 
-typedef struct paradt_mpi__places { // that are to be looked at
-    unsigned char *seen;            // [places] 1: it is or was in the list
-    size_t *items;
+typedef struct paradt_mpi__places { // to be looked at, in this order
+    unsigned char *seen;            // [places] 1: it is in the list
+    size_t *items;                  // [capacity] those that were looked at stay
     size_t count, capacity;
 } paradt_mpi__places;
 
