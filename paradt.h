@@ -6686,17 +6686,12 @@ static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
     return paradt__bw3_insert;
 }
 
-static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
-    paradt__inserter insert;
+// Inserts the points that are left, in their order.
+static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
+    paradt__inserter insert = paradt__choose_inserter(bw);
+    paradt_status status = PARADT_OK;
     size_t i;
-    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
-    if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
-    if (!status && bw->cells.corners <= 4)
-        status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
-    if (!status) status = paradt__bw_first(bw);
-    if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
-    insert = paradt__choose_inserter(bw);
-    for (i = bw->inserted = (size_t)bw->cells.corners; i < bw->count && !status; i++) {
+    for (i = bw->inserted; i < bw->count && !status; i++) {
         if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)bw->count))
             return PARADT_ERROR_CANCELLED;
         status = insert(bw, paradt__bw_point(bw, i));
@@ -6705,22 +6700,38 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
     return status;
 }
 
-// Inserts a point that has just been counted. cell: where to begin the search for it; negative: the last one made.
-static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
+static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
+    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
+    if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
+    if (!status && bw->cells.corners <= 4)
+        status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
+    if (!status) status = paradt__bw_first(bw);
+    bw->inserted = (size_t)bw->cells.corners;
+    if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
+    return status ? status : paradt__bw_insert_rest(bw, progress);
+}
+
+// Makes ready to go on with more points, which have been counted. first: the next; numbers: of points that there are;
+// cell: where to begin the search for the first; negative: the last one made.
+static paradt_status paradt__bw_go_on(paradt__bw *bw, paradt_index first, size_t numbers, paradt_index cell) {
     paradt__spheres3 *s = bw->spheres;
-    bw->order = NULL;
-    bw->inserted = bw->count - 1;
     if (cell < 0) cell = s ? s->start : bw->last;
     bw->last = cell;
-    if (s) {
-        size_t numbers = (size_t)point + 2;
-        if (numbers > s->numbers && !paradt__bw3_more_numbers(bw, numbers + numbers / 8 + 64))
-            return PARADT_ERROR_MEMORY;
-        s->start = cell;
-        s->missed = 0; // such points are here and there: no larger table would have their spheres
-        s->next = paradt__seen3_of(s, paradt__bw_record(bw, point));
-    }
-    return paradt__choose_inserter(bw)(bw, point);
+    if (!s) return PARADT_OK;
+    if (numbers >= s->numbers && !paradt__bw3_more_numbers(bw, numbers + numbers / 8 + 64)) return PARADT_ERROR_MEMORY;
+    s->start = cell;
+    s->next = paradt__seen3_of(s, paradt__bw_record(bw, first));
+    return PARADT_OK;
+}
+
+// Inserts a point that has just been counted. cell: as above.
+static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
+    paradt_status status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
+    bw->order = NULL;
+    bw->inserted = bw->count - 1;
+    if (bw->spheres)
+        bw->spheres->missed = 0; // such points are here and there: no larger table would have their spheres
+    return status ? status : paradt__choose_inserter(bw)(bw, point);
 }
 
 // The i-th of the cells that the last insertion made, of bw->rim_count.
@@ -7211,6 +7222,7 @@ typedef struct paradt__field {
     paradt__grid grid;
     size_t begin, room;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
+    const struct paradt__patch *patch;                // what the region has built, where others may look at it; or NULL
 } paradt__field;
 
 // What is known of a cell
@@ -7222,6 +7234,7 @@ enum {
 
 typedef struct paradt__patch {
     const paradt__set *set;
+    paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
     size_t field_count, own;     // own: the region's number
     paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
@@ -7239,6 +7252,15 @@ typedef struct paradt__patch {
     paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
     size_t list_count, list_capacity;
     paradt_index *order;  // of the insertion of the first points
+    paradt_index *around; // [own points] one of the cells around each, for others to look at; or NULL
+    paradt_index *late;   // [late_capacity] cells waiting for what is not told yet
+    size_t late_count, late_capacity;
+    paradt_index *told; // [told_capacity] for the first told_count of others' points where their neighbours end
+    size_t told_count, told_capacity;
+    paradt_index *near; // [near_capacity] these neighbours, as positions in the set; none where there are too many
+    size_t near_count, near_capacity;
+    uint64_t looked;      // groups of neighbours
+    size_t late_cells;    // made by answers
     size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
     uint64_t hull_facets; // whose smallest vertex is the region's
 } paradt__patch;
@@ -7314,6 +7336,17 @@ static int paradt__within(const double *x, const double *low, const double *high
     return 1;
 }
 
+static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
+                                          paradt_index item) {
+    paradt_status status = paradt__bw_list(&patch->bw, list, *count, capacity, *count + 1);
+    if (!status) (*list)[(*count)++] = item;
+    return status;
+}
+
+// Appends to one of the patch's lists.
+#define PARADT__PATCH_LIST(patch, which, item)                                                                         \
+    paradt__patch_append(patch, &(patch)->which, &(patch)->which##_count, &(patch)->which##_capacity, item)
+
 // Lists the points of a field's box that are in K.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
                                           const double *low, const double *high) {
@@ -7330,9 +7363,7 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
             if (i >= field->grid.box_count[level - 1]) break;
             status = paradt__patch_gather(patch, field, level - 1, i, low, high);
         } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity,
-                                     patch->list_count + 1);
-            if (!status) patch->list[patch->list_count++] = (paradt_index)(field->begin + i);
+            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(field->begin + i));
         }
     }
     return status;
@@ -7471,12 +7502,9 @@ static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
-    paradt_status status;
     if (patch->state[cell] != PARADT__UNKNOWN) return PARADT_OK;
     patch->state[cell] = PARADT__WAITING;
-    status = paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
-    if (!status) patch->list[patch->list_count++] = cell;
-    return status;
+    return PARADT__PATCH_LIST(patch, list, cell);
 }
 
 // Room for the states of all cells
@@ -7544,22 +7572,87 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
     }
 }
 
-// A point of the field that the search is aimed at, or -1.
-static paradt_index paradt__patch_ask(paradt__patch *patch, size_t number, paradt_index cell, int ghost) {
-    const paradt__field *field = patch->fields + number;
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+// Has the search found what it is aimed at?
+PARADT__INLINE int paradt__patch_met(const paradt__search *s) {
+    return s->conflict ? s->found : s->apex >= 0;
+}
+
+// A point of the field that the search is aimed at, or -1. positions: of the cell's vertices.
+static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
+                                            const paradt_index *positions) {
     paradt__search *s = &patch->search;
     paradt_index places[PARADT_MAX_DIM + 1];
-    int i, count = 0;
+    int i;
     for (i = 0; i < patch->bw.cells.corners; i++) {
-        size_t place;
-        if (i == ghost) continue;
-        place = (size_t)patch->origin[vertices[i]] - field->begin;
-        places[count++] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
+        size_t place = (size_t)positions[i] - field->begin;
+        places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
     }
     paradt__search_turn(s, &field->set, &field->grid, places);
     paradt__search_down(s);
-    return (s->conflict ? s->found : s->apex >= 0) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
+    return paradt__patch_met(s) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
+}
+
+// The search is aimed at a cell with one of others' points, of which the neighbours are told: one of these that it is
+// aimed at, or -1.
+static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
+    paradt__search *s = &patch->search;
+    size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
+    patch->looked += 1 + (end - i) / PARADT__LANES;
+    paradt__search_turn(s, &patch->everyone, s->grid, positions);
+    for (; i < end; i++) {
+        paradt__search_point(s, (size_t)patch->near[i]);
+        if (paradt__patch_met(s)) return s->apex;
+    }
+    return -1;
+}
+
+// Of the cell's vertices that are the field's, and are others' points that the patch has by their numbers: one of which
+// it is told, or else one of which it is not told yet, or SIZE_MAX.
+static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
+    int i;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        size_t other = (size_t)vertices[i] - own;
+        if (vertices[i] < 0 || (size_t)patch->origin[vertices[i]] - field->begin >= field->set.count) continue;
+        if (other >= patch->told_count) untold = other;
+        else if (patch->told[other] > (other ? patch->told[other - 1] : 0)) return other;
+    }
+    return untold;
+}
+
+// Is there a region of which the patch is not told yet what the cell needs?
+static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) {
+    size_t i, witness;
+    for (i = 0; i < patch->field_count; i++) {
+        if (i == patch->own || !patch->fields[i].patch) continue;
+        witness = paradt__patch_witness(patch, patch->fields + i, cell);
+        if (witness != SIZE_MAX && witness >= patch->told_count) return 1;
+    }
+    return 0;
+}
+
+// A point of another region that the search is aimed at, or -1.
+static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    paradt_index positions[PARADT_MAX_DIM + 1];
+    size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
+    int i, count = 0;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (i != ghost) positions[count++] = patch->origin[vertices[i]];
+    }
+    if (ghost >= 0) positions[count] = PARADT__NOWHERE;
+    return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
+                               : paradt__patch_ask_near(patch, witness, positions);
+}
+
+// Notes of a cell that it is around its vertices, for those that are the region's.
+PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    int i;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
+    }
 }
 
 // Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
@@ -7569,34 +7662,116 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__bw_insert_one_more(bw, (paradt_index)(bw->count - 1), cell);
     if (!status) status = paradt__patch_states(patch);
+    patch->late_cells += bw->rim_count;
     for (i = 0; i < bw->cavity_count && !status; i++) {
         patch->state[paradt__bw_cell(bw, bw->cavity[i])] = PARADT__UNKNOWN;
     }
     for (i = 0; i < bw->rim_count && !status; i++) {
         paradt_index made = paradt__bw_made(bw, i);
         patch->state[made] = PARADT__UNKNOWN;
+        if (patch->around) paradt__patch_note_around(patch, made);
         if (paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
     }
     return status;
 }
 
-// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K.
+// Asks about a cell that waits, and does what follows from the answer. No point that is missing is in a sphere inside
+// K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
     const paradt__bw *bw = &patch->bw;
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
     paradt_index answer = -1;
-    size_t number;
+    size_t i;
+    if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
     patch->state[cell] = PARADT__ASKED;
     paradt__patch_aim(patch, cell, ghost);
     if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
-    for (number = 0; number < patch->field_count && answer < 0; number++) {
-        if (number != patch->own && patch->fields[number].set.count)
-            answer = paradt__patch_ask(patch, number, cell, ghost);
+    for (i = 0; i < patch->field_count && answer < 0; i++) {
+        if (i != patch->own && patch->fields[i].set.count)
+            answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
     }
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
     return paradt__patch_wait(patch, paradt__bw_cell(bw, bw->cells.neighbors[cell * bw->cells.corners + ghost]));
+}
+
+// --- what regions tell each other
+//
+// Let v be a vertex of a cell, or of the facet of a ghost, and a point of a set Q. If any point of Q is in conflict
+// with the cell, so is one of v's neighbours in T(Q): lifted, Q is in the convex cone that v's edges and the upward
+// vertical span, the cell's hyperplane passes v, and no step up from it leads below it. A region's triangulation is
+// always one of all its own points and some more. So where boxes rule out too little, as near to surfaces, which large
+// spheres touch, regions tell each other the neighbours of the points that they have from each other. What is told once
+// remains true of a set of points that has all the region's own.
+
+// Cells around a vertex
+enum {
+    PARADT__AROUND = 256, // at most, and some that are found with the last
+    PARADT__AROUND_PLACES = 512
+};
+
+typedef struct paradt__around {
+    size_t count;
+    paradt_index cells[PARADT__AROUND + PARADT_MAX_DIM + 1];
+    paradt_index table[PARADT__AROUND_PLACES]; // the same by their numbers; -1: free
+} paradt__around;
+
+// Adds a cell; 0 if it is there.
+PARADT__INLINE int paradt__around_add(paradt__around *around, paradt_index cell) {
+    size_t place = (uint32_t)cell * 0x9E3779B1u >> 23;
+    while (around->table[place] != cell) {
+        if (around->table[place] < 0) {
+            around->table[place] = around->cells[around->count++] = cell;
+            return 1;
+        }
+        place = (place + 1) % PARADT__AROUND_PLACES;
+    }
+    return 0;
+}
+
+// Makes ready to be looked at by others.
+static paradt_status paradt__patch_show(paradt__patch *patch) {
+    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->bw.cells.corners, cell;
+    patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
+    if (!patch->around) return PARADT_ERROR_MEMORY;
+    paradt__bw_mark_free(&patch->bw);
+    for (cell = 0; cell < patch->bw.cells.count; cell++) {
+        if (patch->bw.cells.vertices[cell * corners] != PARADT__DEAD)
+            paradt__patch_note_around(patch, (paradt_index)cell);
+    }
+    return PARADT_OK;
+}
+
+// Notes a neighbour of a point of another region, by its number there.
+PARADT__INLINE paradt_status paradt__patch_note_near(paradt__patch *patch, const paradt__patch *other,
+                                                     paradt_index neighbor) {
+    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, near, other->origin[neighbor]);
+}
+
+// Lists the neighbours of another region's own point in its triangulation, each at least once.
+static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
+    const paradt_index *vertices = other->bw.cells.vertices, *links = other->bw.cells.neighbors;
+    paradt_index corners = (paradt_index)other->bw.cells.corners, first = other->around[vertex] * corners, i;
+    size_t before = patch->near_count, next;
+    paradt__around around;
+    paradt_status status = PARADT_OK;
+    around.count = 0;
+    memset(around.table, -1, sizeof around.table);
+    paradt__around_add(&around, other->around[vertex]);
+    for (i = first; i < first + corners && !status; i++) {
+        if (vertices[i] != vertex) status = paradt__patch_note_near(patch, other, vertices[i]);
+    }
+    for (next = 0; next < around.count && around.count <= PARADT__AROUND; next++) {
+        first = around.cells[next] * corners;
+        for (i = first; i < first + corners && !status; i++) { // beyond each facet with the vertex
+            if (vertices[i] != vertex && paradt__around_add(&around, links[i] / corners))
+                status = paradt__patch_note_near(patch, other, vertices[links[i]]);
+        }
+    }
+    if (around.count > PARADT__AROUND) patch->near_count = before;
+    patch->looked += PARADT__LANES + around.count / 4;
+    return status;
 }
 
 // Gives back what only the building needs: all patches wait together for the last step.
@@ -7605,9 +7780,14 @@ static void paradt__patch_rest(paradt__patch *patch) {
     paradt__release(patch->memory, patch->order);
     if (!patch->lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->state);
+    paradt__release(patch->memory, patch->around);
+    paradt__release(patch->memory, patch->late);
+    paradt__release(patch->memory, patch->told);
+    paradt__release(patch->memory, patch->near);
     patch->bw.spheres = NULL;
     patch->bw.order = patch->order = NULL;
     patch->records = NULL;
+    patch->around = patch->late = patch->told = patch->near = NULL;
     patch->state = NULL;
     patch->state_capacity = 0;
 }
@@ -7625,6 +7805,8 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     size_t i;
     memset(patch, 0, sizeof *patch);
     patch->set = set;
+    patch->everyone = *set;
+    patch->everyone.count = (size_t)PARADT__NOWHERE;
     patch->fields = fields;
     patch->field_count = field_count;
     patch->own = own;
@@ -7639,14 +7821,6 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     }
 }
 
-// Lists a facet that is open.
-static paradt_status paradt__patch_open(paradt__patch *patch, paradt_index handle) {
-    paradt_status status =
-        paradt__bw_list(&patch->bw, &patch->list, patch->list_count, &patch->list_capacity, patch->list_count + 1);
-    if (!status) patch->list[patch->list_count++] = handle;
-    return status;
-}
-
 // What is on the other side of a facet is dropped. In the first `numbered` cells, which stay where they are, a facet
 // that becomes open is listed at once, elsewhere when its cell is numbered.
 static paradt_status paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes,
@@ -7654,7 +7828,7 @@ static paradt_status paradt__patch_cut(paradt__patch *patch, paradt_index handle
     if (handle < 0) return PARADT_OK; // its cell was dropped before
     patch->bw.cells.neighbors[handle] = becomes;
     if (becomes == PARADT__HULL || (size_t)handle >= numbered * (size_t)patch->bw.cells.corners) return PARADT_OK;
-    return paradt__patch_open(patch, handle);
+    return PARADT__PATCH_LIST(patch, list, handle);
 }
 
 // Drops a ghost, or a cell of another region, or a free place. The links to what is dropped: a facet of S's hull that
@@ -7693,7 +7867,7 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, size_t cell) 
     size_t corners = (size_t)patch->bw.cells.corners, j;
     paradt_status status = PARADT_OK;
     for (j = cell * corners; j < (cell + 1) * corners && !status; j++) {
-        if (patch->bw.cells.neighbors[j] == PARADT__OPEN) status = paradt__patch_open(patch, (paradt_index)j);
+        if (patch->bw.cells.neighbors[j] == PARADT__OPEN) status = PARADT__PATCH_LIST(patch, list, (paradt_index)j);
     }
     return status;
 }
@@ -7732,27 +7906,102 @@ static paradt_status paradt__patch_close(paradt__patch *patch) {
     return paradt__patch_close_cells(patch, (size_t)patch->bw.cells.corners);
 }
 
-// Do the questions take longer than the insertion? They do where many spheres are too close to others' points for
-// boxes to tell: exactly cospherical points are the worst.
-static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    enum { FIRST_PATIENCE = 10000 }; // looks that take a millisecond
+// Looks for answers so far
+static uint64_t paradt__patch_looked(const paradt__patch *patch) {
     const paradt__counters *c = &patch->search.space.counters;
-    uint64_t looked = patch->search.grid_cells_visited + c->insphere_calls + c->orient_calls;
-    uint64_t cells = patch->bw.cells.count; // to make one takes as long as two looks or more, with the dimension many
-    return looked > cells * (patch->bw.cells.corners <= 4 ? 2 : 4) + FIRST_PATIENCE;
+    return patch->search.grid_cells_visited + patch->looked + c->insphere_calls + c->orient_calls;
 }
 
-// Builds the triangulation of a region's points and of what it needs of the others', until all cells of T(P) with a
-// vertex of the region are in it.
+// Would it be sooner to be told by others? To hear of a point takes as long as some looks.
+static int paradt__patch_is_hasty(const paradt__patch *patch) {
+    size_t others = patch->bw.count - patch->fields[patch->own].set.count;
+    return paradt__patch_looked(patch) > 10000 + patch->bw.cells.count / 32 + 8 * others;
+}
+
+// Do the questions, with what is inserted for them, take longer than to insert the points of other regions, or of two?
+// To make a cell takes as long as two looks or more, with the dimension many. A set may be all seam: exactly
+// cospherical points are.
+static int paradt__patch_is_stuck(const paradt__patch *patch) {
+    uint64_t looked = paradt__patch_looked(patch) / (patch->bw.cells.corners <= 4 ? 2 : 4);
+    return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+}
+
+// Builds the triangulation of the points that the region begins with.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt_status status = paradt__bw_build(&patch->bw, progress);
-    if (!status) status = paradt__patch_suspects(patch);
-    while (!status && patch->list_count) {
+    return status ? status : paradt__patch_suspects(patch);
+}
+
+// Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
+// wait for what others have to tell. If it is hasty, no longer than others would take to tell.
+static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty) {
+    paradt_status status = PARADT_OK;
+    while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
     }
-    return status ? status : paradt__patch_close(patch);
+    return status;
+}
+
+// Hears of all points that it has from others. The cells that waited for that go on.
+static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
+    size_t own = patch->fields[patch->own].set.count, i;
+    paradt_status status = PARADT_OK;
+    while (own + patch->told_count < patch->bw.count && !status) {
+        paradt_index position = patch->origin[own + patch->told_count];
+        const paradt__field *field = patch->fields;
+        while ((size_t)position - field->begin >= field->set.count) field++;
+        if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
+        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->near_count);
+    }
+    for (i = 0; i < patch->late_count && !status; i++) status = PARADT__PATCH_LIST(patch, list, patch->late[i]);
+    patch->late_count = 0;
+    return status;
+}
+
+// Adds all points that the patch has not got, behind those inserted, and their order.
+static paradt_status paradt__patch_add_all(paradt__patch *patch) {
+    const paradt__field *last = patch->fields + patch->field_count - 1, *field;
+    size_t before = patch->bw.count, end = last->begin + last->set.count, i;
+    unsigned char *has = (unsigned char *)paradt__alloc(patch->memory, end, 1);
+    paradt_index *order;
+    paradt_status status = has ? PARADT_OK : PARADT_ERROR_MEMORY;
+    if (!status && patch->capacity < patch->set->count) status = paradt__patch_reserve(patch, patch->set->count);
+    if (!status) memset(has, 0, end);
+    for (i = 0; i < before && !status; i++) has[patch->origin[i]] = 1;
+    for (field = patch->fields; field <= last; field++) {
+        for (i = field->begin; i < field->begin + field->set.count && !status; i++) {
+            if (!has[i]) status = paradt__patch_add(patch, i);
+        }
+    }
+    paradt__release(patch->memory, has);
+    if (status || patch->bw.count == before) return status;
+    paradt__release(patch->memory, patch->order);
+    patch->order = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->order);
+    order = paradt__round_order(patch->bw.count - before, patch->memory);
+    if (!patch->order || !order) status = PARADT_ERROR_MEMORY;
+    for (i = before; i < patch->bw.count && !status; i++) patch->order[i] = order[i - before] + (paradt_index)before;
+    paradt__release(patch->memory, order);
+    return status;
+}
+
+// Makes the patch the triangulation of the whole set, with the caller's indices.
+static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
+    paradt__bw *bw = &patch->bw;
+    paradt_status status;
+    size_t i;
+    bw->inserted = bw->count;
+    bw->later = 0;
+    status = paradt__patch_add_all(patch);
+    bw->order = patch->order;
+    if (!status && bw->inserted < bw->count)
+        status = paradt__bw_go_on(bw, paradt__bw_point(bw, bw->inserted), bw->count, -1);
+    if (!status) status = paradt__bw_insert_rest(bw, progress);
+    if (status) return status;
+    for (i = 0; i < bw->count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
+    patch->hull_facets = paradt__bw_close(bw, patch->origin);
+    return PARADT_OK;
 }
 
 // Puts the vertices of the region's cells where they are to be. They may be there already, or behind.
@@ -7898,6 +8147,7 @@ typedef struct paradt__region {
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
+    int open;    // it waits for what others have to tell
     double done; // what a front has reported of the whole work, at most
     paradt_stats stats;
 } paradt__region;
@@ -8030,7 +8280,32 @@ static void paradt__points_task(void *context, size_t index) {
     region->status = paradt__patch_points(&region->patch, work->basis);
 }
 
-// By insertion, third step: the cells.
+// Can regions be asked by the cells around their vertices? Up to three dimensions these are few, and without weights
+// there are some.
+static int paradt__asks_around(const paradt__work *work) {
+    return !work->in_turn && work->set.space.dim <= 3 && !work->set.space.weighted;
+}
+
+static void paradt__count_patch(paradt__region *region) {
+    const paradt__patch *patch = &region->patch;
+    memset(&region->stats, 0, sizeof region->stats);
+    paradt__count_predicates(&region->stats, &patch->bw.space.counters);
+    paradt__count_predicates(&region->stats, &patch->search.space.counters);
+    region->stats.distance_evaluations = patch->search.distance_evaluations;
+    region->stats.grid_cells_visited = patch->search.grid_cells_visited;
+}
+
+// Leaves only the region's cells.
+static void paradt__close_region(paradt__region *region) {
+    paradt__patch *patch = &region->patch;
+    region->status = paradt__patch_close(patch);
+    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
+    region->hull_facets = patch->hull_facets;
+    region->open = 0;
+    paradt__patch_rest(patch);
+}
+
+// By insertion, third step: the cells. The region remains open if it would rather be told by others what it lacks.
 static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -8038,13 +8313,36 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__progress progress = paradt__part_of_progress(work, index, work->regions);
     region->status = paradt__patch_build(patch, &progress);
     region->done = progress.begin + progress.length;
-    paradt__count_predicates(&region->stats, &patch->bw.space.counters);
-    paradt__count_predicates(&region->stats, &patch->search.space.counters);
-    region->stats.distance_evaluations += patch->search.distance_evaluations;
-    region->stats.grid_cells_visited += patch->search.grid_cells_visited;
-    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
-    region->hull_facets = patch->hull_facets;
-    paradt__patch_rest(patch);
+    if (!region->status) region->status = paradt__patch_complete(patch, paradt__asks_around(work));
+    region->open = !region->status && patch->list_count;
+    paradt__count_patch(region);
+    if (!region->status && !region->open) paradt__close_region(region);
+}
+
+// Regions that are open look at each other's cells while none of them changes.
+static void paradt__show_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    if (!region->open) return;
+    region->status = paradt__patch_show(&region->patch);
+    work->fields[index].patch = &region->patch;
+}
+
+static void paradt__hear_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->open) region->status = paradt__patch_hear_all(&region->patch);
+}
+
+static void paradt__complete_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (!region->open) return;
+    region->status = paradt__patch_complete(&region->patch, 0);
+    paradt__count_patch(region);
+}
+
+static void paradt__close_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->open) paradt__close_region(region);
 }
 
 // Are the cells of the region in a slice of the result that they are not moved from yet? The first two slices' cells
@@ -8145,10 +8443,13 @@ static void paradt__share_memory(paradt__work *work) {
 }
 
 // Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, and what is
-// left of it nothing but addresses. Not where there are so many points of others that a quarter could be left.
-static size_t paradt__slice_places(const paradt__patch *patch, int dim) {
-    size_t count = patch->bw.count, own = patch->fields[patch->own].set.count;
-    return paradt__bw_places(count - own <= own / 8 ? count + count / 16 : count, dim);
+// left of it nothing but addresses; and more of the last one, behind which nothing has to be moved. Not where there are
+// so many points of others that a quarter could be left.
+static size_t paradt__slice_places(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    size_t count = patch->bw.count, own = patch->fields[index].set.count;
+    if (count - own <= own / 8) count += count / (index + 1 < work->regions ? 9 : 6);
+    return paradt__bw_places(count, work->set.space.dim);
 }
 
 // Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
@@ -8160,7 +8461,7 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     paradt_status status;
     slices->corners = dim + 1;
     if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice_places(&work->region[i].patch, dim);
+    for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
     status = paradt__cells_reserve(slices, total, &work->memory);
     if (slices->capacity < total) { // more than can be numbered, or no memory
         paradt__cells_free(slices, &work->memory);
@@ -8169,7 +8470,7 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     paradt__share_memory(work);
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice_places(patch, dim);
+        size_t capacity = paradt__slice_places(work, i);
         status = paradt__bw_lend(&patch->bw, slices->vertices + first * (size_t)slices->corners,
                                  slices->neighbors + first * (size_t)slices->corners, capacity);
         first += capacity;
@@ -8201,7 +8502,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
         in_place = in_place && work->region[i].patch.bw.cells.lent;
     }
     // Slices of which a quarter would be left empty don't become the result. To copy it takes as much again.
-    in_place = in_place && work->slices.capacity <= total + total / 4 + 64;
+    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
     if (in_place) *cells = work->slices;
     else status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
     cells->count = total;
@@ -8281,14 +8582,29 @@ static void paradt__close_set(paradt__work *work) {
     }
 }
 
+// Completes the regions that are open with what they tell each other.
+static paradt_status paradt__complete_together(paradt__work *work) {
+    paradt_status status = paradt__run_regions(work, paradt__show_task);
+    size_t waiting, i;
+    do {
+        if (!status) status = paradt__run_regions(work, paradt__hear_task);
+        if (!status) status = paradt__run_regions(work, paradt__complete_task);
+        for (i = waiting = 0; i < work->regions; i++)
+            waiting += work->region[i].open && work->region[i].patch.late_count;
+    } while (!status && waiting);
+    return status ? status : paradt__run_regions(work, paradt__close_task);
+}
+
 // All regions at once, each step a task for each.
 static paradt_status paradt__build_together(paradt__work *work) {
-    size_t i;
+    size_t open, i;
     paradt_status status = paradt__run_regions(work, paradt__points_task);
     paradt__share_memory(work);
     if (!status) status = paradt__lend_slices(work);
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__patch_task);
+    for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
+    if (!status && open) status = paradt__complete_together(work);
     for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
         if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
     }
@@ -8359,8 +8675,44 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
     return status;
 }
 
+// --- regions given up
+
+// The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
+// back.
+static paradt_status paradt__take_over(paradt__work *work) {
+    paradt__progress progress = paradt__part_of_progress(work, 0, 1);
+    paradt__region *largest = NULL, *region;
+    paradt__patch *patch;
+    paradt_status status;
+    for (region = work->region; region < work->region + work->regions; region++) {
+        region->patch.memory = region->patch.bw.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.bw.count > largest->patch.bw.count))
+            largest = region;
+    }
+    for (region = work->region; region < work->region + work->regions; region++) {
+        region->stats.cells_recomputed = region->hull_facets = 0;
+        if (region == largest) continue;
+        paradt__patch_end(&region->patch);
+        memset(&region->patch, 0, sizeof region->patch);
+    }
+    patch = &largest->patch;
+    status = paradt__patch_take_all(patch, &progress);
+    paradt__count_patch(largest);
+    largest->hull_facets = patch->hull_facets;
+    if (!status && patch->bw.cells.lent) {
+        work->cells.corners = patch->bw.cells.corners;
+        status = paradt__cells_reserve(&work->cells, patch->bw.cells.count, &work->memory);
+        if (!status) paradt__cells_append(&work->cells, &patch->bw.cells);
+    } else if (!status) {
+        work->cells = patch->bw.cells;
+        memset(&patch->bw.cells, 0, sizeof patch->bw.cells);
+    }
+    return status;
+}
+
 // Regions by insertion.
 static paradt_status paradt__build_patches(paradt__work *work) {
+    int taken;
     paradt_status status;
     size_t i;
     work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
@@ -8369,6 +8721,8 @@ static paradt_status paradt__build_patches(paradt__work *work) {
     status = paradt__permute_set(work);
     paradt__share_memory(work);
     if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
+    taken = status == PARADT__GAVE_UP && !work->in_turn;
+    if (taken) status = paradt__take_over(work);
     work->translated = !status;
     for (i = 0; i < work->regions; i++) {
         paradt__region *region = work->region + i;
@@ -8379,6 +8733,7 @@ static paradt_status paradt__build_patches(paradt__work *work) {
         paradt__grid_free(&work->fields[i].grid, &work->memory);
     }
     paradt__cells_free(&work->slices, &work->memory);
+    if (taken) work->regions = 1;
     return status;
 }
 
@@ -8488,7 +8843,7 @@ static size_t paradt__turns(const paradt__work *work) {
     return TURNS;
 }
 
-// By insertion. When regions give up, the set is permuted.
+// By insertion. When regions in turn give up, the set is permuted.
 static paradt_status paradt__insert_all(paradt__work *work) {
     paradt_status status;
     work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && work->set.space.dim <= 3 &&

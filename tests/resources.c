@@ -449,6 +449,67 @@ static void regions_give_up_where_questions_abound(void **state) {
     }
 }
 
+// A wavy sheet of some thickness: many of its points' cells have large spheres, which touch it far away.
+static sample points_of_a_sheet(int count) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, count, 1);
+    for (int i = 0; i < count; i++) {
+        double *x = s.x + 3 * i;
+        x[2] = 0.3 * sin(6 * x[0]) * cos(5 * x[1]) + 0.01 * x[2];
+    }
+    return s;
+}
+
+// Boxes alone don't tell there which cells are right: such regions were given up.
+static void regions_near_a_surface_tell_each_other(void **state) {
+    sample s = points_of_a_sheet(20000);
+    paradt_points points = points_of(&s);
+    paradt_triangulation whole;
+    (void)state;
+    assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
+    for (size_t way = 0; way < 6; way++) {
+        paradt_options options = {0};
+        paradt_triangulation t;
+        options.regions = 2 + way / 2;
+        options.parallel_for = way & 1 ? run_on_threads : NULL;
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        assert_true(paradt_hash(&t) == paradt_hash(&whole));
+        assert_true(t.stats.hull_facets == whole.stats.hull_facets);
+        assert_true(t.stats.regions == options.regions);
+        assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
+        paradt_free(&t);
+    }
+    paradt_free(&whole);
+    sample_free(&s);
+}
+
+// Of these two regions each hears of the other's points, but gives up; then one takes in the other's points.
+static void memory_may_run_out_where_regions_are_given_up(void **state) {
+    sample s = points_of_a_sheet(5000);
+    paradt_points points = points_of(&s);
+    size_t k = 1, tried = 0, refused = 1;
+    (void)state;
+    for (; refused; k += 1 + k / 50, tried++) {
+        paradt_options options = {0};
+        paradt_triangulation t;
+        books b = books_open();
+        options.regions = 2;
+        b.fail_at = k;
+        keep_books(&options, &b);
+        paradt_status status = paradt_triangulate(&t, &points, &options);
+        assert_int_equal(status, b.refused ? PARADT_ERROR_MEMORY : PARADT_OK);
+        if (b.refused)
+            assert_empty(&t);
+        else
+            assert_true(t.stats.regions == 1);
+        paradt_free(&t);
+        assert_int_equal(b.live, 0);
+        assert_int_equal(b.faults, 0);
+        refused = b.refused;
+    }
+    assert_true(tried > 50);
+    sample_free(&s);
+}
+
 // Integer points on a sphere around the origin, which are measured from it, as points near a sphere are.
 static sample points_exactly_on_a_sphere(int radius2) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 3000, 1);
@@ -632,6 +693,8 @@ int main(void) {
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_take_few_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),
+        cmocka_unit_test(regions_near_a_surface_tell_each_other),
+        cmocka_unit_test(memory_may_run_out_where_regions_are_given_up),
         cmocka_unit_test(regions_give_up_on_points_measured_from_a_sphere),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
         cmocka_unit_test(a_small_stack_is_enough),
