@@ -141,12 +141,13 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to eleven times. One region a thread is right where the points are alike
-// everywhere; a few more even out regions that take longer. The cells do not depend on the regions, nor on the threads.
+// threads, at once. It is called up to eleven times, and near surfaces, where regions tell each other what they lack,
+// some dozens of times more. One region a thread is right where the points are alike everywhere; a few more even out
+// regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
-// Insertion gives the regions up, and builds the set undivided, where they would have to ask each other for longer than
-// all the rest takes: among points exactly on a sphere, or almost on a line. stats.regions is 1 then. Threads may see
-// the progress go back.
+// Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
+// points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
+// 1. Threads may see the progress go back.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
 //
@@ -203,7 +204,7 @@
 // has them ready, and adds a third on a virtual machine whose host has to provide them anew.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// Arrays may have room for a quarter more at their ends, where regions made that much in vain.
+// Arrays may have room for a third more at their ends, where regions made that much in vain.
 // In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
 // once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
 // 10^6 uniform points in space need 190 bytes a point instead of 274, and a third more time. memory_limit bounds the
@@ -7211,9 +7212,11 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
-// A region takes time and memory for its own points and the seam: it reads others' points through their grids only.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build,
-// paradt__patch_emit_vertices, paradt__patch_emit_neighbors, paradt__patch_end.
+// A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
+// they tell of their neighbours.
+// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
+// paradt__patch_show, paradt__patch_hear_all, paradt__patch_close, paradt__patch_emit_vertices,
+// paradt__patch_emit_neighbors, paradt__patch_take_all, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
 // a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
@@ -7606,8 +7609,8 @@ static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, co
     return -1;
 }
 
-// Of the cell's vertices that are the field's, and are others' points that the patch has by their numbers: one of which
-// it is told, or else one of which it is not told yet, or SIZE_MAX.
+// A vertex of the cell that is the field's, as the number of others' points that the patch has: one of which the
+// neighbours are told, or else one of which they are not told yet, or SIZE_MAX.
 static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
@@ -7675,8 +7678,7 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     return status;
 }
 
-// Asks about a cell that waits, and does what follows from the answer. No point that is missing is in a sphere inside
-// K.
+// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
     const paradt__bw *bw = &patch->bw;
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
@@ -7700,10 +7702,10 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 //
 // Let v be a vertex of a cell, or of the facet of a ghost, and a point of a set Q. If any point of Q is in conflict
 // with the cell, so is one of v's neighbours in T(Q): lifted, Q is in the convex cone that v's edges and the upward
-// vertical span, the cell's hyperplane passes v, and no step up from it leads below it. A region's triangulation is
-// always one of all its own points and some more. So where boxes rule out too little, as near to surfaces, which large
-// spheres touch, regions tell each other the neighbours of the points that they have from each other. What is told once
-// remains true of a set of points that has all the region's own.
+// vertical span; the cell's hyperplane passes through v, and no way up leads below it. A region's triangulation is at
+// any time one of all its own points and some more, so v's neighbours there, at whatever time, decide for all of its
+// points. They are few also near surfaces, which large spheres touch so that boxes rule out little. Regions tell each
+// other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
 // Cells around a vertex
 enum {
@@ -8501,7 +8503,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
         total += work->region[i].patch.bw.cells.count;
         in_place = in_place && work->region[i].patch.bw.cells.lent;
     }
-    // Slices of which a quarter would be left empty don't become the result. To copy it takes as much again.
+    // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
     in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
     if (in_place) *cells = work->slices;
     else status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
