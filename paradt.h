@@ -8496,13 +8496,15 @@ static void paradt__close_slices(paradt__work *work) {
 static paradt_status paradt__collect_patches(paradt__work *work) {
     paradt__cells *cells = &work->cells;
     size_t total = 0, i;
-    int in_place = work->slices.vertices != NULL;
+    int in_place = work->slices.vertices != NULL, lent = 0;
     paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         work->region[i].offset = total;
         total += work->region[i].patch.bw.cells.count;
         in_place = in_place && work->region[i].patch.bw.cells.lent;
+        lent = lent || work->region[i].patch.bw.cells.lent;
     }
+    if (!lent) paradt__cells_free(&work->slices, &work->memory);
     // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
     in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
     if (in_place) *cells = work->slices;
@@ -8698,6 +8700,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
         memset(&region->patch, 0, sizeof region->patch);
     }
     patch = &largest->patch;
+    if (!patch->bw.cells.lent) paradt__cells_free(&work->slices, &work->memory);
     status = paradt__patch_take_all(patch, &progress);
     paradt__count_patch(largest);
     largest->hull_facets = patch->hull_facets;
