@@ -1841,11 +1841,11 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
                                        &w->memory, &progress);
 }
 
-// Can the triangulation be gone on with when more points come? Insertion can, undivided, and without sagittas.
+// Can the triangulation be gone on with when more points come? Insertion can, undivided. It has no use for sagittas.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
     paradt_method method = w->options.local.method;
     return (method == PARADT_AUTO || method == PARADT_BOWYER_WATSON) && w->options.local.regions <= 1 &&
-           w->set.space.dim > 0 && w->set.grade != PARADT__SAGITTA;
+           w->set.space.dim > 0;
 }
 
 // The local engine: triangulates all that this rank knows. Not collective.
