@@ -1796,10 +1796,10 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
     paradt__layout y;
     paradt__fixed f;
     if (paradt__fix_rows(&f, s, &q)) {
-        int small = k * f.bits + (lifted ? f.lift_bits : 0) + paradt__log_factorial[n] <= PARADT__WIDE_BITS;
+        int is_small = k * f.bits + (lifted ? f.lift_bits : 0) + paradt__log_factorial[n] <= PARADT__WIDE_BITS;
         int lift_fits = !lifted || f.lift_bits <= PARADT__WIDE_BITS - 5;
         if (lifted && lift_fits) paradt__fix_lifts(&f, &q);
-        if (small && lift_fits) {
+        if (is_small && lift_fits) {
             s->counters.exact_small++;
             return paradt__small_sign(&f, n, k);
         }
@@ -3872,14 +3872,14 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_q
 
 PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_query *q, const double *cell,
                                                              int ambient, int grade) {
-    const __m256d far = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
+    const __m256d beyond = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
     __m256d best[2], n;
     __m128d pair;
     int half;
     for (half = 0; half < 2; half++) {
         paradt__lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
         best[half] =
-            _mm256_blendv_pd(far, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
+            _mm256_blendv_pd(beyond, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
         best[half] =
             _mm256_or_pd(_mm256_andnot_pd(number, best[half]),
                          _mm256_castsi256_pd(half ? _mm256_setr_epi64x(4, 5, 6, 7) : _mm256_setr_epi64x(0, 1, 2, 3)));
@@ -6329,7 +6329,7 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     paradt__seen3 seen = s->next;
     paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread);
     size_t i;
-    int small;
+    int is_small;
     if (status) return status;
     if (bw->inserted + 1 < bw->count)
         s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
@@ -6339,15 +6339,15 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     s->driven_out = 0;
     s->made += bw->rim_count;
     if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) status = paradt__bw3_adapt(bw);
-    small = bw->rim_count <= PARADT__SMALL_STAR;
-    if (!PARADT__LIKELY(small) && !status) status = paradt__bw3_widen_star(bw);
+    is_small = bw->rim_count <= PARADT__SMALL_STAR;
+    if (!PARADT__LIKELY(is_small) && !status) status = paradt__bw3_widen_star(bw);
     if (status) return status;
-    if (!PARADT__LIKELY(small) && bw->rim_count > s->large_star) return paradt__bw3_fill_large(bw, point);
+    if (!PARADT__LIKELY(is_small) && bw->rim_count > s->large_star) return paradt__bw3_fill_large(bw, point);
     // So numbers that are kept and those that come, 48 + 2 + 128 / 2 or 2 + 256 / 2, fit the small table of edges.
     if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > PARADT__SMALL_STAR / 2) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
-    if (PARADT__LIKELY(small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point, turn);
+    if (PARADT__LIKELY(is_small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point, turn);
     else paradt__bw3_link(bw, s->large_edges, s->large_row, point, turn);
     paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
@@ -7248,7 +7248,7 @@ typedef struct paradt__patch {
     int lent;                        // these are those of the field
     paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    size_t far;                      // vertices from this one on may be outside of K
+    size_t outer;                    // vertices from this one on may be outside of K
     int roomy;                       // there is a margin: all points in K are in the set, with those on its border
     unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
@@ -7260,8 +7260,8 @@ typedef struct paradt__patch {
     size_t late_count, late_capacity;
     paradt_index *told; // [told_capacity] for the first told_count of others' points where their neighbours end
     size_t told_count, told_capacity;
-    paradt_index *near; // [near_capacity] these neighbours, as positions in the set; none where there are too many
-    size_t near_count, near_capacity;
+    paradt_index *nearby; // [nearby_capacity] these neighbours, as positions in the set; none where there are too many
+    size_t nearby_count, nearby_capacity;
     uint64_t looked;      // groups of neighbours
     size_t late_cells;    // made by answers
     size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
@@ -7433,7 +7433,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     int axes[PARADT_MAX_DIM + 1], dim = known.space.dim, i;
     size_t j;
     paradt_status status = PARADT_OK;
-    patch->far = patch->roomy ? known.count : patch->fields[patch->own].set.count;
+    patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
     if (known.count > (size_t)dim) {
         points[0] = known.records;
         known.space.ambient = dim; // only the axes that orient
@@ -7524,12 +7524,12 @@ static paradt_status paradt__patch_states(paradt__patch *patch) {
 
 // Could a cell or ghost be wrong that has not only vertices of the region? Free places are marked.
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
-    int share = 0, far = 0, i;
+    int share = 0, outer = 0, i;
     for (i = 0; i < patch->bw.cells.corners; i++) {
         share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
-        far |= vertices[i] < 0 || (size_t)vertices[i] >= patch->far;
+        outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
-    return vertices[0] != PARADT__DEAD && (share == 1 || (share && far));
+    return vertices[0] != PARADT__DEAD && (share == 1 || (share && outer));
 }
 
 // Lists the cells that could be wrong.
@@ -7603,7 +7603,7 @@ static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, co
     patch->looked += 1 + (end - i) / PARADT__LANES;
     paradt__search_turn(s, &patch->everyone, s->grid, positions);
     for (; i < end; i++) {
-        paradt__search_point(s, (size_t)patch->near[i]);
+        paradt__search_point(s, (size_t)patch->nearby[i]);
         if (paradt__patch_met(s)) return s->apex;
     }
     return -1;
@@ -7748,14 +7748,14 @@ static paradt_status paradt__patch_show(paradt__patch *patch) {
 // Notes a neighbour of a point of another region, by its number there.
 PARADT__INLINE paradt_status paradt__patch_note_near(paradt__patch *patch, const paradt__patch *other,
                                                      paradt_index neighbor) {
-    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, near, other->origin[neighbor]);
+    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, nearby, other->origin[neighbor]);
 }
 
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
 static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
     const paradt_index *vertices = other->bw.cells.vertices, *links = other->bw.cells.neighbors;
     paradt_index corners = (paradt_index)other->bw.cells.corners, first = other->around[vertex] * corners, i;
-    size_t before = patch->near_count, next;
+    size_t before = patch->nearby_count, next;
     paradt__around around;
     paradt_status status = PARADT_OK;
     around.count = 0;
@@ -7771,7 +7771,7 @@ static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patc
                 status = paradt__patch_note_near(patch, other, vertices[links[i]]);
         }
     }
-    if (around.count > PARADT__AROUND) patch->near_count = before;
+    if (around.count > PARADT__AROUND) patch->nearby_count = before;
     patch->looked += PARADT__LANES + around.count / 4;
     return status;
 }
@@ -7785,11 +7785,11 @@ static void paradt__patch_rest(paradt__patch *patch) {
     paradt__release(patch->memory, patch->around);
     paradt__release(patch->memory, patch->late);
     paradt__release(patch->memory, patch->told);
-    paradt__release(patch->memory, patch->near);
+    paradt__release(patch->memory, patch->nearby);
     patch->bw.spheres = NULL;
     patch->bw.order = patch->order = NULL;
     patch->records = NULL;
-    patch->around = patch->late = patch->told = patch->near = NULL;
+    patch->around = patch->late = patch->told = patch->nearby = NULL;
     patch->state = NULL;
     patch->state_capacity = 0;
 }
@@ -7955,7 +7955,7 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
         if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
-        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->near_count);
+        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->nearby_count);
     }
     for (i = 0; i < patch->late_count && !status; i++) status = PARADT__PATCH_LIST(patch, list, patch->late[i]);
     patch->late_count = 0;
@@ -9180,11 +9180,11 @@ PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *en
 // May what is at such a place be the first in conflict with a point that is missing? See >>patches: a ghost, or a cell
 // that has just one vertex with a position below `own`, or a vertex that is marked. far: [positions - own], the marks
 static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine, size_t place, paradt_index own,
-                                            const unsigned char *far) {
+                                            const unsigned char *outer) {
     int corners = engine->bw.cells.corners, i, share = 0, marked = 0;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
     for (i = 0; i < corners; i++) {
-        if (vertices[i] >= own) marked |= far[vertices[i] - own];
+        if (vertices[i] >= own) marked |= outer[vertices[i] - own];
         else if (vertices[i] >= 0) share++;
         else marked = 1;
     }
@@ -9289,36 +9289,36 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     return others;
 }
 
-// Grades the set by a reference sphere that is given, as paradt__set_grade does by one it finds. *near: whether the set
-// is near to it; if not, the set remains as it is. The largest sagitta is left in set->grade_limit.
+// Grades the set by a reference sphere that is given, as paradt__set_grade does by one it finds. *nearby: whether the
+// set is near to it; if not, the set remains as it is. The largest sagitta is left in set->grade_limit.
 static paradt_status paradt__remote_sphere(paradt__set *set, const double *centre, double radius2,
-                                           paradt__memory *memory, int *near) {
+                                           paradt__memory *memory, int *nearby) {
     double largest = 0.0, *records;
     int64_t o[PARADT_MAX_DIM][3], squared;
     int ambient = set->space.ambient, top = 0, j;
     size_t i, width = set->width;
     while (top < 100 && paradt__power(2 * top) < 4.0 * radius2) top++;
     while (top > -100 && paradt__power(2 * top - 2) > 4.0 * radius2) top--;
-    *near = 1;
+    *nearby = 1;
     for (j = 0; j < ambient; j++) {
         set->centre[j] = centre[j];
-        *near &= paradt__abs(centre[j]) < 0.25 * paradt__power(top);
+        *nearby &= paradt__abs(centre[j]) < 0.25 * paradt__power(top);
     }
-    if (!*near) return PARADT_OK;
+    if (!*nearby) return PARADT_OK;
     for (j = 0; j < ambient; j++) paradt__digits_of(centre[j], top, o[j]);
     squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
     records = (double *)paradt__alloc(memory, set->count, (width + 1) * sizeof(double));
     if (!records) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < set->count && *near; i++) {
+    for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
         memcpy(to, set->records + i * width, width * sizeof(double));
-        *near = paradt__largest(to, ambient) < paradt__power(top);
-        if (!*near) break;
+        *nearby = paradt__largest(to, ambient) < paradt__power(top);
+        if (!*nearby) break;
         to[ambient] = paradt__sagitta(to, (const int64_t(*)[3])o, squared, top, ambient);
         largest = paradt__larger(largest, paradt__abs(to[ambient]));
-        *near = largest < radius2 * 0.0009765625;
+        *nearby = largest < radius2 * 0.0009765625;
     }
-    if (*near) {
+    if (*nearby) {
         paradt__release(memory, set->records);
         set->records = records;
         set->width++;

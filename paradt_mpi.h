@@ -343,8 +343,8 @@ typedef struct paradt_mpi__directory {   // boxes around all points of all ranks
     double *rooms;                       // [ranks][2 dim + 1] low and high of each axis, and how far beyond them each
                                          // rank wants to know all points
     size_t width;                        // doubles a group
-    int *near;                           // [near_count] other ranks that have points in the vicinity,
-    int near_count;                      //
+    int *nearby;                         // [nearby_count] other ranks that have points in the vicinity,
+    int nearby_count;                    //
     int *listeners;                      // [ranks] those who may have to be asked about a cell
     double vicinity[2 * PARADT_MAX_DIM]; // some way around this rank's points: low and high of each axis
 } paradt_mpi__directory;
@@ -1195,7 +1195,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     double *sample;
     size_t *counts;
     int64_t all_near;
-    int near = 0, dim = w->dim;
+    int nearby = 0, dim = w->dim;
     paradt_status status = PARADT_OK;
     if (set->grade || set->space.dim < dim || !set->space.filtered) return PARADT_OK;
     sample = (double *)paradt__alloc(&w->memory, (size_t)w->ranks * 64 * set->width, sizeof *sample);
@@ -1211,13 +1211,13 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     paradt__release(&w->memory, sample);
     paradt__release(&w->memory, counts);
     if (status || !(sphere[dim + 1] > 0.0)) return status;
-    status = paradt__remote_sphere(set, sphere, sphere[dim], &w->memory, &near);
-    all_near = near;
+    status = paradt__remote_sphere(set, sphere, sphere[dim], &w->memory, &nearby);
+    all_near = nearby;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
     paradt_mpi__smallest(w, &all_near, 1);
-    if (near) w->room = set->count; // the records are others now
-    if (near && !all_near) paradt_mpi__ungrade(set);
+    if (nearby) w->room = set->count; // the records are others now
+    if (nearby && !all_near) paradt_mpi__ungrade(set);
     if (!all_near) return PARADT_OK;
     MPI_Allreduce(&set->grade_limit, &limit, 1, MPI_DOUBLE, MPI_MAX, w->comm);
     set->grade_limit = limit * 1.0000001;
@@ -1516,16 +1516,16 @@ static void paradt_mpi__list_near(paradt_mpi__work *w, double margin) {
     const double *mine = d->ranks + (size_t)(w->rank / PARADT__LANES) * d->width + w->rank % PARADT__LANES;
     int r, j;
     for (j = 0; j < 2 * w->set.space.dim; j++) d->vicinity[j] = mine[j * PARADT__LANES] + (j % 2 ? margin : -margin);
-    d->near_count = 0;
+    d->nearby_count = 0;
     for (r = 0; r < w->ranks; r++) {
-        if (r != w->rank && paradt_mpi__may_have(w, r, d->vicinity)) d->near[d->near_count++] = r;
+        if (r != w->rank && paradt_mpi__may_have(w, r, d->vicinity)) d->nearby[d->nearby_count++] = r;
     }
 }
 
 // How far beyond its box this rank wants to know all points: so far as most spheres at its border reach. That is
 // measured by the grid cells there, by their harmonic mean, to which small ones count more.
 static double paradt_mpi__margin(const paradt_mpi__work *w) {
-    size_t box, near = 0;
+    size_t box, nearby = 0;
     double inverse = 0.0;
     int j;
     for (box = 0; box < w->grid.box_count[0]; box++) {
@@ -1538,9 +1538,9 @@ static double paradt_mpi__margin(const paradt_mpi__work *w) {
         }
         if (gap > side || !(side > 0.0)) continue;
         inverse += 1.0 / side;
-        near++;
+        nearby++;
     }
-    return near ? PARADT_MPI__MARGIN * (double)near / inverse : 0.0;
+    return nearby ? PARADT_MPI__MARGIN * (double)nearby / inverse : 0.0;
 }
 
 static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
@@ -1556,10 +1556,10 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     d->count = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->count);
     d->ranks = (double *)paradt__alloc(&w->memory, room, sizeof *d->ranks);
     d->rooms = (double *)paradt__alloc(&w->memory, ranks, (2 * (size_t)w->dim + 1) * sizeof *d->rooms);
-    d->near = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->near);
+    d->nearby = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->nearby);
     d->listeners = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->listeners);
     mine = (double *)paradt__alloc(&w->memory, size, sizeof *mine);
-    if (!d->groups || !d->count || !d->ranks || !d->rooms || !d->near || !d->listeners || !mine)
+    if (!d->groups || !d->count || !d->ranks || !d->rooms || !d->nearby || !d->listeners || !mine)
         status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
@@ -1982,7 +1982,7 @@ static paradt_status paradt_mpi__ask_ranks(paradt_mpi__work *w, paradt_mpi__ques
 // 512 u m^4. Where |det| > 2^-20 m^3 the centre so is wrong by less than 2^-24 m and 2^-25 of its distance; 2^-20 of
 // both, and 10^-15 of the coordinates, leave room for the rest.
 static int paradt_mpi__sphere_box3(const double *const *p, double *box) {
-    double e[3][3], square[3], n[3], cross[3], det, m = 0.0, radius, far = 0.0;
+    double e[3][3], square[3], n[3], cross[3], det, m = 0.0, radius, extent = 0.0;
     int i, j;
     for (i = 0; i < 3; i++) {
         for (j = 0; j < 3; j++) {
@@ -2001,10 +2001,10 @@ static int paradt_mpi__sphere_box3(const double *const *p, double *box) {
     if (!(paradt__abs(det) > 9.5367431640625e-07 * m * m * m)) return 0;
     for (j = 0; j < 3; j++) {
         n[j] *= 0.5 / det;
-        far = paradt__larger(far, paradt__abs(p[0][j]));
+        extent = paradt__larger(extent, paradt__abs(p[0][j]));
     }
     radius = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    radius += 9.5367431640625e-07 * (m + radius) + 1e-15 * far;
+    radius += 9.5367431640625e-07 * (m + radius) + 1e-15 * extent;
     for (j = 0; j < 3; j++) {
         box[2 * j] = p[0][j] + (n[j] - radius);
         box[2 * j + 1] = p[0][j] + (n[j] + radius);
@@ -2023,8 +2023,8 @@ static int paradt_mpi__is_within(const double *box, const double *room, int dim)
 static int paradt_mpi__find_listeners(paradt_mpi__work *w, const paradt_index *cell, const double *box) {
     paradt_mpi__directory *d = &w->directory;
     int all = !paradt_mpi__is_within(box, d->vicinity, w->set.space.dim), found = 0, i;
-    for (i = 0; i < (all ? w->ranks : d->near_count); i++) {
-        int r = all ? i : d->near[i];
+    for (i = 0; i < (all ? w->ranks : d->nearby_count); i++) {
+        int r = all ? i : d->nearby[i];
         if (r != w->rank && paradt_mpi__may_have(w, r, box) && !paradt_mpi__is_told(w, r, cell))
             d->listeners[found++] = r;
     }
@@ -2130,14 +2130,14 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
 // one of them for a vertex may be in conflict with a point far from its sphere then, if that is heavy.
 static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
     size_t others = w->known - w->set.count, i;
-    unsigned char *far = (unsigned char *)paradt__alloc(&w->memory, others, 1);
-    for (i = 0; far && i < others; i++) {
+    unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others, 1);
+    for (i = 0; outer && i < others; i++) {
         const double *x = paradt__record(&w->set, (paradt_index)(w->set.count + i));
         int j = 0;
         while (j < w->set.space.dim && x[j] > w->inside[2 * j] && x[j] < w->inside[2 * j + 1]) j++;
-        far[i] = w->weighted || j < w->set.space.dim;
+        outer[i] = w->weighted || j < w->set.space.dim;
     }
-    return far;
+    return outer;
 }
 
 // Fetches what is looked at next: what is at the places first, then what that leads to.
@@ -2159,19 +2159,19 @@ static void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi_
 // vertices never count as such. What has no own vertex does not matter.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
     paradt_index own = (paradt_index)w->set.count;
-    unsigned char *far = paradt_mpi__mark_far(w);
+    unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
     size_t place, at;
     int open, j;
     memset(&list, 0, sizeof list);
     list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
-    if (!far || !list.seen) status = PARADT_ERROR_MEMORY;
+    if (!outer || !list.seen) status = PARADT_ERROR_MEMORY;
     if (!status) memset(list.seen, 0, count);
     for (place = 0; place < count && !status; place++) {
         if (!paradt__remote_engine_is_seam(&w->engine, place, own)) continue;
         status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
-        if (!status && paradt__remote_engine_is_suspect(&w->engine, place, own, far))
+        if (!status && paradt__remote_engine_is_suspect(&w->engine, place, own, outer))
             status = paradt_mpi__wait(w, &list, place);
     }
     for (at = 0; at < list.count && !status && !w->stuck; at++) {
@@ -2183,7 +2183,7 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     }
     paradt__release(&w->memory, list.seen);
     paradt__release(&w->memory, list.items);
-    paradt__release(&w->memory, far);
+    paradt__release(&w->memory, outer);
     return status;
 }
 
@@ -2582,18 +2582,18 @@ PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_
 // read byte by byte, as it were: they may lie in the block that the numbers go to, which has two types then.
 PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *number,
                                                     const char *neighbors, paradt_mpi__facets *f) {
-    paradt_index *vertices = w->out->cells + c * k, near[PARADT_MAX_DIM + 1], any = 0;
+    paradt_index *vertices = w->out->cells + c * k, nearby[PARADT_MAX_DIM + 1], any = 0;
     int64_t numbers[PARADT_MAX_DIM + 1], first = (int64_t)w->out->first_cell;
     paradt_status status = PARADT_OK;
     size_t j;
     for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
     if (!neighbors) return PARADT_OK;
-    memcpy(near, neighbors + c * k * sizeof *near, k * sizeof *near);
+    memcpy(nearby, neighbors + c * k * sizeof *nearby, k * sizeof *nearby);
     for (j = 0; j < k; j++) {
-        any |= near[j];
-        numbers[j] = first + near[j];
+        any |= nearby[j];
+        numbers[j] = first + nearby[j];
     }
-    if (!PARADT__LIKELY(any >= 0)) status = paradt_mpi__close_open(w, k, c, numbers, near, f);
+    if (!PARADT__LIKELY(any >= 0)) status = paradt_mpi__close_open(w, k, c, numbers, nearby, f);
     memcpy(w->out->neighbors + c * k, numbers, k * sizeof *numbers);
     return status;
 }
@@ -2999,7 +2999,7 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
     paradt__release(&w->memory, w->directory.count);
     paradt__release(&w->memory, w->directory.ranks);
     paradt__release(&w->memory, w->directory.rooms);
-    paradt__release(&w->memory, w->directory.near);
+    paradt__release(&w->memory, w->directory.nearby);
     paradt__release(&w->memory, w->directory.listeners);
     paradt__release(&w->memory, w->first);
     paradt__release(&w->memory, w->from);

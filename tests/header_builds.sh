@@ -49,6 +49,9 @@ for family in gcc clang; do
     # Other warnings appear at other levels of optimisation.
     builds "${family}_O0" "$family -std=c99 -O0 $c $smallest -o $work/${family}_O0 -lm"
     builds "${family}_O3_ndebug" "$family -std=c99 -O3 -DNDEBUG $c $smallest -o $work/${family}_O3_ndebug -lm"
+    # Words that <windows.h> defines away
+    builds "${family}_windows_words" "$family -std=c99 -O2 -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
+        $c $smallest -o $work/${family}_windows_words -lm"
     builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
     builds "${family}_index64_cxx" \
         "$cxx -std=c++11 -DPARADT_INDEX64 $common -x c++ $smallest -o $work/${family}_index64_cxx -lm"
