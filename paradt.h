@@ -7920,9 +7920,9 @@ static int paradt__patch_is_hasty(const paradt__patch *patch) {
     return paradt__patch_looked(patch) > 10000 + patch->bw.cells.count / 32 + 8 * others;
 }
 
-// Do the questions, with what is inserted for them, take longer than to insert the points of other regions, or of two?
-// To make a cell takes as long as two looks or more, with the dimension many. A set may be all seam: exactly
-// cospherical points are.
+// Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
+// where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
+// seam: exactly cospherical points are.
 static int paradt__patch_is_stuck(const paradt__patch *patch) {
     uint64_t looked = paradt__patch_looked(patch) / (patch->bw.cells.corners <= 4 ? 2 : 4);
     return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
