@@ -124,7 +124,9 @@
 // whose lexicographically smallest vertex lies in it; these are put together, and neighbours are linked across the
 // seams. The cells at a seam are made by more than one region and kept by one: stats.cells_recomputed of them were made
 // in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division. By insertion
-// a region also gets cells among others' points alone, which count too, whether they are in the result or in none.
+// a cell is owned by the first box that has a vertex of it. The last box then needs no points but its own; it gets
+// somewhat more of them. The others also get cells among others' points alone, which count too, whether they are in
+// the result or in none.
 //
 //     PARADT_BISECTION  boxes of equal numbers of points: each box is cut across the longest side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
@@ -141,7 +143,7 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to eleven times, and near surfaces, where regions tell each other what they lack,
+// threads, at once. It is called up to twelve times, and near surfaces, where regions tell each other what they lack,
 // some dozens of times more. One region a thread is right where the points are alike everywhere; a few more even out
 // regions that take longer. The cells do not depend on the regions, nor on the threads.
 //
@@ -6944,6 +6946,7 @@ typedef struct paradt__partitioner {
     const paradt__set *set;
     paradt_partition partition;
     size_t regions;       // in all
+    size_t extra;         // points that the last region gets more than the others
     paradt_index *points; // [set.count] permuted, so that a box is a range
     int64_t *keys;        // [set.count] room for the coordinates of a box along one axis, as ordered bits
     paradt_index *upper;  // [set.count] and, in the same block, for the points of a box's upper part
@@ -7026,11 +7029,11 @@ static void paradt__box_of(const paradt__partitioner *p, size_t begin, size_t en
     }
 }
 
-// Where to cut the box for the first `share` of `regions`.
-static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, size_t share, size_t regions, int axis,
-                             const double *low, const double *high) {
+// Where to cut the box for the first `share` of `regions`, of which the last gets `extra` points.
+static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, size_t share, size_t regions,
+                             size_t extra, int axis, const double *low, const double *high) {
     double part = (double)share / (double)regions;
-    size_t nth = (size_t)((double)(end - begin) * part);
+    size_t nth = (size_t)((double)(end - begin - (extra < end - begin ? extra : 0)) * part);
     if (p->partition == PARADT_UNIFORM || begin == end) return low[axis] * (1.0 - part) + high[axis] * part;
     return paradt__from_ordered_bits(paradt__nth_key(p, begin, end, nth, axis));
 }
@@ -7057,7 +7060,8 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
     for (axis = 1; axis < p->set->space.dim; axis++) {
         if (above[axis] * 0.5 - below[axis] * 0.5 > above[longest] * 0.5 - below[longest] * 0.5) longest = axis;
     }
-    cut = paradt__cut_of(p, begin, end, share, regions, longest, below, above);
+    cut = paradt__cut_of(p, begin, end, share, regions, first + regions == p->regions ? p->extra : 0, longest, below,
+                         above);
     bound = paradt__ordered_bits(cut);
     for (i = begin; i < end; i++) { // without a branch: half of them would be foreseen wrongly
         paradt_index point = p->points[i];
@@ -7082,9 +7086,10 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
 }
 
 // Fills owner[set->count] (or NULL) with the region of each point, points[set->count] with the positions ordered by
-// region and in the order of the set, and parts[regions].
+// region and in the order of the set, and parts[regions]. By bisection the last region gets `extra` points more than
+// the others.
 static paradt_status paradt__regions_assign(const paradt__set *set, size_t regions, paradt_partition partition,
-                                            paradt__memory *memory, uint32_t *owner, paradt_index *points,
+                                            size_t extra, paradt__memory *memory, uint32_t *owner, paradt_index *points,
                                             paradt__part *parts) {
     paradt__partitioner p;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -7093,6 +7098,7 @@ static paradt_status paradt__regions_assign(const paradt__set *set, size_t regio
     p.set = set;
     p.partition = partition;
     p.regions = regions;
+    p.extra = extra;
     p.owner = owner;
     p.points = points;
     p.parts = parts;
@@ -7190,9 +7196,10 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // ---------------------------------------------------------------------------------------------------------------------
 // >>patches
 //
-// A region by insertion. The region inserts its own points and those of the others in a margin around its box, and then
-// asks for every cell that could be wrong whether a point that it has not got is in conflict with the cell. Such a
-// point is inserted, until the answers are no. The answers are exact, so nothing depends on the width of the margin.
+// A region by insertion. A cell or ghost is owned by the first region that has a vertex of it. The region inserts its
+// own points and those of the others in a margin around its box, and then asks for every cell that could be wrong
+// whether a point that it has not got is in conflict with the cell. Such a point is inserted, until the answers are no.
+// The answers are exact, so nothing depends on the width of the margin.
 //
 // Which cells could be wrong? Let K be the box with its margin (or the box alone, where there is none), S the points
 // inserted, q a point that is missing. K is convex, and S has all points in it, so q is outside K. The cells of T(S) in
@@ -7204,9 +7211,12 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 //     ghosts; cells with a vertex that may be outside K; cells with just one vertex of the region
 //
-// Then the region's vertices have all their cells of T(P), and those whose smallest vertex is the region's are its own.
+// Then the region's vertices have all their cells of T(P), and those without a vertex of a region before are its own.
 // Of the cells without a vertex of the region it does not matter whether they are right. Nor need those be asked about
 // whose sphere is inside K.
+//
+// The last region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
+// cells that the others' list of the seam leaves it (see there).
 //
 // Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
 //
@@ -7215,8 +7225,9 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_show, paradt__patch_hear_all, paradt__patch_close, paradt__patch_emit_vertices,
-// paradt__patch_emit_neighbors, paradt__patch_take_all, paradt__patch_end.
+// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_trim,
+// paradt__patch_close, paradt__patch_emit_vertices, paradt__patch_emit_neighbors, paradt__patch_take_all,
+// paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
 // a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
@@ -7226,12 +7237,15 @@ typedef struct paradt__field {
     size_t begin, room;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
     const struct paradt__patch *patch;                // what the region has built, where others may look at it; or NULL
+    paradt_index *seam; // [seam_count][dim + 1] the seam: vertices of a facet and apex, as positions in the set
+    size_t seam_count;
+    int has_cells; // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
 // What is known of a cell
 enum {
     PARADT__UNKNOWN,
-    PARADT__WAITING, // it is in the list of cells to be asked about
+    PARADT__WAITING, // it is in the list of cells to be asked about, or of wrong ones
     PARADT__ASKED    // it is one of T(P)
 };
 
@@ -7252,8 +7266,13 @@ typedef struct paradt__patch {
     int roomy;                       // there is a margin: all points in K are in the set, with those on its border
     unsigned char *state;            // [state_capacity] of cells
     size_t state_capacity;
-    paradt_index *list; // [list_capacity] cells waiting; at the end, facets whose other cell another region has
+    paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
     size_t list_count, list_capacity;
+    int trusts;           // it is the last region, has its own points alone, and asks about nothing
+    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
+    size_t border_count, border_capacity;
+    paradt_index *seam; // [seam_capacity] see paradt__field
+    size_t seam_count, seam_capacity;
     paradt_index *order;  // of the insertion of the first points
     paradt_index *around; // [own points] one of the cells around each, for others to look at; or NULL
     paradt_index *late;   // [late_capacity] cells waiting for what is not told yet
@@ -7265,7 +7284,7 @@ typedef struct paradt__patch {
     uint64_t looked;      // groups of neighbours
     size_t late_cells;    // made by answers
     size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
-    uint64_t hull_facets; // whose smallest vertex is the region's
+    uint64_t hull_facets; // of ghosts that are the region's
 } paradt__patch;
 
 // Lays the grid of a field over `count` points of the set.
@@ -7425,21 +7444,27 @@ static paradt__set paradt__patch_known(const paradt__patch *patch) {
     return known;
 }
 
+// Does a set of points span the space?
+static int paradt__spans(const paradt__set *set) {
+    paradt__set view = *set;
+    const double *points[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim;
+    if (view.count <= (size_t)dim) return 0;
+    points[0] = view.records;
+    view.space.ambient = dim; // only the axes that orient
+    return paradt__span(&view, NULL, points, axes, 0, 0) == dim;
+}
+
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
 // points far away give the hull cells so large that their spheres can't be told without exact arithmetic.
 static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_index *whole) {
     paradt__set known = paradt__patch_known(patch);
-    const double *points[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], dim = known.space.dim, i;
+    int i;
     size_t j;
     paradt_status status = PARADT_OK;
     patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
-    if (known.count > (size_t)dim) {
-        points[0] = known.records;
-        known.space.ambient = dim; // only the axes that orient
-        if (paradt__span(&known, NULL, points, axes, 0, 0) == dim) return PARADT_OK;
-    }
-    for (i = 0; i <= dim && !status; i++) {
+    if (paradt__spans(&known)) return PARADT_OK;
+    for (i = 0; i <= known.space.dim && !status; i++) {
         for (j = 0; j < known.count && patch->origin[j] != whole[i];) j++;
         if (j == known.count) status = paradt__patch_add(patch, (size_t)whole[i]);
     }
@@ -7452,9 +7477,11 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     const paradt__field *own = patch->fields + patch->own;
     size_t needed, i;
     paradt__set known;
-    paradt_status status = paradt__patch_find_margin(patch);
+    paradt_status status;
+    patch->trusts = patch->own > 0 && patch->own + 1 == patch->field_count && paradt__spans(&own->set);
+    status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
-    needed = own->set.count + patch->list_count + (size_t)patch->set->space.dim + 1;
+    needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
     if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
     if (status) return status;
     paradt__patch_add_own(patch);
@@ -7489,18 +7516,27 @@ static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
     return share;
 }
 
-// Is the smallest vertex of the cell, or of the facet of a ghost, the region's?
-static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell, int ghost) {
+// Is a cell or ghost that has a vertex of the region the region's? When patch->origin has the caller's indices.
+static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    const paradt__bw *bw = &patch->bw;
-    paradt_index smallest = vertices[ghost == 0];
     int i;
-    for (i = 0; i < bw->cells.corners; i++) {
-        if (i != ghost &&
-            paradt__compare(&bw->space, paradt__bw_record(bw, vertices[i]), paradt__bw_record(bw, smallest)) < 0)
-            smallest = vertices[i];
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (vertices[i] >= 0 && patch->origin[vertices[i]] < 0) return 0;
     }
-    return paradt__patch_has(patch, smallest);
+    return 1;
+}
+
+// Has a cell or ghost one vertex of the region, and else the last region's?
+static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) {
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    paradt_index last = (paradt_index)patch->fields[patch->field_count - 1].begin;
+    int i, share = 0;
+    for (i = 0; i < patch->bw.cells.corners; i++) {
+        if (vertices[i] < 0) continue;
+        if (paradt__patch_has(patch, vertices[i])) share++;
+        else if (patch->origin[vertices[i]] < last) return 0;
+    }
+    return share == 1 && patch->own + 1 < patch->field_count;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
@@ -7684,8 +7720,11 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
     paradt_index answer = -1;
     size_t i;
+    paradt_status status = PARADT_OK;
     if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
     patch->state[cell] = PARADT__ASKED;
+    if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
+    if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
     if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
@@ -7786,10 +7825,11 @@ static void paradt__patch_rest(paradt__patch *patch) {
     paradt__release(patch->memory, patch->late);
     paradt__release(patch->memory, patch->told);
     paradt__release(patch->memory, patch->nearby);
+    paradt__release(patch->memory, patch->border);
     patch->bw.spheres = NULL;
     patch->bw.order = patch->order = NULL;
     patch->records = NULL;
-    patch->around = patch->late = patch->told = patch->nearby = NULL;
+    patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
     patch->state = NULL;
     patch->state_capacity = 0;
 }
@@ -7797,6 +7837,7 @@ static void paradt__patch_rest(paradt__patch *patch) {
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
     paradt__release(patch->memory, patch->list);
+    paradt__release(patch->memory, patch->seam);
     paradt__bw_end(&patch->bw);
     paradt__release(patch->memory, patch->origin);
     paradt__cells_free(&patch->bw.cells, patch->memory);
@@ -7843,7 +7884,7 @@ static paradt_status paradt__patch_drop(paradt__patch *patch, size_t cell, int s
     if (vertices[0] == PARADT__DEAD) return PARADT_OK;
     ghost = paradt__bw_ghost(vertices, corners);
     if (ghost >= 0) {
-        patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell, ghost));
+        patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         status = paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN, numbered);
     } else {
         patch->made++;
@@ -7858,7 +7899,7 @@ static int paradt__patch_keep(paradt__patch *patch, size_t place, size_t numbere
     int corners = patch->bw.cells.corners, share = paradt__patch_share(patch, (paradt_index)place);
     const paradt_index *vertices = paradt__patch_cell(patch, (paradt_index)place);
     if (share && paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE) &&
-        paradt__patch_owns(patch, (paradt_index)place, -1))
+        paradt__patch_owns(patch, (paradt_index)place))
         return 1;
     if (!*status) *status = paradt__patch_drop(patch, place, share, numbered);
     return 0;
@@ -7901,9 +7942,12 @@ PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, siz
     return status;
 }
 
+// Points of regions before have no index then: a cell with one of them is not the region's.
 static paradt_status paradt__patch_close(paradt__patch *patch) {
+    paradt_index begin = (paradt_index)patch->fields[patch->own].begin;
     size_t i;
-    for (i = 0; i < patch->bw.count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
+    for (i = 0; i < patch->bw.count; i++)
+        patch->origin[i] = patch->origin[i] < begin ? -1 : patch->set->origin[patch->origin[i]];
     if (patch->bw.cells.corners == 4) return paradt__patch_close_cells(patch, 4);
     return paradt__patch_close_cells(patch, (size_t)patch->bw.cells.corners);
 }
@@ -7931,7 +7975,7 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
 // Builds the triangulation of the points that the region begins with.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt_status status = paradt__bw_build(&patch->bw, progress);
-    return status ? status : paradt__patch_suspects(patch);
+    return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
@@ -7961,6 +8005,205 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
     patch->late_count = 0;
     return status;
 }
+
+// --- the seam
+//
+// The last region has built T(S) of its own points S, and lacks nothing: a cell of T(P) with vertices in S alone is one
+// of T(S). But which of T(S)'s cells are of T(P), and which are wrong, in conflict with others' points? The others
+// list the seam: the facets with vertices in S alone of those cells of T(P) that have one vertex more, the apex. Cells
+// are all here that are ghosts too. A facet listed twice has others' cells on both sides. Behind one listed once is a
+// cell of T(P) that has its vertices in S alone; it is right. On the apex's side of the facet T(S) has a wrong cell: if
+// the apex q were inserted into T(S) alone, the facet would get the cell with q, as it has it in T(P). The cells of
+// T(S) in conflict with q, all wrong, are connected through facets. So from the one that contains q all wrong cells
+// around can be reached without passing the facets listed once, and no right one: a facet between a right and a wrong
+// cell is of T(P), where the cell on the wrong side has others' vertices, one of them, so it is listed, once.
+//
+// All wrong cells are reached from some facet so, since the cells of T(S) are connected through facets, unless there
+// is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
+// right.
+
+// Lists the facets of the seam, when all cells have been asked about.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+    int corners = patch->bw.cells.corners, i;
+    size_t at;
+    paradt_status status = PARADT_OK;
+    for (at = 0; at < patch->border_count && !status; at++) {
+        paradt_index cell = patch->border[at], apex = -1;
+        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+        if (patch->state[cell] != PARADT__ASKED || !paradt__patch_on_seam(patch, cell)) continue;
+        patch->state[cell] = PARADT__UNKNOWN; // it may be there twice
+        for (i = 0; i < corners && !status; i++) {
+            paradt_index position = vertices[i] < 0 ? vertices[i] : patch->origin[vertices[i]];
+            if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
+            else status = PARADT__PATCH_LIST(patch, seam, position);
+        }
+        if (!status) status = PARADT__PATCH_LIST(patch, seam, apex);
+    }
+    return status;
+}
+
+// Has any cell or ghost a vertex of the region?
+static int paradt__patch_has_cells(paradt__patch *patch) {
+    size_t cell;
+    paradt__bw_mark_free(&patch->bw);
+    for (cell = 0; cell < patch->bw.cells.count; cell++) {
+        if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
+            paradt__patch_share(patch, (paradt_index)cell))
+            return 1;
+    }
+    return 0;
+}
+
+// What the regions before say of the seam, in the last region's numbers
+typedef struct paradt__seam {
+    size_t dim;           // vertices of a facet; the infinite one is among them where two ghosts meet
+    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex as a position; or what follows
+    paradt_index *table;  // [capacity] hash table of facets; -1: free
+    size_t count, capacity;
+    size_t single; // facets that have been listed once
+} paradt__seam;
+
+enum {
+    PARADT__MET = -1,  // the facet need not be gone to
+    PARADT__TWICE = -2 // there are cells of the regions before on both sides of the facet
+};
+
+// Puts a vertex among those before it, which are in order.
+PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_index vertex) {
+    for (; count > 0 && facet[count - 1] > vertex; count--) facet[count] = facet[count - 1];
+    facet[count] = vertex;
+}
+
+// Where the table has the facet, or would have it.
+PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet) {
+    size_t mask = seam->capacity - 1, i;
+    size_t place = paradt__facet_key(paradt__cell_sum(facet, (int)seam->dim)) & mask;
+    for (; seam->table[place] >= 0; place = (place + 1) & mask) {
+        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (seam->dim + 1);
+        for (i = 0; i < seam->dim && other[i] == facet[i];) i++;
+        if (i == seam->dim) break;
+    }
+    return seam->table + place;
+}
+
+static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed, paradt_index begin) {
+    paradt_index *facet = seam->facets + seam->count * (seam->dim + 1), *place;
+    size_t i;
+    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i] < 0 ? listed[i] : listed[i] - begin);
+    facet[seam->dim] = listed[seam->dim];
+    place = paradt__seam_place(seam, facet);
+    if (*place >= 0) {
+        seam->facets[(size_t)*place * (seam->dim + 1) + seam->dim] = PARADT__TWICE;
+        seam->single--;
+        return;
+    }
+    *place = (paradt_index)seam->count++;
+    seam->single++;
+}
+
+static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
+    paradt__release(memory, seam->facets);
+    paradt__release(memory, seam->table);
+}
+
+static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
+    const paradt__field *last = patch->fields + patch->own, *field;
+    size_t count = 0, i;
+    memset(seam, 0, sizeof *seam);
+    seam->dim = (size_t)patch->bw.cells.corners - 1;
+    for (field = patch->fields; field < last; field++) count += field->seam_count;
+    for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
+    seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
+    seam->table = (paradt_index *)paradt__alloc(patch->memory, seam->capacity, sizeof *seam->table);
+    if (!seam->facets || !seam->table) return PARADT_ERROR_MEMORY;
+    memset(seam->table, -1, seam->capacity * sizeof *seam->table);
+    for (field = patch->fields; field < last; field++) {
+        for (i = 0; i < field->seam_count; i++)
+            paradt__seam_add(seam, field->seam + i * (seam->dim + 1), (paradt_index)last->begin);
+    }
+    return PARADT_OK;
+}
+
+// Is the facet of a handle on the seam, with a right cell on one side and a wrong one on the other? It is met then.
+PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt__patch *patch, paradt_index handle) {
+    int corners = patch->bw.cells.corners, i;
+    const paradt_index *vertices = patch->bw.cells.vertices + (handle - handle % corners);
+    paradt_index facet[PARADT_MAX_DIM], place, *apex;
+    size_t count = 0;
+    for (i = 0; i < corners; i++) {
+        if (i != handle % corners) paradt__facet_add(facet, count++, vertices[i]);
+    }
+    place = *paradt__seam_place(seam, facet);
+    if (place < 0) return 0;
+    apex = seam->facets + (size_t)place * (seam->dim + 1) + seam->dim;
+    if (*apex == PARADT__TWICE) return 0;
+    *apex = PARADT__MET;
+    return 1;
+}
+
+// Lists a wrong cell, and those that are reached from it without passing the seam.
+static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
+    enum { AHEAD = 8 };
+    paradt_index corners = (paradt_index)patch->bw.cells.corners, handle;
+    size_t next = patch->list_count;
+    paradt_status status = paradt__patch_wait(patch, first);
+    for (; next < patch->list_count && !status; next++) {
+        paradt_index base = patch->list[next] * corners;
+        paradt_index soon = patch->list[next + AHEAD < patch->list_count ? next + AHEAD : next] * corners;
+        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
+        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        for (handle = base; handle < base + corners && !status; handle++) {
+            if (!paradt__seam_meets(seam, patch, handle))
+                status = paradt__patch_wait(patch, patch->bw.cells.neighbors[handle] / corners);
+        }
+    }
+    return status;
+}
+
+// Lists all cells and ghosts.
+static paradt_status paradt__patch_list_all(paradt__patch *patch) {
+    size_t cell;
+    paradt_status status = PARADT_OK;
+    paradt__bw_mark_free(&patch->bw);
+    for (cell = 0; cell < patch->bw.cells.count && !status; cell++) {
+        if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
+            status = paradt__patch_wait(patch, (paradt_index)cell);
+    }
+    return status;
+}
+
+// Lists the cells and ghosts of the last region that are not of T(P).
+static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
+    paradt__bw *bw = &patch->bw;
+    paradt_index cell = bw->spheres ? bw->spheres->start : bw->last;
+    size_t i;
+    int others = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < patch->own; i++) others |= patch->fields[i].has_cells;
+    if (others && !seam->single) return paradt__patch_list_all(patch);
+    for (i = 0; i < seam->count && !status; i++) {
+        paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
+        if (apex < 0) continue;
+        cell = paradt__bw_walk(bw, cell, paradt__record(patch->set, apex));
+        status = paradt__patch_list_wrong(patch, seam, cell);
+    }
+    return status;
+}
+
+// Drops the cells and ghosts of the last region that are not of T(P).
+static paradt_status paradt__patch_trim(paradt__patch *patch) {
+    paradt__seam seam;
+    size_t i;
+    paradt_status status = paradt__seam_begin(&seam, patch);
+    if (!status) status = paradt__patch_states(patch);
+    if (!status) status = paradt__patch_find_wrong(patch, &seam);
+    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_drop(patch, (size_t)patch->list[i], 0, 0);
+    patch->list_count = 0;
+    paradt__seam_free(&seam, patch->memory);
+    return status;
+}
+
+// --- all points
 
 // Adds all points that the patch has not got, behind those inserted, and their order.
 static paradt_status paradt__patch_add_all(paradt__patch *patch) {
@@ -8297,14 +8540,17 @@ static void paradt__count_patch(paradt__region *region) {
     region->stats.grid_cells_visited = patch->search.grid_cells_visited;
 }
 
-// Leaves only the region's cells.
-static void paradt__close_region(paradt__region *region) {
+// All cells of T(P) with a vertex of the region are there.
+static void paradt__end_questions(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
-    region->status = paradt__patch_close(patch);
-    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
-    region->hull_facets = patch->hull_facets;
+    paradt__field *field = work->fields + index;
     region->open = 0;
-    paradt__patch_rest(patch);
+    region->status = paradt__patch_list_seam(patch);
+    field->seam = patch->seam;
+    field->seam_count = patch->seam_count / (size_t)patch->bw.cells.corners;
+    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
+    patch->seam = NULL;
 }
 
 // By insertion, third step: the cells. The region remains open if it would rather be told by others what it lacks.
@@ -8318,14 +8564,27 @@ static void paradt__patch_task(void *context, size_t index) {
     if (!region->status) region->status = paradt__patch_complete(patch, paradt__asks_around(work));
     region->open = !region->status && patch->list_count;
     paradt__count_patch(region);
-    if (!region->status && !region->open) paradt__close_region(region);
+    if (region->status || region->open || patch->trusts) return;
+    paradt__end_questions(work, index);
+    paradt__patch_rest(patch);
 }
 
-// Regions that are open look at each other's cells while none of them changes.
+// Fourth step: leaves only the region's cells.
+static void paradt__close_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__patch *patch = &region->patch;
+    region->status = patch->trusts ? paradt__patch_trim(patch) : PARADT_OK;
+    paradt__count_patch(region);
+    if (!region->status) region->status = paradt__patch_close(patch);
+    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
+    region->hull_facets = patch->hull_facets;
+    paradt__patch_rest(patch);
+}
+
+// Regions that are open look at others' cells while none of them changes.
 static void paradt__show_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    if (!region->open) return;
     region->status = paradt__patch_show(&region->patch);
     work->fields[index].patch = &region->patch;
 }
@@ -8336,15 +8595,12 @@ static void paradt__hear_task(void *context, size_t index) {
 }
 
 static void paradt__complete_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
     if (!region->open) return;
     region->status = paradt__patch_complete(&region->patch, 0);
     paradt__count_patch(region);
-}
-
-static void paradt__close_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->open) paradt__close_region(region);
+    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
 
 // Are the cells of the region in a slice of the result that they are not moved from yet? The first two slices' cells
@@ -8525,7 +8781,7 @@ static size_t paradt__place_fields(paradt__work *work, int roomy) {
     for (i = 0; i < work->regions; i++) {
         size_t count = work->parts[i].end - work->parts[i].begin;
         work->fields[i].begin = total;
-        work->fields[i].room = roomy ? count + count / 8 + 64 : count;
+        work->fields[i].room = roomy && i + 1 < work->regions ? count + count / 8 + 64 : count;
         total += work->fields[i].room;
     }
     return total;
@@ -8589,14 +8845,13 @@ static void paradt__close_set(paradt__work *work) {
 // Completes the regions that are open with what they tell each other.
 static paradt_status paradt__complete_together(paradt__work *work) {
     paradt_status status = paradt__run_regions(work, paradt__show_task);
-    size_t waiting, i;
+    size_t open, i;
     do {
         if (!status) status = paradt__run_regions(work, paradt__hear_task);
         if (!status) status = paradt__run_regions(work, paradt__complete_task);
-        for (i = waiting = 0; i < work->regions; i++)
-            waiting += work->region[i].open && work->region[i].patch.late_count;
-    } while (!status && waiting);
-    return status ? status : paradt__run_regions(work, paradt__close_task);
+        for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
+    } while (!status && open);
+    return status;
 }
 
 // All regions at once, each step a task for each.
@@ -8608,7 +8863,10 @@ static paradt_status paradt__build_together(paradt__work *work) {
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__patch_task);
     for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
+    paradt__share_memory(work);
     if (!status && open) status = paradt__complete_together(work);
+    paradt__share_memory(work);
+    if (!status) status = paradt__run_regions(work, paradt__close_task);
     for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
         if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
     }
@@ -8649,8 +8907,11 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     lent->neighbors = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
     if (!lent->neighbors) return PARADT_ERROR_MEMORY;
     status = paradt__bw_lend(&patch->bw, cells->vertices + cells->count * corners, lent->neighbors, capacity);
-    if (!status) paradt__patch_task(work, index);
-    if (!status) status = work->region[index].status;
+    if (!status) {
+        paradt__patch_task(work, index);
+        if (!work->region[index].status) paradt__close_task(work, index);
+        status = work->region[index].status;
+    }
     if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
     if (status) return status;
     if (!own->lent)
@@ -8736,6 +8997,7 @@ static paradt_status paradt__build_patches(paradt__work *work) {
         region->patch.memory = region->patch.bw.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
+        paradt__release(&work->memory, work->fields[i].seam);
     }
     paradt__cells_free(&work->slices, &work->memory);
     if (taken) work->regions = 1;
@@ -8750,6 +9012,18 @@ static paradt_status paradt__build_fronts(paradt__work *work) {
     return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
 }
 
+// Points that the last region gets more than others, since it inserts none of theirs and asks about no cell: about
+// twice as many as are beside a cut through all. Measured on uniform points.
+static size_t paradt__last_extra(const paradt__work *work) {
+    double count = (double)work->set.count, most = count / 4.0 / (double)work->regions, width = 1.0, power;
+    int i;
+    do { // count over the number of points along a side
+        width *= 1.125;
+        for (power = width, i = 1; i < work->set.space.dim; i++) power *= width;
+    } while (power < count);
+    return (size_t)(2.0 * count / width < most ? 2.0 * count / width : most);
+}
+
 static paradt_status paradt__build_regions(paradt__work *work) {
     paradt__memory *memory = &work->memory;
     int front = paradt__choose_front(work->method) != NULL;
@@ -8761,8 +9035,9 @@ static paradt_status paradt__build_regions(paradt__work *work) {
     work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
     if ((front && !work->owner) || !work->points || !work->parts || !work->region) return PARADT_ERROR_MEMORY;
     memset(work->region, 0, work->regions * sizeof *work->region);
-    status = paradt__regions_assign(&work->set, work->regions, work->options.partition, memory, work->owner,
-                                    work->points, work->parts);
+    status =
+        paradt__regions_assign(&work->set, work->regions, work->options.partition, front ? 0 : paradt__last_extra(work),
+                               memory, work->owner, work->points, work->parts);
     if (status) return status;
     for (i = 0; i < work->regions; i++) {
         work->region[i].memory = paradt__memory_fork(memory, work->regions);

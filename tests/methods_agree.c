@@ -225,6 +225,43 @@ static void large_sets_agree(void **state) {
     }
 }
 
+// Two of four regions each have a dense cluster close to the sphere that the last region has, so that cells of the
+// sphere alone are wrong in two places, with right ones between them.
+static void a_last_region_that_is_wrong_in_two_places_agrees(void **state) {
+    enum { LEFT = 375, BELOW = 187, SPHERE = 238 }; // so the cuts are beside the sphere
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample s = sample_make("sphere and clusters", dim, LEFT + BELOW + SPHERE);
+        uint64_t random = 1, expected = 0;
+        for (int i = 0; i < s.count; i++) {
+            double *x = s.x + i * dim, norm = 2;
+            while (norm > 1) {
+                norm = 0;
+                for (int k = 0; k < dim; k++) {
+                    x[k] = 2 * random_unit(&random) - 1;
+                    norm += x[k] * x[k];
+                }
+            }
+            for (int k = 0; k < dim; k++)
+                x[k] = i < LEFT + BELOW ? 1 + 0.01 * x[k] : 1 + 0.9 * x[k] / sqrt(norm);
+            if (i < LEFT + BELOW)
+                x[i >= LEFT] -= 0.95;
+        }
+        for (int regions = 1; regions <= 4; regions += 3) {
+            paradt_options options = {0};
+            options.method = PARADT_BOWYER_WATSON;
+            options.regions = (size_t)regions;
+            paradt_triangulation t = triangulate_and_verify(&s, &options, how_text(&options));
+            assert_int_equal(t.stats.regions, regions);
+            if (regions == 1)
+                expected = paradt_hash(&t);
+            assert_true(paradt_hash(&t) == expected);
+            paradt_free(&t);
+        }
+        sample_free(&s);
+    }
+}
+
 // The insertion has tables for stars of few cells and for those of many, and a general way for more.
 static void stars_of_thousands_of_cells_agree(void **state) {
     family many = families[family_named("moment curve")];
@@ -326,13 +363,15 @@ static void the_hash_is_one_of_a_set(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[FAMILY_COUNT + 6];
+    static struct CMUnitTest tests[FAMILY_COUNT + 7];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT && !RACES_ONLY; f++)
         tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
                                     families[f].name);
     if (!RACES_ONLY) {
         tests[count++] = named_test(more_regions_than_points_agree, NULL, "more_regions_than_points_agree");
+        tests[count++] = named_test(a_last_region_that_is_wrong_in_two_places_agrees, NULL,
+                                    "a_last_region_that_is_wrong_in_two_places_agrees");
         tests[count++] = named_test(stars_of_thousands_of_cells_agree, NULL, "stars_of_thousands_of_cells_agree");
         tests[count++] = named_test(the_hash_is_one_of_a_set, NULL, "the_hash_is_one_of_a_set");
     }
