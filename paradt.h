@@ -9638,7 +9638,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     status = paradt__set_grade(set, memory);
     if (!status) status = paradt__grid_build(&part->grid, set, memory);
     if (!status)
-        status = paradt__regions_assign(set, options->regions, options->partition, memory, part->owner, part->points,
+        status = paradt__regions_assign(set, options->regions, options->partition, 0, memory, part->owner, part->points,
                                         part->parts);
     if (status) return status;
     view.owner = part->owner;
