@@ -6936,9 +6936,9 @@ static paradt_status paradt__dewall(paradt__front *front) {
 //
 // Space is divided into boxes by cutting a box in two again and again: at the coordinate that gives each side its share
 // of the points (bisection), or of the volume (uniform). A point on a cut belongs to the upper side; the outer boxes
-// are unbounded. A cell belongs to the box that holds its lexicographically smallest vertex. Each region is built alone
-// and keeps the cells it owns; the facets between cells of different regions are matched when all have ended. Doors:
-// paradt__regions_assign, paradt__region_compact, paradt__regions_join.
+// are unbounded. A cell belongs to the box that holds its lexicographically smallest vertex (by insertion: to the first
+// box that holds any). Each region is built alone and keeps the cells it owns; the facets between cells of different
+// regions are matched when all have ended. Doors: paradt__regions_assign, paradt__region_compact, paradt__regions_join.
 
 // A region's part of the points, and its box
 typedef struct paradt__part {
@@ -7288,7 +7288,7 @@ typedef struct paradt__patch {
     uint64_t looked;      // groups of neighbours
     size_t late_cells;    // made by answers
     size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
-    uint64_t hull_facets; // of ghosts that are the region's
+    uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
 // Lays the grid of a field over `count` points of the set.
@@ -7520,7 +7520,7 @@ static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
     return share;
 }
 
-// Is a cell or ghost that has a vertex of the region the region's? When patch->origin has the caller's indices.
+// Does the region own a cell or ghost that has a vertex of it? Once patch->origin has the caller's indices, or -1.
 static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
@@ -8068,8 +8068,8 @@ typedef struct paradt__seam {
 } paradt__seam;
 
 enum {
-    PARADT__MET = -1,  // the facet need not be gone to
-    PARADT__TWICE = -2 // there are cells of the regions before on both sides of the facet
+    PARADT__MET = -1,  // the wrong cell on its side has been reached
+    PARADT__TWICE = -2 // it has been listed twice
 };
 
 // Puts a vertex among those before it, which are in order.
@@ -8128,7 +8128,7 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     return PARADT_OK;
 }
 
-// Is the facet of a handle on the seam, with a right cell on one side and a wrong one on the other? It is met then.
+// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is met then.
 PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt__patch *patch, paradt_index handle) {
     int corners = patch->bw.cells.corners, i;
     const paradt_index *vertices = patch->bw.cells.vertices + (handle - handle % corners);
