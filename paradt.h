@@ -7396,18 +7396,25 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
 }
 
 // The margin: about one and a half distances between neighbours where the points are dense, by the median of the
-// longest sides of some boxes of eight points. Where differences of coordinates may overflow there is none.
-static double paradt__patch_margin(const paradt__field *field) {
-    enum { SAMPLE = 63 };
+// longest sides of some boxes of eight neighbours along the curve. Where differences of coordinates may overflow there
+// is none.
+static double paradt__margin(const paradt__set *set) {
+    enum { SAMPLE = 63, TOGETHER = 8 };
     double sides[SAMPLE];
-    int dim = field->set.space.dim, axis, i, j;
-    if (!field->set.space.filtered || field->set.count == 0) return 0.0;
+    int dim = set->space.dim, axis, i, j;
+    if (!set->space.filtered || set->count == 0) return 0.0;
     for (i = 0; i < SAMPLE; i++) {
-        size_t box = (size_t)i * field->grid.cell_count / SAMPLE;
-        const double *low = field->grid.boxes[0] + box / PARADT__LANES * field->grid.group_width + box % PARADT__LANES;
+        size_t first = (set->count + TOGETHER - 1) / TOGETHER * (size_t)i / SAMPLE * TOGETHER, at;
+        size_t end = first + TOGETHER < set->count ? first + TOGETHER : set->count;
         double longest = 0.0;
-        for (axis = 0; axis < dim; axis++, low += 2 * PARADT__LANES) {
-            longest = paradt__larger(longest, low[PARADT__LANES] - low[0]);
+        for (axis = 0; axis < dim; axis++) {
+            double low = set->records[first * set->width + (size_t)axis], high = low;
+            for (at = first + 1; at < end; at++) {
+                double x = set->records[at * set->width + (size_t)axis];
+                low = x < low ? x : low;
+                high = paradt__larger(high, x);
+            }
+            longest = paradt__larger(longest, high - low);
         }
         for (j = i; j > 0 && sides[j - 1] > longest; j--) sides[j] = sides[j - 1];
         sides[j] = longest;
@@ -7418,7 +7425,7 @@ static double paradt__patch_margin(const paradt__field *field) {
 // Lists the points of the others in the margin, which K has then.
 static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    double margin = paradt__patch_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    double margin = paradt__margin(&own->set), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
     size_t i;
     int axis;
@@ -9017,16 +9024,31 @@ static paradt_status paradt__build_fronts(paradt__work *work) {
     return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
 }
 
-// Points that the last region gets more than others, since it inserts none of theirs and asks about no cell: about
-// five times as many as are on each side of a cut through all. Measured on uniform points and a Gaussian.
+// Points that the last region gets more than others, since it inserts none of theirs and asks about no cell: somewhat
+// more than there are in a margin beside a cut through all, by a sample. Measured on uniform points, a Gaussian and
+// Plummer's cluster.
 static size_t paradt__last_extra(const paradt__work *work) {
-    double count = (double)work->set.count, most = count / 4.0 / (double)work->regions, width = 1.0, power;
-    int i;
-    do { // count over the number of points along a side
-        width *= 1.125;
-        for (power = width, i = 1; i < work->set.space.dim; i++) power *= width;
-    } while (power < count);
-    return (size_t)(2.5 * count / width < most ? 2.5 * count / width : most);
+    enum { SAMPLE = 2048, WIDTH = 4 }; // of the part looked at, in margins
+    const paradt__set *set = &work->set;
+    int64_t keys[SAMPLE];
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], margin = paradt__margin(set), cut, extra, most;
+    int dim = set->space.dim, axis, longest = 0;
+    size_t i, beside = 0;
+    for (axis = 0; axis < dim; axis++) {
+        low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
+        high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
+        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
+    }
+    for (i = 0; i < SAMPLE; i++) {
+        size_t point = (size_t)((double)set->count * (double)i / SAMPLE);
+        keys[i] = paradt__ordered_bits(set->records[point * set->width + (size_t)longest]);
+    }
+    cut = paradt__from_ordered_bits(paradt__select_key(keys, SAMPLE, SAMPLE / 2));
+    for (i = 0; i < SAMPLE && margin > 0.0; i++)
+        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * (WIDTH / 2);
+    extra = 1.75 * (double)beside / WIDTH / SAMPLE * (double)set->count;
+    most = (double)set->count / 4.0 / (double)work->regions;
+    return (size_t)(extra < most ? extra : most);
 }
 
 static paradt_status paradt__build_regions(paradt__work *work) {
