@@ -482,7 +482,31 @@ static void regions_near_a_surface_tell_each_other(void **state) {
     sample_free(&s);
 }
 
-// Of these two regions each hears of the other's points, but gives up; then one takes in the other's points.
+// Some of these regions are done, and have given back memory of an earlier step, when others want to look at their cells.
+static void some_regions_of_a_lattice_tell_others(void **state) {
+    enum { SIDE = 36 };
+    sample s = sample_make("lattice", 3, SIDE * SIDE * SIDE);
+    (void)state;
+    for (int i = 0; i < s.count; i++) {
+        s.x[3 * i] = i / (SIDE * SIDE);
+        s.x[3 * i + 1] = i / SIDE % SIDE;
+        s.x[3 * i + 2] = i % SIDE;
+    }
+    paradt_points points = points_of(&s);
+    paradt_triangulation whole, t;
+    paradt_options options = {0};
+    options.regions = 4;
+    options.parallel_for = run_on_threads;
+    assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+    assert_true(paradt_hash(&t) == paradt_hash(&whole));
+    assert_true(t.stats.regions == options.regions);
+    paradt_free(&whole);
+    paradt_free(&t);
+    sample_free(&s);
+}
+
+// Of these two regions the first hears of the other's points, but gives up; then it takes in the other's points.
 static void memory_may_run_out_where_regions_are_given_up(void **state) {
     sample s = points_of_a_sheet(5000);
     paradt_points points = points_of(&s);
@@ -694,6 +718,7 @@ int main(void) {
         cmocka_unit_test(large_sets_take_few_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),
         cmocka_unit_test(regions_near_a_surface_tell_each_other),
+        cmocka_unit_test(some_regions_of_a_lattice_tell_others),
         cmocka_unit_test(memory_may_run_out_where_regions_are_given_up),
         cmocka_unit_test(regions_give_up_on_points_measured_from_a_sphere),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
