@@ -9040,13 +9040,13 @@ static size_t paradt__last_extra(const paradt__work *work) {
         if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
     }
     for (i = 0; i < SAMPLE; i++) {
-        size_t point = (size_t)((double)set->count * (double)i / SAMPLE);
+        size_t point = (size_t)((double)set->count * (double)i / (double)SAMPLE);
         keys[i] = paradt__ordered_bits(set->records[point * set->width + (size_t)longest]);
     }
     cut = paradt__from_ordered_bits(paradt__select_key(keys, SAMPLE, SAMPLE / 2));
     for (i = 0; i < SAMPLE && margin > 0.0; i++)
-        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * (WIDTH / 2);
-    extra = 1.75 * (double)beside / WIDTH / SAMPLE * (double)set->count;
+        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * 0.5 * (double)WIDTH;
+    extra = 1.75 * (double)beside / (double)WIDTH / (double)SAMPLE * (double)set->count;
     most = (double)set->count / 4.0 / (double)work->regions;
     return (size_t)(extra < most ? extra : most);
 }
