@@ -228,7 +228,7 @@ static void large_sets_agree(void **state) {
 // Two of four regions each have a dense cluster close to the sphere that the last region has, so that cells of the
 // sphere alone are wrong in two places, with right ones between them.
 static void a_last_region_that_is_wrong_in_two_places_agrees(void **state) {
-    enum { LEFT = 375, BELOW = 187, SPHERE = 238 }; // so the cuts are beside the sphere
+    enum { LEFT = 396, BELOW = 198, SPHERE = 206 }; // so the cuts are close to the sphere's first points
     (void)state;
     for (int dim = 2; dim <= 3; dim++) {
         sample s = sample_make("sphere and clusters", dim, LEFT + BELOW + SPHERE);
