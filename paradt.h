@@ -2387,7 +2387,7 @@ typedef struct paradt__loader {
     paradt__space space[PARADT__MOST_TASKS];
     paradt__hilbert hilbert;
     paradt__lattice lattice;
-    paradt__keyed *keyed, *other;                     // [points.count]
+    paradt__keyed *keyed, *other;                     // [points.count], the other in the set's records
     size_t place[PARADT__MOST_TASKS][PARADT__DIGITS]; // by a key's first digit, where the task's next such point goes
 } paradt__loader;
 
@@ -2617,14 +2617,16 @@ static void paradt__loader_merge(paradt__loader *loader) {
     set->count = kept;
 }
 
+// The records, of two doubles at least, are what the keys are sorted by way of, until they are filled: new pages take
+// time.
 static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
-    paradt__release(memory, loader->other);
-    loader->other = NULL;
+    loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
     set->records = (double *)paradt__alloc(memory, count + loader->source->spare, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, count, sizeof *set->origin);
-    return set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+    loader->other = (paradt__keyed *)(void *)set->records;
+    return loader->keyed && set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
 // The points of the source, each place once, along a curve, as they are: neither scaled nor with their axes in order,
@@ -2643,18 +2645,14 @@ static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
     status = paradt__set_survey(&loader, bad);
     if (status) return status;
-    loader.keyed = (paradt__keyed *)paradt__alloc(memory, points->count, sizeof *loader.keyed);
-    loader.other = (paradt__keyed *)paradt__alloc(memory, points->count, sizeof *loader.other);
-    status = loader.keyed && loader.other ? PARADT_OK : PARADT_ERROR_MEMORY;
-    if (!status) paradt__loader_sort(&loader);
-    if (!status) status = paradt__loader_room(&loader, memory);
+    status = paradt__loader_room(&loader, memory);
     if (!status) {
+        paradt__loader_sort(&loader);
         set->count = points->count;
         paradt__team_run(team, paradt__gather_task, &loader);
         for (i = 0; i < team->tasks; i++) repeating += loader.repeating[i];
         if (repeating) paradt__loader_merge(&loader);
     }
-    paradt__release(memory, loader.other);
     paradt__release(memory, loader.keyed);
     return status;
 }
