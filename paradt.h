@@ -663,19 +663,21 @@ static void paradt__memory_join(paradt__memory *parent, const paradt__memory *ch
     if (parent->held > parent->peak) parent->peak = parent->held;
 }
 
-// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same.
+// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
+// account is below zero, so that it wraps, while its task has given back more than it took.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
-    size_t bytes;
+    size_t bytes, held;
     char *block;
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
-    if (bytes > memory->limit || memory->held > memory->limit - bytes) return NULL;
+    held = memory->held + bytes;
+    if (bytes > memory->limit || (held > memory->limit && held <= SIZE_MAX / 2)) return NULL;
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
     if (!block) return NULL;
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
-    memory->held += bytes;
-    if (memory->held > memory->peak) memory->peak = memory->held;
+    memory->held = held;
+    if (held > memory->peak && held <= SIZE_MAX / 2) memory->peak = held;
     return block + PARADT__BLOCK_HEADER;
 }
 
