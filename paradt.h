@@ -7042,12 +7042,21 @@ static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, s
     return paradt__from_ordered_bits(paradt__nth_key(p, begin, end, nth, axis));
 }
 
+// The axis along which a box is longest, the first of several.
+static int paradt__longest_axis(const double *low, const double *high, int dim) {
+    int axis, longest = 0;
+    for (axis = 1; axis < dim; axis++) {
+        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
+    }
+    return longest;
+}
+
 static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t end, const double *low,
                                   const double *high, size_t first, size_t regions) {
     double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut;
     size_t share = regions / 2, i, middle = begin, bytes = sizeof(double) * (size_t)p->set->space.dim;
     int64_t bound;
-    int axis, longest = 0;
+    int longest;
     if (regions == 1) {
         for (i = begin; i < end && p->owner; i++) p->owner[p->points[i]] = (uint32_t)first;
         p->parts[first].begin = begin;
@@ -7061,9 +7070,7 @@ static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t e
     if (p->partition == PARADT_BISECTION && begin < end && regions < p->regions) {
         paradt__box_of(p, begin, end, below, above);
     }
-    for (axis = 1; axis < p->set->space.dim; axis++) {
-        if (above[axis] * 0.5 - below[axis] * 0.5 > above[longest] * 0.5 - below[longest] * 0.5) longest = axis;
-    }
+    longest = paradt__longest_axis(below, above, p->set->space.dim);
     cut = paradt__cut_of(p, begin, end, share, regions, first + regions == p->regions ? p->extra : 0, longest, below,
                          above);
     bound = paradt__ordered_bits(cut);
@@ -8703,8 +8710,7 @@ static paradt_status paradt__join_patches(paradt__work *work) {
 }
 
 // What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs. A task's account begins at nothing: it may give back what it held before only after it
-// has taken as much, or when it takes no more.
+// steps, when none of them runs.
 static void paradt__share_memory(paradt__work *work) {
     size_t peaks = work->memory.held, i;
     for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
@@ -9032,13 +9038,13 @@ static size_t paradt__last_extra(const paradt__work *work) {
     const paradt__set *set = &work->set;
     int64_t keys[SAMPLE];
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], margin = paradt__margin(set), cut, extra, most;
-    int dim = set->space.dim, axis, longest = 0;
+    int dim = set->space.dim, axis, longest;
     size_t i, beside = 0;
     for (axis = 0; axis < dim; axis++) {
         low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
         high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
-        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
     }
+    longest = paradt__longest_axis(low, high, dim);
     for (i = 0; i < SAMPLE; i++) {
         size_t point = (size_t)((double)set->count * (double)i / (double)SAMPLE);
         keys[i] = paradt__ordered_bits(set->records[point * set->width + (size_t)longest]);
@@ -9480,7 +9486,7 @@ PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *en
 }
 
 // May what is at such a place be the first in conflict with a point that is missing? See >>patches: a ghost, or a cell
-// that has just one vertex with a position below `own`, or a vertex that is marked. far: [positions - own], the marks
+// that has just one vertex with a position below `own`, or a vertex that is marked. outer: [positions - own], the marks
 static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine, size_t place, paradt_index own,
                                             const unsigned char *outer) {
     int corners = engine->bw.cells.corners, i, share = 0, marked = 0;
