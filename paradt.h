@@ -124,11 +124,12 @@
 // whose lexicographically smallest vertex lies in it; these are put together, and neighbours are linked across the
 // seams. The cells at a seam are made by more than one region and kept by one: stats.cells_recomputed of them were made
 // in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division. By insertion
-// a cell is owned by the first box that has a vertex of it. The last box then needs no points but its own; it gets
+// a cell is owned by the last box that has a vertex of it. The first box then needs no points but its own; it gets
 // somewhat more of them. The others also get cells among others' points alone, which count too, whether they are in
 // the result or in none.
 //
-//     PARADT_BISECTION  boxes of equal numbers of points: each box is cut across the longest side of its points
+//     PARADT_BISECTION  boxes of equal numbers of points, by a sample of 65,536: each box is cut across the longest
+//                       side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
 //
 // The header starts no threads. To work on the regions at once, hand in a parallel_for: a function that runs
@@ -286,7 +287,7 @@
 //                 recursion              paradt__wall_build, from paradt__dewall
 //     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
 //                 owner by ULF vertex    paradt__owns; which facets a region needs for that: paradt__needs
-//                 uniform partition      paradt__partition_box and paradt__cut_of with PARADT_UNIFORM
+//                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
 //                 adaptive partition     the same with PARADT_BISECTION
 //                 joining                paradt__region_compact, paradt__regions_join
 //
@@ -2205,13 +2206,210 @@ PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>cuts
+//
+// Space is divided into boxes, one for each region, by cutting a box in two again and again: at the coordinate that
+// gives each side its share of the points (bisection), or of the volume (uniform). A point on a cut belongs to the
+// upper side; the outer boxes are unbounded. The upper side's boxes come first. Where exactly the cuts are does not
+// matter but for speed, so a sample of the points tells.
+// Doors: paradt__cutter_divide, paradt__cuts_find, paradt__cuts_box, paradt__cuts_end, paradt__spacing.
+
+typedef struct paradt__cut {
+    double at;
+    int axis;
+    size_t begin; // of the box below, in a set that is in the order of the boxes
+} paradt__cut;
+
+typedef struct paradt__cuts {
+    size_t boxes;
+    paradt_partition partition;
+    int spares;       // box 0 is less work a point, as by insertion: it gets more of them
+    paradt__cut *cut; // [boxes] cut[i] is between the boxes before i and those from i on, none for 0
+} paradt__cuts;
+
+// The box of a point. Without a branch for the side: half of them would be foreseen wrongly.
+PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *x) {
+    size_t first = 0, boxes = cuts->boxes;
+    while (boxes > 1) {
+        const paradt__cut *cut = cuts->cut + first + boxes / 2;
+        size_t below = (size_t)(paradt__ordered_bits(x[cut->axis]) < paradt__ordered_bits(cut->at));
+        first += boxes / 2 * below;
+        boxes = boxes / 2 + (boxes & below);
+    }
+    return first;
+}
+
+// Bounds of a box, where it has any, in place of low and high.
+static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
+    size_t first = 0, boxes = cuts->boxes;
+    while (boxes > 1) {
+        const paradt__cut *cut = cuts->cut + first + boxes / 2;
+        if (box < first + boxes / 2) {
+            low[cut->axis] = cut->at;
+            boxes /= 2;
+        } else {
+            high[cut->axis] = cut->at;
+            first += boxes / 2;
+            boxes -= boxes / 2;
+        }
+    }
+}
+
+// Where a box ends in a set of `count` points in the order of the boxes.
+static size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
+    return box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : count;
+}
+
+// A key near the nth smallest: that of a sample.
+static int64_t paradt__pivot_key(const int64_t *keys, size_t count, size_t nth) {
+    enum { SAMPLE = 31 };
+    int64_t sample[SAMPLE];
+    size_t i, j, some = count < SAMPLE ? 1 : SAMPLE;
+    for (i = 0; i < some; i++) {
+        int64_t key = keys[count / some * i + count / some / 2];
+        for (j = i; j > 0 && sample[j - 1] > key; j--) sample[j] = sample[j - 1];
+        sample[j] = key;
+    }
+    return sample[(size_t)((double)nth / (double)count * (double)some)];
+}
+
+// The nth smallest key (quickselect).
+static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
+    size_t begin = 0, end = count;
+    while (end - begin > 1) {
+        int64_t pivot = paradt__pivot_key(keys + begin, end - begin, nth - begin);
+        size_t i = begin, j = end - 1;
+        for (;;) {
+            int64_t t;
+            while (keys[i] < pivot) i++;
+            while (pivot < keys[j]) j--;
+            if (i >= j) break;
+            t = keys[i];
+            keys[i++] = keys[j];
+            keys[j--] = t;
+        }
+        if (i == j && nth == i) return pivot;
+        if (nth < i) end = i;
+        else begin = i == j ? i + 1 : i;
+    }
+    return keys[begin];
+}
+
+// The axis along which a box is longest, the first of several.
+static int paradt__longest_axis(const double *low, const double *high, int dim) {
+    int axis, longest = 0;
+    for (axis = 1; axis < dim; axis++) {
+        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
+    }
+    return longest;
+}
+
+// How far neighbours are from each other where points are dense: the median of the longest sides of some boxes of eight
+// neighbours along a curve. order: that of the points (NULL: as they are)
+static double paradt__spacing(const double *records, size_t width, int dim, const paradt_index *order, size_t count) {
+    enum { SAMPLE = 63, TOGETHER = 8 };
+    double sides[SAMPLE];
+    int axis, i, j;
+    if (count == 0) return 0.0;
+    for (i = 0; i < SAMPLE; i++) {
+        size_t first = (count + TOGETHER - 1) / TOGETHER * (size_t)i / SAMPLE * TOGETHER, at;
+        size_t end = first + TOGETHER < count ? first + TOGETHER : count;
+        double longest = 0.0;
+        for (axis = 0; axis < dim; axis++) {
+            double low = 0.0, high = 0.0;
+            for (at = first; at < end; at++) {
+                double x = records[(order ? (size_t)order[at] : at) * width + (size_t)axis];
+                low = at == first || x < low ? x : low;
+                high = at == first || x > high ? x : high;
+            }
+            longest = high - low > longest ? high - low : longest;
+        }
+        for (j = i; j > 0 && sides[j - 1] > longest; j--) sides[j] = sides[j - 1];
+        sides[j] = longest;
+    }
+    return sides[SAMPLE / 2];
+}
+
+// More points that a set in the order of the boxes has room for: each region's own may want others' behind them.
+static size_t paradt__cuts_spare(const paradt__cuts *cuts, size_t count) {
+    return cuts && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
+}
+
+// A sample of points that is divided
+typedef struct paradt__cutter {
+    paradt__cuts *cuts;
+    int dim;
+    const double *sample; // [count][dim]
+    paradt_index *points; // [count] permuted, so that a box is a range
+    int64_t *keys;        // [count] room for the coordinates of a box along one axis, as ordered bits
+    size_t count;
+    size_t extra; // points that box 0 gets more than the others
+} paradt__cutter;
+
+PARADT__INLINE int64_t paradt__cutter_key(const paradt__cutter *c, paradt_index point, int axis) {
+    return paradt__ordered_bits(c->sample[(size_t)point * (size_t)c->dim + (size_t)axis]);
+}
+
+// Bounding box of the points of a range, which are some.
+static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t end, double *low, double *high) {
+    int axis;
+    size_t i;
+    for (axis = 0; axis < c->dim; axis++) {
+        int64_t least = INT64_MAX, most = INT64_MIN;
+        for (i = begin; i < end; i++) {
+            int64_t key = paradt__cutter_key(c, c->points[i], axis);
+            least = key < least ? key : least;
+            most = key > most ? key : most;
+        }
+        low[axis] = paradt__from_ordered_bits(least);
+        high[axis] = paradt__from_ordered_bits(most);
+    }
+}
+
+// Where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
+static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                   int axis, const double *low, const double *high) {
+    double above = (double)(boxes / 2) / (double)boxes;
+    size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
+    if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
+    for (i = begin; i < end; i++) c->keys[i - begin] = paradt__cutter_key(c, c->points[i], axis);
+    return paradt__from_ordered_bits(paradt__select_key(c->keys, count, (size_t)((double)even * (1.0 - above))));
+}
+
+// Cuts the boxes from `first` on out of one, which has the points of a range. low, high: its bounds, or those of all.
+static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, const double *low, const double *high,
+                                  size_t first, size_t boxes) {
+    double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut_low[PARADT_MAX_DIM], cut_high[PARADT_MAX_DIM];
+    size_t i, middle = begin, bytes = sizeof(double) * (size_t)c->dim;
+    paradt__cut *cut = c->cuts->cut + first + boxes / 2;
+    if (boxes == 1) return;
+    memcpy(below, low, bytes);
+    memcpy(above, high, bytes);
+    if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
+        paradt__cutter_bound(c, begin, end, below, above);
+    cut->axis = paradt__longest_axis(below, above, c->dim);
+    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    for (i = begin; i < end; i++) {
+        paradt_index point = c->points[i];
+        c->points[i] = c->points[middle];
+        c->points[middle] = point;
+        middle += (size_t)(paradt__cutter_key(c, point, cut->axis) >= paradt__ordered_bits(cut->at));
+    }
+    memcpy(cut_low, below, bytes);
+    memcpy(cut_high, above, bytes);
+    cut_low[cut->axis] = cut_high[cut->axis] = cut->at;
+    paradt__cutter_divide(c, begin, middle, cut_low, above, first, boxes / 2);
+    paradt__cutter_divide(c, middle, end, below, cut_high, first + boxes / 2, boxes - boxes / 2);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>points
 //
 // The caller's points become a set of records: finite, distinct, -0.0 made 0.0, scaled by a power of two where that
 // loses no bit, and with the coordinates permuted so that the first `dim` of them orient (dim: the affine dimension).
 // The axes are taken greedily from the first to the last, so the lexicographic order over them equals that over all
 // coordinates: a coordinate passed over is an affine function of those taken before it. The records are in the order of
-// a curve, in which equal points are neighbours.
+// a curve, in which equal points are neighbours; where space is divided, box after box.
 // What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
 // paradt__span, paradt__record.
 
@@ -2257,6 +2455,7 @@ typedef struct paradt__set {
     size_t width;                  // doubles a record
     double *records;               // [count][width]
     paradt_index *origin;          // [count] the caller's index of the point
+    size_t capacity;               // points that there is room for
     int axes[PARADT_MAX_DIM];      // the caller's coordinate that stands at each place
 } paradt__set;
 
@@ -2387,6 +2586,10 @@ typedef struct paradt__loader {
     int exponent[PARADT__MOST_TASKS];     // largest of a coordinate
     size_t repeating[PARADT__MOST_TASKS]; // points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
+    paradt__cuts *cuts; // where there is more than one box; or NULL
+    double *sample;     // [sampled][dim] points that tell where to cut, in the set's records
+    size_t sampled;
+    int key_bits; // of a key: the box, and below it the place on the curve
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     paradt__keyed *keyed, *other;                     // [points.count], the other in the set's records
@@ -2525,19 +2728,133 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
     }
 }
 
+// --- cuts by a sample
+
+// A point of each of as many equal shares of all, at random: a regular choice might meet a pattern of the points.
+static void paradt__sample_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt_points *points = &loader->source->points;
+    double step = (double)points->count / (double)loader->sampled;
+    size_t i, end = paradt__loader_share(loader, loader->sampled, index, &i);
+    for (; i < end; i++) {
+        size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
+        size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
+        paradt__coordinates(points, point, loader->sample + i * (size_t)points->dim);
+    }
+}
+
+// How far points of the set are from their neighbours: 2^k times as far are those of one in 2^(k dim) points, such as
+// are put along a curve here, where they are spread in all dimensions.
+static double paradt__sample_spacing(const paradt__loader *loader) {
+    enum { FEW = 1 << 12 };
+    size_t count = loader->source->points.count, few = count, i;
+    int dim = loader->source->points.dim, levels;
+    double nearer = 1.0;
+    paradt__hilbert hilbert;
+    paradt__lattice lattice;
+    paradt__keyed *keyed = loader->keyed, *other;
+    paradt_index *order;
+    do {
+        few >>= dim;
+        nearer *= 0.5;
+    } while (few > FEW);
+    levels = paradt__levels_for(few, dim);
+    other = keyed + few;
+    order = (paradt_index *)(void *)(other + few);
+    paradt__hilbert_begin(&hilbert, dim, few);
+    paradt__lattice_begin(&lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
+    for (i = 0; i < few; i++) {
+        keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
+        keyed[i].key = paradt__curve_key(&hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
+    }
+    paradt__keyed_sort(keyed, other, few, paradt__key_shift(dim * levels), 0);
+    for (i = 0; i < few; i++) order[i] = keyed[i].point;
+    return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
+}
+
+// Points of the sample that box 0 gets more than others, since by insertion its region takes in none of theirs and asks
+// about no cell: somewhat more than there are in a margin beside a cut through all. Measured on uniform points, a
+// Gaussian and Plummer's cluster.
+static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
+    enum { SAMPLE = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
+    int64_t keys[SAMPLE];
+    double margin = 0.7 * paradt__sample_spacing(loader), cut, extra, most;
+    size_t dim = (size_t)loader->source->points.dim, count = loader->sampled, i, beside = 0;
+    for (i = 0; i < SAMPLE; i++) {
+        size_t point = (size_t)((double)count * (double)i / (double)SAMPLE);
+        keys[i] = paradt__ordered_bits(loader->sample[point * dim + (size_t)axis]);
+    }
+    cut = paradt__from_ordered_bits(paradt__select_key(keys, SAMPLE, SAMPLE / 2));
+    for (i = 0; i < SAMPLE && margin > 0.0; i++)
+        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * 0.5 * (double)WIDTH;
+    extra = 1.75 * (double)beside / (double)WIDTH / (double)SAMPLE * (double)count;
+    most = (double)count / 4.0 / (double)loader->cuts->boxes;
+    return (size_t)(extra < most ? extra : most);
+}
+
+// Finds the cuts, in memory that is filled later.
+static void paradt__loader_cut(paradt__loader *loader) {
+    enum { SAMPLE = 1 << 16 };
+    const paradt__set *set = loader->set;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int dim = set->space.ambient, axis;
+    size_t count = loader->source->points.count, i;
+    paradt__cutter cutter;
+    loader->sampled = count < SAMPLE ? count : (size_t)SAMPLE;
+    loader->sample = set->records;
+    paradt__team_run(loader->team, paradt__sample_task, loader);
+    for (axis = 0; axis < dim; axis++) {
+        low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
+        high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
+    }
+    cutter.cuts = loader->cuts;
+    cutter.dim = dim;
+    cutter.sample = loader->sample;
+    cutter.count = loader->sampled;
+    cutter.extra = loader->cuts->spares ? paradt__sample_extra(loader, paradt__longest_axis(low, high, dim)) : 0;
+    cutter.keys = (int64_t *)(void *)loader->keyed;
+    cutter.points = (paradt_index *)(void *)(cutter.keys + cutter.count);
+    for (i = 0; i < cutter.count; i++) cutter.points[i] = (paradt_index)i;
+    paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
+}
+
+// Notes where each box begins in the set, whose records are as they were read.
+static void paradt__loader_bound(paradt__loader *loader) {
+    const paradt__set *set = loader->set;
+    paradt__cuts *cuts = loader->cuts;
+    size_t box;
+    for (box = 1; box < cuts->boxes; box++) {
+        size_t begin = box > 1 ? cuts->cut[box - 1].begin : 0, end = set->count;
+        while (begin < end) {
+            size_t middle = begin + (end - begin) / 2;
+            if (paradt__cuts_find(cuts, paradt__record(set, (paradt_index)middle)) < box) begin = middle + 1;
+            else end = middle;
+        }
+        cuts->cut[box].begin = begin;
+    }
+}
+
+// --- sorted by keys
+
 PARADT__INLINE size_t paradt__first_digit(const paradt__loader *loader, uint64_t key) {
-    return (size_t)(key >> paradt__key_shift(loader->lattice.dim * loader->lattice.levels));
+    return (size_t)(key >> paradt__key_shift(loader->key_bits));
 }
 
 static void paradt__key_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i),
               *count = loader->place[index];
+    int bits = loader->lattice.dim * loader->lattice.levels;
     memset(count, 0, sizeof loader->place[index]);
     for (; i < end; i++) {
-        loader->keyed[i].key = paradt__loader_key(loader, &loader->lattice, i);
+        double x[PARADT_MAX_DIM];
+        uint64_t key;
+        paradt__coordinates(&loader->source->points, i, x);
+        key = paradt__curve_key(&loader->hilbert, &loader->lattice, x);
+        if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
+        loader->keyed[i].key = key;
         loader->keyed[i].point = (paradt_index)i;
-        count[paradt__first_digit(loader, loader->keyed[i].key)]++;
+        count[paradt__first_digit(loader, key)]++;
     }
 }
 
@@ -2553,7 +2870,7 @@ static void paradt__sort_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
     size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
-    int shift = paradt__key_shift(loader->lattice.dim * loader->lattice.levels);
+    int shift = paradt__key_shift(loader->key_bits);
     for (digit = 0; digit < PARADT__DIGITS; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
@@ -2562,13 +2879,15 @@ static void paradt__sort_task(void *context, size_t index) {
     }
 }
 
-// The order of the points along the curve, in loader->keyed.
+// The order of the points along the curve, box after box, in loader->keyed.
 static void paradt__loader_sort(paradt__loader *loader) {
     size_t count = loader->source->points.count, tasks = loader->team->tasks, before = 0, digit, i;
-    int dim = loader->set->space.ambient;
+    int dim = loader->set->space.ambient, levels = paradt__levels_for(count, dim), step = PARADT__STEP_BITS / dim;
+    int box_bits = loader->cuts ? paradt__bit_length(loader->cuts->boxes - 1) : 0;
+    while (dim * levels + box_bits > 64) levels -= step > 1 ? step : 1;
+    loader->key_bits = dim * levels + box_bits;
     paradt__hilbert_begin(&loader->hilbert, dim, count);
-    paradt__lattice_begin(&loader->lattice, dim, paradt__levels_for(count, dim), 0, loader->set->space.low,
-                          loader->set->space.high);
+    paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
     for (digit = 0; digit < PARADT__DIGITS; digit++) {
         for (i = 0; i < tasks; i++) {
@@ -2624,23 +2943,30 @@ static void paradt__loader_merge(paradt__loader *loader) {
 static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
+    set->capacity = count + loader->source->spare;
     loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
-    set->records = (double *)paradt__alloc(memory, count + loader->source->spare, set->width * sizeof(double));
-    set->origin = (paradt_index *)paradt__alloc(memory, count, sizeof *set->origin);
+    set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
+    set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
     loader->other = (paradt__keyed *)(void *)set->records;
-    return loader->keyed && set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+    if (loader->cuts)
+        loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
+    return loader->keyed && set->records && set->origin && (!loader->cuts || loader->cuts->cut) ? PARADT_OK
+                                                                                                : PARADT_ERROR_MEMORY;
 }
 
 // The points of the source, each place once, along a curve, as they are: neither scaled nor with their axes in order,
-// but measured. *bad: see paradt__set_survey. representative: [points.count].
-static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, const paradt__team *team,
-                                        paradt__memory *memory, paradt_index *representative, size_t *bad) {
+// but measured. cuts: NULL, or space is divided, and the points are in the order of the boxes. *bad: see
+// paradt__set_survey. representative: [points.count].
+static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
+                                        const paradt__team *team, paradt__memory *memory, paradt_index *representative,
+                                        size_t *bad) {
     paradt__loader loader;
     const paradt_points *points = &source->points;
     size_t repeating = 0, i;
     paradt_status status;
     paradt__loader_begin(&loader, set, team);
     loader.source = source;
+    loader.cuts = cuts && cuts->boxes > 1 ? cuts : NULL;
     loader.representative = representative;
     set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
     set->width = (size_t)points->dim + (points->weights != NULL);
@@ -2649,11 +2975,13 @@ static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *
     if (status) return status;
     status = paradt__loader_room(&loader, memory);
     if (!status) {
+        if (loader.cuts) paradt__loader_cut(&loader);
         paradt__loader_sort(&loader);
         set->count = points->count;
         paradt__team_run(team, paradt__gather_task, &loader);
         for (i = 0; i < team->tasks; i++) repeating += loader.repeating[i];
         if (repeating) paradt__loader_merge(&loader);
+        if (loader.cuts) paradt__loader_bound(&loader);
     }
     paradt__release(memory, loader.keyed);
     return status;
@@ -2783,17 +3111,34 @@ static int paradt__set_orient(paradt__set *set, int *as_read) {
     return dim;
 }
 
-// Makes the set of the caller's points. representative: [points->count].
-static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, const paradt__team *team,
-                                      paradt__memory *memory, paradt_index *representative, size_t *bad) {
+// The cuts are where they were, of the set scaled and with its axes in order.
+static void paradt__cuts_follow(paradt__cuts *cuts, const paradt__set *set, int scaled) {
+    size_t box;
+    for (box = 1; box < cuts->boxes; box++) {
+        paradt__cut *cut = cuts->cut + box;
+        int axis = 0, exact = 1;
+        if (scaled) cut->at = paradt__scale(cut->at, 1023 - set->exponent, &exact);
+        while (set->axes[axis] != cut->axis) axis++;
+        cut->axis = axis;
+    }
+}
+
+// Makes the set of the caller's points. cuts: see paradt__set_gather; there is room then for an eighth more points.
+// representative: [points->count].
+static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, paradt__cuts *cuts,
+                                      const paradt__team *team, paradt__memory *memory, paradt_index *representative,
+                                      size_t *bad) {
     paradt__source source = paradt__source_of(points);
     paradt_status status;
-    int dim, as_read;
+    int dim, scaled, as_read;
     memset(set, 0, sizeof *set);
-    status = paradt__set_gather(set, &source, team, memory, representative, bad);
+    source.spare = paradt__cuts_spare(cuts, points->count);
+    status = paradt__set_gather(set, &source, cuts, team, memory, representative, bad);
     if (status) return status;
-    as_read = !paradt__set_scale(set);
+    scaled = paradt__set_scale(set);
+    as_read = !scaled;
     dim = paradt__set_orient(set, &as_read);
+    if (cuts) paradt__cuts_follow(cuts, set, scaled);
     if (as_read) paradt__set_measured(set, dim);
     else paradt__set_measure(set, team, dim);
     return PARADT_OK;
@@ -2922,7 +3267,7 @@ static paradt_status paradt__set_grade(paradt__set *set, paradt__memory *memory)
         paradt__digits_of(centre[j], top, o[j]);
     }
     squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
-    records = (double *)paradt__alloc(memory, set->count, (set->width + 1) * sizeof(double));
+    records = (double *)paradt__alloc(memory, set->capacity, (set->width + 1) * sizeof(double));
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count; i++) {
         double *to = records + i * (set->width + 1), size = 0.0;
@@ -6934,200 +7279,15 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions
 //
-// Space is divided into boxes by cutting a box in two again and again: at the coordinate that gives each side its share
-// of the points (bisection), or of the volume (uniform). A point on a cut belongs to the upper side; the outer boxes
-// are unbounded. A cell belongs to the box that holds its lexicographically smallest vertex (by insertion: to the first
-// box that holds any). Each region is built alone and keeps the cells it owns; the facets between cells of different
-// regions are matched when all have ended. Doors: paradt__regions_assign, paradt__region_compact, paradt__regions_join.
+// Each box of space is a region. A cell belongs to the box that holds its lexicographically smallest vertex (by
+// insertion: to the last box that holds any). Each region is built alone and keeps the cells it owns; the facets
+// between cells of different regions are matched when all have ended. Doors: paradt__regions_assign,
+// paradt__region_compact, paradt__regions_join.
 
-// A region's part of the points, and its box
-typedef struct paradt__part {
-    size_t begin, end; // of the permuted points
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-} paradt__part;
-
-typedef struct paradt__partitioner {
-    const paradt__set *set;
-    paradt_partition partition;
-    size_t regions;       // in all
-    size_t extra;         // points that the last region gets more than the others
-    paradt_index *points; // [set.count] permuted, so that a box is a range
-    int64_t *keys;        // [set.count] room for the coordinates of a box along one axis, as ordered bits
-    paradt_index *upper;  // [set.count] and, in the same block, for the points of a box's upper part
-    uint32_t *owner;      // [set.count], or NULL: not asked for
-    paradt__part *parts;  // [regions]
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the box at hand, unbounded at +-PARADT__FAR
-} paradt__partitioner;
-
-// A key near the nth smallest: that of a sample.
-static int64_t paradt__pivot_key(const int64_t *keys, size_t count, size_t nth) {
-    enum { SAMPLE = 31 };
-    int64_t sample[SAMPLE];
-    size_t i, j, some = count < SAMPLE ? 1 : SAMPLE;
-    for (i = 0; i < some; i++) {
-        int64_t key = keys[count / some * i + count / some / 2];
-        for (j = i; j > 0 && sample[j - 1] > key; j--) sample[j] = sample[j - 1];
-        sample[j] = key;
-    }
-    return sample[(size_t)((double)nth / (double)count * (double)some)];
-}
-
-// The nth smallest key (quickselect).
-static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
-    size_t begin = 0, end = count;
-    while (end - begin > 1) {
-        int64_t pivot = paradt__pivot_key(keys + begin, end - begin, nth - begin);
-        size_t i = begin, j = end - 1;
-        for (;;) {
-            int64_t t;
-            while (keys[i] < pivot) i++;
-            while (pivot < keys[j]) j--;
-            if (i >= j) break;
-            t = keys[i];
-            keys[i++] = keys[j];
-            keys[j--] = t;
-        }
-        if (i == j && nth == i) return pivot;
-        if (nth < i) end = i;
-        else begin = i == j ? i + 1 : i;
-    }
-    return keys[begin];
-}
-
-PARADT__INLINE int64_t paradt__partition_key(const paradt__partitioner *p, size_t at, int axis) {
-    return paradt__ordered_bits(paradt__record(p->set, p->points[at])[axis]);
-}
-
-// The nth smallest coordinate of a box along an axis, as ordered bits. Where there are many, a sample tells between
-// which two it is, so that few have to be looked through.
-static int64_t paradt__nth_key(const paradt__partitioner *p, size_t begin, size_t end, size_t nth, int axis) {
-    enum { MANY = 1 << 16, SAMPLE = 1 << 12, MARGIN = 1 << 7 }; // 4 standard deviations of a rank in the sample
-    size_t count = end - begin, at = (size_t)((double)nth / (double)count * (double)SAMPLE), below = 0, kept = 0, i;
-    if (count >= MANY) {
-        int64_t low = INT64_MIN, high = INT64_MAX;
-        for (i = 0; i < SAMPLE; i++) p->keys[i] = paradt__partition_key(p, begin + count / SAMPLE * i, axis);
-        if (at >= MARGIN) low = paradt__select_key(p->keys, SAMPLE, at - MARGIN);
-        if (at + MARGIN < SAMPLE) high = paradt__select_key(p->keys, SAMPLE, at + MARGIN);
-        for (i = begin; i < end; i++) {
-            int64_t key = paradt__partition_key(p, i, axis);
-            p->keys[kept] = key;
-            kept += (key >= low) & (key <= high);
-            below += key < low;
-        }
-        if (nth >= below && nth - below < kept) return paradt__select_key(p->keys, kept, nth - below);
-    }
-    for (i = begin; i < end; i++) p->keys[i - begin] = paradt__partition_key(p, i, axis);
-    return paradt__select_key(p->keys, count, nth);
-}
-
-// Bounding box of the points of a range.
-static void paradt__box_of(const paradt__partitioner *p, size_t begin, size_t end, double *low, double *high) {
-    int axis;
+// Fills owner[set->count] with the region of each point.
+static void paradt__regions_assign(const paradt__set *set, const paradt__cuts *cuts, uint32_t *owner) {
     size_t i;
-    for (axis = 0; axis < p->set->space.dim; axis++) {
-        for (i = begin; i < end; i++) {
-            double x = paradt__record(p->set, p->points[i])[axis];
-            if (i == begin || paradt__ordered_bits(x) < paradt__ordered_bits(low[axis])) low[axis] = x;
-            if (i == begin || paradt__ordered_bits(x) > paradt__ordered_bits(high[axis])) high[axis] = x;
-        }
-    }
-}
-
-// Where to cut the box for the first `share` of `regions`, of which the last gets `extra` points.
-static double paradt__cut_of(paradt__partitioner *p, size_t begin, size_t end, size_t share, size_t regions,
-                             size_t extra, int axis, const double *low, const double *high) {
-    double part = (double)share / (double)regions;
-    size_t nth = (size_t)((double)(end - begin - (extra < end - begin ? extra : 0)) * part);
-    if (p->partition == PARADT_UNIFORM || begin == end) return low[axis] * (1.0 - part) + high[axis] * part;
-    return paradt__from_ordered_bits(paradt__nth_key(p, begin, end, nth, axis));
-}
-
-// The axis along which a box is longest, the first of several.
-static int paradt__longest_axis(const double *low, const double *high, int dim) {
-    int axis, longest = 0;
-    for (axis = 1; axis < dim; axis++) {
-        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
-    }
-    return longest;
-}
-
-static void paradt__partition_box(paradt__partitioner *p, size_t begin, size_t end, const double *low,
-                                  const double *high, size_t first, size_t regions) {
-    double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut;
-    size_t share = regions / 2, i, middle = begin, bytes = sizeof(double) * (size_t)p->set->space.dim;
-    int64_t bound;
-    int longest;
-    if (regions == 1) {
-        for (i = begin; i < end && p->owner; i++) p->owner[p->points[i]] = (uint32_t)first;
-        p->parts[first].begin = begin;
-        p->parts[first].end = end;
-        memcpy(p->parts[first].low, p->low, sizeof p->low);
-        memcpy(p->parts[first].high, p->high, sizeof p->high);
-        return;
-    }
-    memcpy(below, low, bytes);
-    memcpy(above, high, bytes);
-    if (p->partition == PARADT_BISECTION && begin < end && regions < p->regions) {
-        paradt__box_of(p, begin, end, below, above);
-    }
-    longest = paradt__longest_axis(below, above, p->set->space.dim);
-    cut = paradt__cut_of(p, begin, end, share, regions, first + regions == p->regions ? p->extra : 0, longest, below,
-                         above);
-    bound = paradt__ordered_bits(cut);
-    for (i = begin; i < end; i++) { // without a branch: half of them would be foreseen wrongly
-        paradt_index point = p->points[i];
-        int lower = paradt__ordered_bits(paradt__record(p->set, point)[longest]) < bound;
-        p->points[middle] = point;
-        p->upper[i - middle] = point;
-        middle += (size_t)lower;
-    }
-    memcpy(p->points + middle, p->upper, (end - middle) * sizeof *p->upper);
-    {
-        double low_cut[PARADT_MAX_DIM], high_cut[PARADT_MAX_DIM], before = p->low[longest], after = p->high[longest];
-        memcpy(low_cut, below, bytes);
-        memcpy(high_cut, above, bytes);
-        low_cut[longest] = high_cut[longest] = cut;
-        p->high[longest] = cut;
-        paradt__partition_box(p, begin, middle, below, high_cut, first, share);
-        p->high[longest] = after;
-        p->low[longest] = cut;
-        paradt__partition_box(p, middle, end, low_cut, above, first + share, regions - share);
-        p->low[longest] = before;
-    }
-}
-
-// Fills owner[set->count] (or NULL) with the region of each point, points[set->count] with the positions ordered by
-// region and in the order of the set, and parts[regions]. By bisection the last region gets `extra` points more than
-// the others.
-static paradt_status paradt__regions_assign(const paradt__set *set, size_t regions, paradt_partition partition,
-                                            size_t extra, paradt__memory *memory, uint32_t *owner, paradt_index *points,
-                                            paradt__part *parts) {
-    paradt__partitioner p;
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    size_t i;
-    int axis;
-    p.set = set;
-    p.partition = partition;
-    p.regions = regions;
-    p.extra = extra;
-    p.owner = owner;
-    p.points = points;
-    p.parts = parts;
-    for (axis = 0; axis < PARADT_MAX_DIM; axis++) {
-        p.low[axis] = -PARADT__FAR;
-        p.high[axis] = PARADT__FAR;
-    }
-    p.keys = (int64_t *)paradt__alloc(memory, set->count, sizeof *p.keys);
-    if (!p.keys) return PARADT_ERROR_MEMORY;
-    p.upper = (paradt_index *)(void *)p.keys;
-    for (i = 0; i < set->count; i++) p.points[i] = (paradt_index)i;
-    for (axis = 0; axis < set->space.dim; axis++) {
-        low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
-        high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
-    }
-    paradt__partition_box(&p, 0, set->count, low, high, 0, regions);
-    paradt__release(memory, p.keys);
-    return PARADT_OK;
+    for (i = 0; i < set->count; i++) owner[i] = (uint32_t)paradt__cuts_find(cuts, paradt__record(set, (paradt_index)i));
 }
 
 // Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
@@ -7207,7 +7367,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // ---------------------------------------------------------------------------------------------------------------------
 // >>patches
 //
-// A region by insertion. A cell or ghost is owned by the first region that has a vertex of it. The region inserts its
+// A region by insertion. A cell or ghost is owned by the last region that has a vertex of it. The region inserts its
 // own points and those of the others in a margin around its box, and then asks for every cell that could be wrong
 // whether a point that it has not got is in conflict with the cell. Such a point is inserted, until the answers are no.
 // The answers are exact, so nothing depends on the width of the margin.
@@ -7222,11 +7382,11 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 //     ghosts; cells with a vertex that may be outside K; cells with just one vertex of the region
 //
-// Then the region's vertices have all their cells of T(P), and those without a vertex of a region before are its own.
+// Then the region's vertices have all their cells of T(P), and those without a vertex of a later region are its own.
 // Of the cells without a vertex of the region it does not matter whether they are right. Nor need those be asked about
 // whose sphere is inside K.
 //
-// The last region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
+// The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
 //
 // Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
@@ -7279,7 +7439,7 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
     size_t list_count, list_capacity;
-    int trusts;           // it is the last region, has its own points alone, and asks about nothing
+    int trusts;           // it is the first region, has its own points alone, and asks about nothing
     paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
     size_t border_count, border_capacity;
     paradt_index *seam; // [seam_capacity] see paradt__field
@@ -7402,37 +7562,21 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
     return status;
 }
 
-// The margin: about one and a half distances between neighbours where the points are dense, by the median of the
-// longest sides of some boxes of eight neighbours along the curve. Where differences of coordinates may overflow there
-// is none.
-static double paradt__margin(const paradt__set *set) {
-    enum { SAMPLE = 63, TOGETHER = 8 };
-    double sides[SAMPLE];
-    int dim = set->space.dim, axis, i, j;
-    if (!set->space.filtered || set->count == 0) return 0.0;
-    for (i = 0; i < SAMPLE; i++) {
-        size_t first = (set->count + TOGETHER - 1) / TOGETHER * (size_t)i / SAMPLE * TOGETHER, at;
-        size_t end = first + TOGETHER < set->count ? first + TOGETHER : set->count;
-        double longest = 0.0;
-        for (axis = 0; axis < dim; axis++) {
-            double low = set->records[first * set->width + (size_t)axis], high = low;
-            for (at = first + 1; at < end; at++) {
-                double x = set->records[at * set->width + (size_t)axis];
-                low = x < low ? x : low;
-                high = paradt__larger(high, x);
-            }
-            longest = paradt__larger(longest, high - low);
-        }
-        for (j = i; j > 0 && sides[j - 1] > longest; j--) sides[j] = sides[j - 1];
-        sides[j] = longest;
-    }
-    return 0.7 * sides[SAMPLE / 2];
+// The margin: about one and a half distances between neighbours. Where differences of coordinates may overflow there is
+// none, nor where the box is cut across an axis that is not among those that orient.
+static double paradt__margin(const paradt__field *field) {
+    const paradt__set *set = &field->set;
+    int axis, open = 1;
+    for (axis = set->space.dim; axis < set->space.ambient; axis++)
+        open &= field->low[axis] == -PARADT__FAR && field->high[axis] == PARADT__FAR;
+    if (!set->space.filtered || !open) return 0.0;
+    return 0.7 * paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count);
 }
 
 // Lists the points of the others in the margin, which K has then.
 static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    double margin = paradt__margin(&own->set), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    double margin = paradt__margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
     size_t i;
     int axis;
@@ -7496,7 +7640,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     size_t needed, i;
     paradt__set known;
     paradt_status status;
-    patch->trusts = patch->own > 0 && patch->own + 1 == patch->field_count && paradt__spans(&own->set);
+    patch->trusts = patch->own == 0 && patch->field_count > 1 && paradt__spans(&own->set);
     status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
     needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
@@ -7544,17 +7688,17 @@ static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
     return 1;
 }
 
-// Has a cell or ghost one vertex of the region, and else the last region's?
+// Has a cell or ghost one vertex of the region, and else the first region's?
 static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    paradt_index last = (paradt_index)patch->fields[patch->field_count - 1].begin;
+    paradt_index end = (paradt_index)patch->fields[0].set.count;
     int i, share = 0;
     for (i = 0; i < patch->bw.cells.corners; i++) {
         if (vertices[i] < 0) continue;
         if (paradt__patch_has(patch, vertices[i])) share++;
-        else if (patch->origin[vertices[i]] < last) return 0;
+        else if (patch->origin[vertices[i]] >= end) return 0;
     }
-    return share == 1 && patch->own + 1 < patch->field_count;
+    return share == 1 && patch->own > 0;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
@@ -7960,12 +8104,13 @@ PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, siz
     return status;
 }
 
-// Points of regions before have no index then: a cell with one of them is not the region's.
+// Points of later regions have no index then: a cell with one of them is not the region's.
 static paradt_status paradt__patch_close(paradt__patch *patch) {
-    paradt_index begin = (paradt_index)patch->fields[patch->own].begin;
+    const paradt__field *own = patch->fields + patch->own;
+    paradt_index end = (paradt_index)(own->begin + own->set.count);
     size_t i;
     for (i = 0; i < patch->bw.count; i++)
-        patch->origin[i] = patch->origin[i] < begin ? -1 : patch->set->origin[patch->origin[i]];
+        patch->origin[i] = patch->origin[i] < end ? patch->set->origin[patch->origin[i]] : -1;
     if (patch->bw.cells.corners == 4) return paradt__patch_close_cells(patch, 4);
     return paradt__patch_close_cells(patch, (size_t)patch->bw.cells.corners);
 }
@@ -8026,8 +8171,8 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 
 // --- the seam
 //
-// The last region has built T(S) of its own points S, and lacks nothing: a cell of T(P) with vertices in S alone is one
-// of T(S). But which of T(S)'s cells are of T(P), and which are wrong, in conflict with others' points? The others
+// The first region has built T(S) of its own points S, and lacks nothing: a cell of T(P) with vertices in S alone is
+// one of T(S). But which of T(S)'s cells are of T(P), and which are wrong, in conflict with others' points? The others
 // list the seam: the facets with vertices in S alone of those cells of T(P) that have one vertex more, the apex. Cells
 // are all here that are ghosts too. A facet listed twice has others' cells on both sides. Behind one listed once is a
 // cell of T(P) that has its vertices in S alone; it is right. On the apex's side of the facet T(S) has a wrong cell: if
@@ -8072,10 +8217,10 @@ static int paradt__patch_has_cells(paradt__patch *patch) {
     return 0;
 }
 
-// What the regions before say of the seam, in the last region's numbers
+// What the other regions say of the seam
 typedef struct paradt__seam {
     size_t dim;           // vertices of a facet; the infinite one is among them where two ghosts meet
-    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex as a position; or what follows
+    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex; or what follows
     paradt_index *table;  // [capacity] hash table of facets; -1: free
     size_t count, capacity;
     size_t single; // facets that have been listed once
@@ -8104,10 +8249,10 @@ PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const 
     return seam->table + place;
 }
 
-static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed, paradt_index begin) {
+static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed) {
     paradt_index *facet = seam->facets + seam->count * (seam->dim + 1), *place;
     size_t i;
-    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i] < 0 ? listed[i] : listed[i] - begin);
+    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i]);
     facet[seam->dim] = listed[seam->dim];
     place = paradt__seam_place(seam, facet);
     if (*place >= 0) {
@@ -8125,19 +8270,18 @@ static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
 }
 
 static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
-    const paradt__field *last = patch->fields + patch->own, *field;
+    const paradt__field *end = patch->fields + patch->field_count, *field;
     size_t count = 0, i;
     memset(seam, 0, sizeof *seam);
     seam->dim = (size_t)patch->bw.cells.corners - 1;
-    for (field = patch->fields; field < last; field++) count += field->seam_count;
+    for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
     for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
     seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
     seam->table = (paradt_index *)paradt__alloc(patch->memory, seam->capacity, sizeof *seam->table);
     if (!seam->facets || !seam->table) return PARADT_ERROR_MEMORY;
     memset(seam->table, -1, seam->capacity * sizeof *seam->table);
-    for (field = patch->fields; field < last; field++) {
-        for (i = 0; i < field->seam_count; i++)
-            paradt__seam_add(seam, field->seam + i * (seam->dim + 1), (paradt_index)last->begin);
+    for (field = patch->fields + 1; field < end; field++) {
+        for (i = 0; i < field->seam_count; i++) paradt__seam_add(seam, field->seam + i * (seam->dim + 1));
     }
     return PARADT_OK;
 }
@@ -8191,14 +8335,14 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     return status;
 }
 
-// Lists the cells and ghosts of the last region that are not of T(P).
+// Lists the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
     paradt__bw *bw = &patch->bw;
     paradt_index cell = bw->spheres ? bw->spheres->start : bw->last;
     size_t i;
     int others = 0;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < patch->own; i++) others |= patch->fields[i].has_cells;
+    for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
     if (others && !seam->single) return paradt__patch_list_all(patch);
     for (i = 0; i < seam->count && !status; i++) {
         paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
@@ -8209,7 +8353,7 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     return status;
 }
 
-// Drops the cells and ghosts of the last region that are not of T(P).
+// Drops the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_trim(paradt__patch *patch) {
     paradt__seam seam;
     size_t i;
@@ -8379,6 +8523,11 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
 
 enum { PARADT__AUTO_INCODE_DIM = 4 }; // AUTO tries InCoDe from here on
 
+// Is insertion the first method that is tried?
+static int paradt__inserts(paradt_method method, int dim) {
+    return !paradt__choose_front(method) && (method != PARADT_AUTO || dim < PARADT__AUTO_INCODE_DIM);
+}
+
 // All that one call works with.
 typedef struct paradt__work {
     paradt__memory memory;
@@ -8392,14 +8541,12 @@ typedef struct paradt__work {
     int in_turn; // 1: insertion builds one after another, without neighbours
     paradt_stats *stats;
     paradt__cells cells;
-    uint32_t *owner;                        // [set.count] region of each point
-    paradt_index *points;                   // [set.count] the points ordered by region
-    paradt__part *parts;                    // [regions]
+    paradt__cuts cuts;                      // between the regions
+    uint32_t *owner;                        // [set.count] with a front: the region of each point
     paradt__field *fields;                  // [regions] with insertion
     struct paradt__region *region;          // [regions]
     paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
     int translated;                         // the cells have the caller's indices already
-    paradt__set permuted;                   // with insertion: the set ordered by region
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
 
@@ -8497,6 +8644,11 @@ static paradt__region_view paradt__view_of(const paradt__work *work, size_t inde
     return view;
 }
 
+// Points of a region
+static size_t paradt__region_count(const paradt__work *work, size_t index) {
+    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+}
+
 // By InCoDe or DeWall.
 static void paradt__front_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
@@ -8517,23 +8669,18 @@ static void paradt__front_task(void *context, size_t index) {
             paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
 }
 
-// By insertion, first step: the region's part of the permuted set, and its field.
+// By insertion, first step: the region's field.
 static void paradt__field_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__field *field = work->fields + index;
-    const paradt__part *part = work->parts + index;
-    const paradt__set *set = &work->set, *permuted = &work->permuted;
-    size_t count = part->end - part->begin, i;
-    memcpy(field->low, part->low, sizeof field->low);
-    memcpy(field->high, part->high, sizeof field->high);
-    for (i = 0; i < count; i++) {
-        size_t to = field->begin + i;
-        paradt_index from = work->points[part->begin + i];
-        paradt__copy_record(permuted->records + to * set->width, paradt__record(set, from), set->width);
-        permuted->origin[to] = set->origin[from];
+    int axis;
+    for (axis = 0; axis < PARADT_MAX_DIM; axis++) {
+        field->low[axis] = -PARADT__FAR;
+        field->high[axis] = PARADT__FAR;
     }
-    region->status = paradt__field_begin(field, permuted, count, &region->memory);
+    paradt__cuts_box(&work->cuts, index, field->low, field->high);
+    region->status = paradt__field_begin(field, &work->set, paradt__region_count(work, index), &region->memory);
 }
 
 // By insertion, second step: the points to begin with.
@@ -8577,7 +8724,8 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
-    paradt__progress progress = paradt__part_of_progress(work, index, work->regions);
+    size_t turn = work->in_turn ? work->regions - 1 - index : index;
+    paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
     region->status = paradt__patch_build(patch, &progress);
     region->done = progress.begin + progress.length;
     if (!region->status) region->status = paradt__patch_complete(patch, paradt__asks_around(work));
@@ -8792,72 +8940,57 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     return status ? status : paradt__join_patches(work);
 }
 
-// Where the points of the regions go in the permuted set, each with room for what others' points it is likely to need,
-// if there is to be any. Returns how many positions that takes.
+// Where the points of the regions are to be in the set, each but the first's with room for what others' points it is
+// likely to need, if there is to be any. Returns how many positions that takes.
 static size_t paradt__place_fields(paradt__work *work, int roomy) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
-        size_t count = work->parts[i].end - work->parts[i].begin;
+        size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].room = roomy && i + 1 < work->regions ? count + count / 8 + 64 : count;
+        work->fields[i].room = roomy && i > 0 ? count + count / 8 + 64 : count;
         total += work->fields[i].room;
     }
     return total;
 }
 
-// Points that span the set, as positions of the permuted one.
+// Moves the points of a region.
+static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
+    paradt__set *set = &work->set;
+    size_t count = paradt__region_count(work, index);
+    if (from == to) return;
+    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
+}
+
+// Points that span the set, as positions in it once it is open.
 static void paradt__find_basis(paradt__work *work) {
     paradt__set *set = &work->set, view = *set;
     const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], missing = set->space.dim + 1, k;
-    size_t i, place;
+    int axes[PARADT_MAX_DIM + 1], k;
     view.space.ambient = set->space.dim; // only the axes that orient
     basis[0] = set->records;
     paradt__span(&view, NULL, basis, axes, 0, 0);
     set->space.counters = view.space.counters;
-    for (i = 0; i < work->regions; i++) { // as a rule they are all among the first
-        for (place = work->parts[i].begin; place < work->parts[i].end && missing; place++) {
-            for (k = 0; k <= set->space.dim; k++) {
-                if (paradt__record(set, work->points[place]) != basis[k]) continue;
-                work->basis[k] = (paradt_index)(work->fields[i].begin + place - work->parts[i].begin);
-                missing--;
-            }
-        }
+    for (k = 0; k <= set->space.dim; k++) {
+        size_t point = (size_t)(basis[k] - set->records) / set->width, region = 0;
+        while (point >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) point += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[k] = (paradt_index)point;
     }
 }
 
-// The first step of insertion: the permuted set takes the place of the set.
-static paradt_status paradt__permute_set(paradt__work *work) {
-    paradt__set *set = &work->set, *permuted = &work->permuted, view;
-    size_t positions = paradt__place_fields(work, 1);
-    paradt_status status;
-    if (positions > (size_t)PARADT__NOWHERE) positions = paradt__place_fields(work, 0);
+// The first step of insertion: gaps between the regions' points make room for others'.
+static void paradt__open_set(paradt__work *work) {
+    size_t i;
+    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
     paradt__find_basis(work);
-    view = *permuted = *set;
-    permuted->records = (double *)paradt__alloc(&work->memory, positions, set->width * sizeof(double));
-    permuted->origin = (paradt_index *)paradt__alloc(&work->memory, positions, sizeof *set->origin);
-    status = permuted->records && permuted->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__field_task);
-    *set = *permuted;
-    paradt__set_free(&view, &work->memory);
-    paradt__release(&work->memory, work->points);
-    work->points = NULL;
-    return status;
+    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
 }
 
-// The permuted set without the room between its fields.
+// The set without them
 static void paradt__close_set(paradt__work *work) {
-    paradt__set *set = &work->set;
-    size_t count = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        const paradt__field *field = work->fields + i;
-        size_t own = field->set.count;
-        memmove(set->records + count * set->width, set->records + field->begin * set->width,
-                own * set->width * sizeof *set->records);
-        memmove(set->origin + count, set->origin + field->begin, own * sizeof *set->origin);
-        count += own;
-    }
+    size_t i;
+    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
 }
 
 // Completes the regions that are open with what they tell each other.
@@ -8919,7 +9052,7 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
     status = paradt__patch_points(patch, work->basis);
     capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
-    rest = paradt__bw_places(work->set.count - work->parts[index].end, work->set.space.dim);
+    rest = paradt__bw_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
     if (!status) status = paradt__turn_room(work, capacity, rest);
     if (status) return status;
     lent->neighbors = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
@@ -8945,7 +9078,7 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
     paradt__cells *cells = &work->cells;
     size_t corners = (size_t)cells->corners, i;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < work->regions && !status; i++) {
+    for (i = work->regions; i-- > 0 && !status;) { // the first is told by all the others
         status = paradt__build_turn(work, i);
         work->done = work->region[i].done;
     }
@@ -9002,7 +9135,9 @@ static paradt_status paradt__build_patches(paradt__work *work) {
     work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
     if (!work->fields) return PARADT_ERROR_MEMORY;
     memset(work->fields, 0, work->regions * sizeof *work->fields);
-    status = paradt__permute_set(work);
+    paradt__open_set(work);
+    paradt__share_memory(work);
+    status = paradt__run_regions(work, paradt__field_task);
     paradt__share_memory(work);
     if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
     taken = status == PARADT__GAVE_UP && !work->in_turn;
@@ -9030,48 +9165,15 @@ static paradt_status paradt__build_fronts(paradt__work *work) {
     return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
 }
 
-// Points that the last region gets more than others, since it inserts none of theirs and asks about no cell: somewhat
-// more than there are in a margin beside a cut through all, by a sample. Measured on uniform points, a Gaussian and
-// Plummer's cluster.
-static size_t paradt__last_extra(const paradt__work *work) {
-    enum { SAMPLE = 2048, WIDTH = 4 }; // of the part looked at, in margins
-    const paradt__set *set = &work->set;
-    int64_t keys[SAMPLE];
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], margin = paradt__margin(set), cut, extra, most;
-    int dim = set->space.dim, axis, longest;
-    size_t i, beside = 0;
-    for (axis = 0; axis < dim; axis++) {
-        low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
-        high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
-    }
-    longest = paradt__longest_axis(low, high, dim);
-    for (i = 0; i < SAMPLE; i++) {
-        size_t point = (size_t)((double)set->count * (double)i / (double)SAMPLE);
-        keys[i] = paradt__ordered_bits(set->records[point * set->width + (size_t)longest]);
-    }
-    cut = paradt__from_ordered_bits(paradt__select_key(keys, SAMPLE, SAMPLE / 2));
-    for (i = 0; i < SAMPLE && margin > 0.0; i++)
-        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * 0.5 * (double)WIDTH;
-    extra = 1.75 * (double)beside / (double)WIDTH / (double)SAMPLE * (double)set->count;
-    most = (double)set->count / 4.0 / (double)work->regions;
-    return (size_t)(extra < most ? extra : most);
-}
-
 static paradt_status paradt__build_regions(paradt__work *work) {
     paradt__memory *memory = &work->memory;
     int front = paradt__choose_front(work->method) != NULL;
     size_t i;
-    paradt_status status;
     if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
-    work->points = (paradt_index *)paradt__alloc(memory, work->set.count, sizeof *work->points);
-    work->parts = (paradt__part *)paradt__alloc(memory, work->regions, sizeof *work->parts);
     work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if ((front && !work->owner) || !work->points || !work->parts || !work->region) return PARADT_ERROR_MEMORY;
+    if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
     memset(work->region, 0, work->regions * sizeof *work->region);
-    status =
-        paradt__regions_assign(&work->set, work->regions, work->options.partition, front ? 0 : paradt__last_extra(work),
-                               memory, work->owner, work->points, work->parts);
-    if (status) return status;
+    if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
     for (i = 0; i < work->regions; i++) {
         work->region[i].memory = paradt__memory_fork(memory, work->regions);
         work->region[i].cells.corners = work->set.space.dim + 1;
@@ -9129,14 +9231,10 @@ static void paradt__release_helpers(paradt__work *work) {
     paradt__memory *memory = &work->memory;
     paradt__grid_free(&work->grid, memory);
     paradt__release(memory, work->owner);
-    paradt__release(memory, work->points);
-    paradt__release(memory, work->parts);
     paradt__release(memory, work->fields);
     paradt__release(memory, work->region);
     memset(&work->grid, 0, sizeof work->grid);
     work->owner = NULL;
-    work->points = NULL;
-    work->parts = NULL;
     work->fields = NULL;
     work->region = NULL;
 }
@@ -9148,20 +9246,18 @@ static void paradt__begin_again(paradt__work *work) {
     work->stats->cells_recomputed = work->stats->hull_facets = 0;
 }
 
-// Without neighbours, how many regions to build one after another. Five need 190 bytes a point where one needs 274, and
-// a third more time; small sets would take more.
-static size_t paradt__turns(const paradt__work *work) {
+// Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
+// points makes regions for that: five need 190 bytes a point where one needs 274, and a third more time.
+static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
     enum { TURNS = 5, LEAST_POINTS = 500000 };
-    if (work->regions > 1 || work->set.count < LEAST_POINTS) return work->regions;
-    return TURNS;
+    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&
+                    !paradt__choose_front(work->options.method) && (work->regions == 1 || !work->options.parallel_for);
+    if (work->in_turn && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = TURNS;
 }
 
-// By insertion. When regions in turn give up, the set is permuted.
+// By insertion. When regions in turn give up, the set is left in their order.
 static paradt_status paradt__insert_all(paradt__work *work) {
     paradt_status status;
-    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && work->set.space.dim <= 3 &&
-                    (work->regions == 1 || !work->options.parallel_for);
-    if (work->in_turn) work->regions = paradt__turns(work);
     if (work->regions == 1) return paradt__build_by_insertion(work);
     status = paradt__set_grade(&work->set, &work->memory); // for the questions
     if (!status) status = paradt__build_regions(work);
@@ -9189,7 +9285,7 @@ static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
 static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
     paradt_status status;
     work->method = work->options.method;
-    if (work->method != PARADT_AUTO || work->set.space.dim < PARADT__AUTO_INCODE_DIM)
+    if (paradt__inserts(work->method, work->set.space.dim) || work->method != PARADT_AUTO)
         return paradt__build_cells(work, sorted);
     work->method = PARADT_INCODE;
     work->impatient = 1;
@@ -9202,11 +9298,17 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
 
 static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now(), loaded, sorted;
-    paradt__team team = paradt__team_of(&work->options, work->regions);
+    paradt__team team;
     paradt_status status;
+    paradt__choose_turns(work, points);
+    team = paradt__team_of(&work->options, work->regions);
+    work->cuts.boxes = work->regions;
+    work->cuts.partition = work->options.partition;
+    work->cuts.spares = !work->in_turn && paradt__inserts(work->options.method, points->dim);
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
     if (!out->representative) return PARADT_ERROR_MEMORY;
-    status = paradt__set_load(&work->set, points, &team, &work->memory, out->representative, &out->error_point);
+    status =
+        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
     loaded = sorted = paradt__now();
@@ -9262,6 +9364,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     }
     paradt__cells_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
+    paradt__release(&work.memory, work.cuts.cut);
     if (status) {
         size_t bad = out->error_point;
         paradt_free(out);
@@ -9644,9 +9747,8 @@ typedef struct paradt__remote_part {
     paradt__memory memory;
     paradt__set set;
     paradt__grid grid;
-    uint32_t *owner;      // [set.count]
-    paradt_index *points; // [set.count]
-    paradt__part *parts;  // [regions]
+    paradt__cuts cuts;
+    uint32_t *owner; // [set.count]
     paradt__cells cells;
 } paradt__remote_part;
 
@@ -9660,15 +9762,11 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
     paradt_status status;
     part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
-    part->points = (paradt_index *)paradt__alloc(memory, set->count, sizeof *part->points);
-    part->parts = (paradt__part *)paradt__alloc(memory, options->regions, sizeof *part->parts);
-    if (!part->owner || !part->points || !part->parts) return PARADT_ERROR_MEMORY;
+    if (!part->owner) return PARADT_ERROR_MEMORY;
     status = paradt__set_grade(set, memory);
     if (!status) status = paradt__grid_build(&part->grid, set, memory);
-    if (!status)
-        status = paradt__regions_assign(set, options->regions, options->partition, 0, memory, part->owner, part->points,
-                                        part->parts);
     if (status) return status;
+    paradt__regions_assign(set, &part->cuts, part->owner);
     view.owner = part->owner;
     view.region = (uint32_t)region;
     status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
@@ -9712,9 +9810,11 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
     out->point_count = points->count;
     out->allocator = part.memory.allocator;
     out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
+    part.cuts.boxes = options->regions;
+    part.cuts.partition = options->partition;
     if (out->representative)
-        status =
-            paradt__set_load(&part.set, points, &paradt__alone, &part.memory, out->representative, &out->error_point);
+        status = paradt__set_load(&part.set, points, &part.cuts, &paradt__alone, &part.memory, out->representative,
+                                  &out->error_point);
     if (!status)
         status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
                                         : paradt__remote_trivial(&part, region);
@@ -9735,8 +9835,7 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
     paradt__cells_free(cells, &part.memory);
     paradt__grid_free(&part.grid, &part.memory);
     paradt__release(&part.memory, part.owner);
-    paradt__release(&part.memory, part.points);
-    paradt__release(&part.memory, part.parts);
+    paradt__release(&part.memory, part.cuts.cut);
     paradt__set_free(&part.set, &part.memory);
     if (status) {
         i = out->error_point;

@@ -1054,7 +1054,7 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     source.spare = paradt_mpi__expect_others(w, count);
     w->room = count + source.spare;
     // ids ascend, so the smallest index is the smallest id
-    return paradt__set_gather(&w->set, &source, &paradt__alone, &w->memory, w->twin, &bad);
+    return paradt__set_gather(&w->set, &source, NULL, &paradt__alone, &w->memory, w->twin, &bad);
 }
 
 // Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that.

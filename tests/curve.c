@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-enum { LATTICE_POINTS = 4096, SCALES = 2000 };
+enum { LATTICE_POINTS = 4096, SCALES = 2000, BOXED = 3000 };
 
 // The lattice point number i of a cube with `levels` levels
 static void lattice_point(int i, int dim, int levels, double *x) {
@@ -136,7 +136,8 @@ static void equal_points_are_found_on_all_scales(void **state) {
             points.count = SCALES;
             points.dim = dim;
             paradt__memory_begin(&memory, NULL);
-            assert_int_equal(paradt__set_load(&set, &points, &team, &memory, representative, &bad), PARADT_OK);
+            assert_int_equal(paradt__set_load(&set, &points, NULL, &team, &memory, representative, &bad),
+                             PARADT_OK);
             for (size_t i = 0; i < SCALES; i++) {
                 size_t first = 0, bytes = (size_t)dim * sizeof *x;
                 while (memcmp(x + first * (size_t)dim, x + i * (size_t)dim, bytes)) first++;
@@ -148,6 +149,76 @@ static void equal_points_are_found_on_all_scales(void **state) {
             paradt__set_free(&set, &memory);
             assert_int_equal(memory.held, 0);
         }
+}
+
+// Points anywhere, on a small lattice, far from 1, or on a line that is longest along the last axis
+static void fill_boxes(double *x, size_t count, int dim, int kind) {
+    for (size_t i = 0; i < count; i++) {
+        double *p = x + i * (size_t)dim;
+        uint64_t number = paradt__mix(i);
+        for (int j = 0; j < dim; j++, number = paradt__mix(number)) {
+            p[j] = (double)(number >> 11) * 0x1p-53;
+            if (kind == 1) p[j] = (double)(number % 9) - 4.0;
+            if (kind == 2) p[j] = ldexp(p[j], 60);
+            if (kind == 3 && j) p[j] = 2.0 * p[j - 1];
+        }
+    }
+}
+
+// Each box has the points within its bounds; if `even`, its share of them.
+static void expect_boxes(const paradt__set *set, const paradt__cuts *cuts, int even) {
+    size_t begin = 0, share = set->count / cuts->boxes;
+    for (size_t box = 0; box < cuts->boxes; box++) {
+        size_t end = paradt__cuts_end(cuts, box, set->count);
+        double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+        for (int j = 0; j < set->space.ambient; j++) {
+            low[j] = -INFINITY;
+            high[j] = INFINITY;
+        }
+        paradt__cuts_box(cuts, box, low, high);
+        assert_true(end >= begin && end <= set->count);
+        if (even) assert_true(end - begin + 4 > share && end - begin < share + 4);
+        for (size_t i = begin; i < end; i++) {
+            const double *p = paradt__record(set, (paradt_index)i);
+            assert_int_equal(paradt__cuts_find(cuts, p), box);
+            for (int j = 0; j < set->space.ambient; j++) assert_true(p[j] >= low[j] && p[j] <= high[j]);
+        }
+        begin = end;
+    }
+    assert_int_equal(begin, set->count);
+}
+
+// A set in the order of boxes is the same set.
+static void boxes_follow_each_other(void **state) {
+    static double x[BOXED * PARADT_MAX_DIM];
+    static paradt_index representative[BOXED], expected[BOXED];
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int kind = 0; kind < 4; kind++)
+            for (size_t boxes = 1; boxes <= 700; boxes += boxes < 9 ? 1 : 230) {
+                paradt_points points = {0};
+                paradt__team team = {tasks_in_turn, NULL, 2};
+                paradt__cuts cuts = {0};
+                paradt__memory memory;
+                paradt__set set;
+                size_t bad = 0;
+                fill_boxes(x, BOXED, dim, kind);
+                points.data = x;
+                points.count = BOXED;
+                points.dim = dim;
+                cuts.boxes = boxes;
+                paradt__memory_begin(&memory, NULL);
+                assert_int_equal(paradt__set_load(&set, &points, NULL, &paradt__alone, &memory, expected, &bad),
+                                 PARADT_OK);
+                paradt__set_free(&set, &memory);
+                assert_int_equal(paradt__set_load(&set, &points, &cuts, &team, &memory, representative, &bad),
+                                 PARADT_OK);
+                assert_memory_equal(representative, expected, sizeof expected);
+                expect_boxes(&set, &cuts, kind % 2 == 0); // the others have many points at a place, or on a cut
+                paradt__set_free(&set, &memory);
+                paradt__release(&memory, cuts.cut);
+                assert_int_equal(memory.held, 0);
+            }
 }
 
 static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state) {
@@ -213,7 +284,7 @@ static void others_come_where_the_curve_passes_them(void **state) {
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
     for (size_t i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(i + 7) >> 11) * 0x1p-53;
-    assert_int_equal(paradt__set_load(&set, &points, &paradt__alone, &memory, representative, &bad), PARADT_OK);
+    assert_int_equal(paradt__set_load(&set, &points, NULL, &paradt__alone, &memory, representative, &bad), PARADT_OK);
     memcpy(x, set.records, OWN * 3 * sizeof *x);
     paradt__set_free(&set, &memory);
     set.records = x;
@@ -230,6 +301,7 @@ int main(void) {
         cmocka_unit_test(the_corners_of_any_box_get_different_places),
         cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
         cmocka_unit_test(equal_points_are_found_on_all_scales),
+        cmocka_unit_test(boxes_follow_each_other),
         cmocka_unit_test(rounds_take_every_point_once_and_one_of_sixteen_earlier),
         cmocka_unit_test(others_come_where_the_curve_passes_them),
     };

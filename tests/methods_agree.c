@@ -225,9 +225,9 @@ static void large_sets_agree(void **state) {
     }
 }
 
-// Two of four regions each have a dense cluster close to the sphere that the last region has, so that cells of the
+// Two of four regions each have a dense cluster close to the sphere that the first region has, so that cells of the
 // sphere alone are wrong in two places, with right ones between them.
-static void a_last_region_that_is_wrong_in_two_places_agrees(void **state) {
+static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
     enum { LEFT = 396, BELOW = 198, SPHERE = 206 }; // so the cuts are close to the sphere's first points
     (void)state;
     for (int dim = 2; dim <= 3; dim++) {
@@ -260,6 +260,34 @@ static void a_last_region_that_is_wrong_in_two_places_agrees(void **state) {
         }
         sample_free(&s);
     }
+}
+
+// The plane's longest axis is a multiple of its first, and not among those that orient.
+static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) {
+    static const paradt_method methods[] = {PARADT_BOWYER_WATSON, PARADT_INCODE, PARADT_DEWALL};
+    sample s = sample_make("leaning plane", 3, 2000);
+    uint64_t random = 1, expected = 0;
+    (void)state;
+    for (int i = 0; i < s.count; i++) {
+        double *x = s.x + 3 * i;
+        x[0] = random_unit(&random);
+        x[1] = random_unit(&random);
+        x[2] = -4 * x[0];
+    }
+    for (int m = 0; m < 3; m++)
+        for (size_t regions = 1; regions <= 7; regions += 2) {
+            paradt_options options = {0};
+            options.method = methods[m];
+            options.regions = regions;
+            paradt_triangulation t = triangulate_and_verify(&s, &options, how_text(&options));
+            assert_int_equal(t.dim, 2);
+            assert_int_equal(t.stats.regions, regions);
+            if (!expected)
+                expected = paradt_hash(&t);
+            assert_true(paradt_hash(&t) == expected);
+            paradt_free(&t);
+        }
+    sample_free(&s);
 }
 
 // The insertion has tables for stars of few cells and for those of many, and a general way for more.
@@ -363,15 +391,17 @@ static void the_hash_is_one_of_a_set(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[FAMILY_COUNT + 7];
+    static struct CMUnitTest tests[FAMILY_COUNT + 8];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT && !RACES_ONLY; f++)
         tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
                                     families[f].name);
     if (!RACES_ONLY) {
         tests[count++] = named_test(more_regions_than_points_agree, NULL, "more_regions_than_points_agree");
-        tests[count++] = named_test(a_last_region_that_is_wrong_in_two_places_agrees, NULL,
-                                    "a_last_region_that_is_wrong_in_two_places_agrees");
+        tests[count++] = named_test(a_first_region_that_is_wrong_in_two_places_agrees, NULL,
+                                    "a_first_region_that_is_wrong_in_two_places_agrees");
+        tests[count++] = named_test(regions_cut_across_an_axis_that_does_not_orient_agree, NULL,
+                                    "regions_cut_across_an_axis_that_does_not_orient_agree");
         tests[count++] = named_test(stars_of_thousands_of_cells_agree, NULL, "stars_of_thousands_of_cells_agree");
         tests[count++] = named_test(the_hash_is_one_of_a_set, NULL, "the_hash_is_one_of_a_set");
     }
