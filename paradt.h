@@ -2776,18 +2776,19 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
 // about no cell: somewhat more than there are in a margin beside a cut through all. Measured on uniform points, a
 // Gaussian and Plummer's cluster.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
-    enum { SAMPLE = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
-    int64_t keys[SAMPLE];
-    double margin = 0.7 * paradt__sample_spacing(loader), cut, extra, most;
+    enum { SOME = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
+    int64_t keys[SOME];
+    double margin = 0.7 * paradt__sample_spacing(loader), middle, extra, most;
     size_t dim = (size_t)loader->source->points.dim, count = loader->sampled, i, beside = 0;
-    for (i = 0; i < SAMPLE; i++) {
-        size_t point = (size_t)((double)count * (double)i / (double)SAMPLE);
-        keys[i] = paradt__ordered_bits(loader->sample[point * dim + (size_t)axis]);
+    const double *x = loader->sample + axis;
+    for (i = 0; i < SOME; i++) {
+        size_t point = (size_t)((double)count * (double)i / (double)SOME);
+        keys[i] = paradt__ordered_bits(x[point * dim]);
     }
-    cut = paradt__from_ordered_bits(paradt__select_key(keys, SAMPLE, SAMPLE / 2));
-    for (i = 0; i < SAMPLE && margin > 0.0; i++)
-        beside += paradt__abs(paradt__from_ordered_bits(keys[i]) - cut) < margin * 0.5 * (double)WIDTH;
-    extra = 1.75 * (double)beside / (double)WIDTH / (double)SAMPLE * (double)count;
+    middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
+    for (i = 0; i < count && margin > 0.0; i++)
+        beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
+    extra = 1.75 * (double)beside / (double)WIDTH;
     most = (double)count / 4.0 / (double)loader->cuts->boxes;
     return (size_t)(extra < most ? extra : most);
 }
