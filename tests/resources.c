@@ -449,6 +449,58 @@ static void regions_give_up_where_questions_abound(void **state) {
     }
 }
 
+// The curved surface of a cylinder: cells reach from everywhere to everywhere.
+static sample points_of_a_cylinder(int count) {
+    sample s = sample_make("surface of a cylinder", 3, count);
+    uint64_t random = 1;
+    for (int i = 0; i < s.count; i++) {
+        double angle = 6.28318530717958648 * random_unit(&random);
+        s.x[3 * i] = cos(angle);
+        s.x[3 * i + 1] = sin(angle);
+        s.x[3 * i + 2] = random_unit(&random);
+    }
+    return s;
+}
+
+// A sample tells it before anything is built, where there are points enough for one. Whatever allocation fails then,
+// nothing leaks.
+static void regions_that_would_give_up_are_not_begun(void **state) {
+    static const struct {
+        const char *family;
+        size_t regions;
+    } cases[] = {{NULL, 1}, {"sphere", 3}, {"plummer", 3}, {"lattice", 3}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (unsigned way = 0; way < 2; way++) {
+            const char *name = cases[i].family;
+            sample s = name ? family_make(&families[family_named(name)], NULL, 3, 9000, 1) : points_of_a_cylinder(9000);
+            paradt_points points = points_of(&s);
+            paradt_options options = {0};
+            paradt_triangulation whole, t;
+            assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
+            options.regions = 3;
+            options.flags = way ? PARADT_NO_NEIGHBORS : 0;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_true(paradt_hash(&t) == paradt_hash(&whole));
+            if (t.stats.regions != cases[i].regions || (t.stats.grid_cells_visited > 0) != (cases[i].regions > 1))
+                fail_on_sample(&s, "regions were begun, or were not");
+            paradt_free(&whole);
+            paradt_free(&t);
+            for (size_t k = 1; i == 0 && k < 100; k++) {
+                books b = books_open();
+                b.fail_at = k;
+                keep_books(&options, &b);
+                if (paradt_triangulate(&t, &points, &options) == PARADT_OK) {
+                    assert_true(k > 20 && !b.refused);
+                    paradt_free(&t);
+                    k = 100;
+                }
+                assert_true(b.live == 0 && b.faults == 0);
+            }
+            sample_free(&s);
+        }
+}
+
 // A wavy sheet of some thickness: many of its points' cells have large spheres, which touch it far away.
 static sample points_of_a_sheet(int count) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, count, 1);
@@ -717,6 +769,7 @@ int main(void) {
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_take_few_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),
+        cmocka_unit_test(regions_that_would_give_up_are_not_begun),
         cmocka_unit_test(regions_near_a_surface_tell_each_other),
         cmocka_unit_test(some_regions_of_a_lattice_tell_others),
         cmocka_unit_test(memory_may_run_out_where_regions_are_given_up),
