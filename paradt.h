@@ -2223,16 +2223,19 @@ typedef struct paradt__cut {
 typedef struct paradt__cuts {
     size_t boxes;
     paradt_partition partition;
-    int spares;       // box 0 is less work a point, as by insertion: it gets more of them
+    int spares;       // box 0 gets more points than others: by insertion its region is spared what the others' do
     paradt__cut *cut; // [boxes] cut[i] is between the boxes before i and those from i on, none for 0
 } paradt__cuts;
+
+PARADT__INLINE int paradt__cut_is_above(const paradt__cut *cut, const double *x) {
+    return paradt__ordered_bits(cut->at) > paradt__ordered_bits(x[cut->axis]);
+}
 
 // The box of a point. Without a branch for the side: half of them would be foreseen wrongly.
 PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *x) {
     size_t first = 0, boxes = cuts->boxes;
     while (boxes > 1) {
-        const paradt__cut *cut = cuts->cut + first + boxes / 2;
-        size_t below = (size_t)(paradt__ordered_bits(x[cut->axis]) < paradt__ordered_bits(cut->at));
+        size_t below = (size_t)paradt__cut_is_above(cuts->cut + first + boxes / 2, x);
         first += boxes / 2 * below;
         boxes = boxes / 2 + (boxes & below);
     }
@@ -2949,10 +2952,11 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
     set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
     loader->other = (paradt__keyed *)(void *)set->records;
-    if (loader->cuts)
+    if (loader->cuts) {
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
-    return loader->keyed && set->records && set->origin && (!loader->cuts || loader->cuts->cut) ? PARADT_OK
-                                                                                                : PARADT_ERROR_MEMORY;
+        if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
+    }
+    return loader->keyed && set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
 // The points of the source, each place once, along a curve, as they are: neither scaled nor with their axes in order,
@@ -7283,12 +7287,28 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // Each box of space is a region. A cell belongs to the box that holds its lexicographically smallest vertex (by
 // insertion: to the last box that holds any). Each region is built alone and keeps the cells it owns; the facets
 // between cells of different regions are matched when all have ended. Doors: paradt__regions_assign,
-// paradt__region_compact, paradt__regions_join.
+// paradt__regions_deal, paradt__region_compact, paradt__regions_join.
 
 // Fills owner[set->count] with the region of each point.
 static void paradt__regions_assign(const paradt__set *set, const paradt__cuts *cuts, uint32_t *owner) {
     size_t i;
     for (i = 0; i < set->count; i++) owner[i] = (uint32_t)paradt__cuts_find(cuts, paradt__record(set, (paradt_index)i));
+}
+
+// Puts the points that were in the order of the boxes into that order again, where a grid has changed it: those from
+// `begin` on, of the boxes from `first` on.
+static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, size_t begin, size_t end, size_t first,
+                                 size_t boxes) {
+    const paradt__cut *cut = cuts->cut + first + boxes / 2;
+    size_t i, lower;
+    if (boxes == 1) return;
+    for (i = begin, lower = cut->begin; i < cut->begin; i++) {
+        if (!paradt__cut_is_above(cut, paradt__record(set, (paradt_index)i))) continue;
+        while (paradt__cut_is_above(cut, paradt__record(set, (paradt_index)lower))) lower++;
+        paradt__exchange(set, set->width, i, lower++);
+    }
+    paradt__regions_deal(set, cuts, begin, cut->begin, first, boxes / 2);
+    paradt__regions_deal(set, cuts, cut->begin, end, first + boxes / 2, boxes - boxes / 2);
 }
 
 // Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
@@ -9363,6 +9383,7 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
     status = paradt__build_cells(work, sorted);
     if (status != PARADT__GAVE_UP) return status;
     paradt__begin_again(work);
+    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
     work->method = PARADT_BOWYER_WATSON;
     return paradt__build_cells(work, sorted);
 }

@@ -188,6 +188,17 @@ static void expect_boxes(const paradt__set *set, const paradt__cuts *cuts, int e
     assert_int_equal(begin, set->count);
 }
 
+// A grid is built in an order of its own.
+static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__memory *memory) {
+    paradt__grid grid;
+    if (set->space.dim < 2 || cuts->boxes < 2) return;
+    memset(&grid, 0, sizeof grid);
+    assert_int_equal(paradt__grid_build(&grid, set, memory), PARADT_OK);
+    paradt__grid_free(&grid, memory);
+    paradt__regions_deal(set, cuts, 0, set->count, 0, cuts->boxes);
+    expect_boxes(set, cuts, 0);
+}
+
 // A set in the order of boxes is the same set.
 static void boxes_follow_each_other(void **state) {
     static double x[BOXED * PARADT_MAX_DIM];
@@ -215,6 +226,7 @@ static void boxes_follow_each_other(void **state) {
                                  PARADT_OK);
                 assert_memory_equal(representative, expected, sizeof expected);
                 expect_boxes(&set, &cuts, kind % 2 == 0); // the others have many points at a place, or on a cut
+                expect_dealt(&set, &cuts, &memory);
                 paradt__set_free(&set, &memory);
                 paradt__release(&memory, cuts.cut);
                 assert_int_equal(memory.held, 0);
