@@ -8374,12 +8374,19 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     return status;
 }
 
+// The marks of conflict, all clear, become the states, since nothing more is inserted: no new pages for these.
+static void paradt__patch_reuse_marks(paradt__patch *patch) {
+    patch->state = patch->bw.conflict;
+    patch->state_capacity = patch->bw.cells.capacity;
+    patch->bw.conflict = NULL;
+}
+
 // Drops the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_trim(paradt__patch *patch) {
     paradt__seam seam;
     size_t i;
     paradt_status status = paradt__seam_begin(&seam, patch);
-    if (!status) status = paradt__patch_states(patch);
+    paradt__patch_reuse_marks(patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
     for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_drop(patch, (size_t)patch->list[i], 0, 0);
     patch->list_count = 0;
@@ -8560,6 +8567,7 @@ typedef struct paradt__work {
     double done;          // part of the work that one that gave up has reported
     size_t regions;
     int in_turn; // 1: insertion builds one after another, without neighbours
+    int hollow;  // 1: the points may be on a surface or a curve
     paradt_stats *stats;
     paradt__cells cells;
     paradt__cuts cuts;                      // between the regions
@@ -8887,13 +8895,14 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
-// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, and what is
-// left of it nothing but addresses; and more of the last one, behind which nothing has to be moved. Not where there are
-// so many points of others that a quarter could be left.
+// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, though the
+// gap that is left has to be closed; and more of the last one, behind which nothing has to be moved. Surfaces may have
+// a tenth more cells a point, solids nothing but what shaken lattices have, 2 %. Not where there are so many points of
+// others that a quarter could be left.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     size_t count = patch->bw.count, own = patch->fields[index].set.count;
-    if (count - own <= own / 8) count += count / (index + 1 < work->regions ? 9 : 6);
+    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
     return paradt__bw_places(count, work->set.space.dim);
 }
 
@@ -9322,7 +9331,7 @@ static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
     unsigned char side[PARADT__FORETELLING];
     paradt_status status = PARADT_OK;
     *in_vain = 0;
-    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted || !paradt__is_hollow(set)) return PARADT_OK;
+    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted) return PARADT_OK;
     memset(&cells, 0, sizeof cells);
     memset(&progress, 0, sizeof progress);
     sample.count = PARADT__FORETELLING;
@@ -9347,7 +9356,8 @@ static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
 static paradt_status paradt__insert_all(paradt__work *work) {
     paradt_status status = PARADT_OK;
     int in_vain = 0;
-    if (work->regions > 1) status = paradt__foretell(work, &in_vain);
+    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    if (work->hollow) status = paradt__foretell(work, &in_vain);
     if (!status && in_vain) work->regions = 1;
     if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
     if (!status) status = paradt__set_grade(&work->set, &work->memory); // for the questions
