@@ -151,7 +151,7 @@ static void equal_points_are_found_on_all_scales(void **state) {
         }
 }
 
-// Points anywhere, on a small lattice, far from 1, or on a line that is longest along the last axis
+// Points anywhere, on a small lattice, far from 1, or where the second axis is longest and a multiple of the first
 static void fill_boxes(double *x, size_t count, int dim, int kind) {
     for (size_t i = 0; i < count; i++) {
         double *p = x + i * (size_t)dim;
@@ -160,7 +160,7 @@ static void fill_boxes(double *x, size_t count, int dim, int kind) {
             p[j] = (double)(number >> 11) * 0x1p-53;
             if (kind == 1) p[j] = (double)(number % 9) - 4.0;
             if (kind == 2) p[j] = ldexp(p[j], 60);
-            if (kind == 3 && j) p[j] = 2.0 * p[j - 1];
+            if (kind == 3 && j == 1) p[j] = 2.0 * p[0];
         }
     }
 }

@@ -271,8 +271,8 @@ static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) 
     for (int i = 0; i < s.count; i++) {
         double *x = s.x + 3 * i;
         x[0] = random_unit(&random);
-        x[1] = random_unit(&random);
-        x[2] = -4 * x[0];
+        x[1] = -4 * x[0];
+        x[2] = random_unit(&random);
     }
     for (int m = 0; m < 3; m++)
         for (size_t regions = 1; regions <= 7; regions += 2) {
