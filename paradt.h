@@ -9216,6 +9216,7 @@ static paradt_status paradt__build_regions(paradt__work *work) {
 static paradt_status paradt__build_trivial(paradt__work *work) {
     paradt__cells *cells = &work->cells;
     paradt_status status;
+    work->regions = 1;
     cells->corners = 1;
     status = paradt__cells_reserve(cells, 1, &work->memory);
     if (status) return status;

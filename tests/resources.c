@@ -501,6 +501,24 @@ static void regions_that_would_give_up_are_not_begun(void **state) {
         }
 }
 
+static void points_that_are_all_equal_make_one_region(void **state) {
+    enum { COUNT = 100 };
+    static const double x[COUNT * 5];
+    (void)state;
+    for (int dim = 2; dim <= 5; dim++)
+        for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
+            paradt_points points = {x, COUNT, dim, 0, PARADT_F64, NULL};
+            paradt_options options = {0};
+            paradt_triangulation t;
+            options.method = (paradt_method)method;
+            options.regions = 4;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_true(t.cell_count == 1 && t.stats.duplicates == COUNT - 1);
+            assert_true(t.stats.regions == 1);
+            paradt_free(&t);
+        }
+}
+
 // A wavy sheet of some thickness: many of its points' cells have large spheres, which touch it far away.
 static sample points_of_a_sheet(int count) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, count, 1);
@@ -770,6 +788,7 @@ int main(void) {
         cmocka_unit_test(large_sets_take_few_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),
         cmocka_unit_test(regions_that_would_give_up_are_not_begun),
+        cmocka_unit_test(points_that_are_all_equal_make_one_region),
         cmocka_unit_test(regions_near_a_surface_tell_each_other),
         cmocka_unit_test(some_regions_of_a_lattice_tell_others),
         cmocka_unit_test(memory_may_run_out_where_regions_are_given_up),
