@@ -139,7 +139,7 @@ run() {
 # that the two times of a ratio are near each other. Rounds are repeated three times or more. A slow or failing program
 # is not repeated; one that was stopped is not tried on larger sets.
 SLOW=20000 # milliseconds of one run
-LONG=90    # seconds of a case: three rounds have to do then
+LONG=90    # seconds of a case: three rounds have to do then, but for threads, of which the differences count
 stopped=
 measure() {
     section=$1 kind=$2 n=$3 d=$4 weighted=$5 calls=$6 reference=$7
@@ -155,6 +155,8 @@ measure() {
     fi
     echo "$section: $kind $n, d = $d"
     if [ "$n" -gt 200000 ]; then rounds=3; elif [ "$n" -gt 20000 ]; then rounds=5; else rounds=9; fi
+    long=$LONG
+    if [ "$section" = threads ]; then rounds=9 long=$((4 * LONG)); fi
     [ "$BENCH" = full ] || rounds=3
     slow=
     round=0
@@ -178,7 +180,7 @@ measure() {
             [ "${spent:-$SLOW}" -lt "$SLOW" ] || slow="$slow $key"
             case $status in 124 | 137) stopped="$stopped $key" ;; esac
         done
-        if [ "$round" -ge 3 ] && [ $(($(date +%s) - began)) -gt "$LONG" ]; then return; fi
+        if [ "$round" -ge 3 ] && [ $(($(date +%s) - began)) -gt "$long" ]; then return; fi
     done
 }
 

@@ -171,6 +171,16 @@ function print_section(section, what,    r, p, parts, row, columns, reference_ke
     print_table(columns)
 }
 
+# The median, over the rounds, of one run's time over that of another of the same round.
+function paired(alone, other,    a, b, rounds, i, quotients) {
+    rounds = split(alone, a, " ")
+    if (split(other, b, " ") < rounds)
+        rounds = split(other, b, " ")
+    for (i = 1; i <= rounds; i++)
+        quotients = quotients " " a[i] / b[i]
+    return median(quotients)
+}
+
 # Wall time of one job of the same code over wall time; one job: ParaDT undivided, a peer with one thread.
 function print_chart(section,    r, p, row, parts, program, alone, key, speedup, marks, shown) {
     for (r = 1; r <= section_rows[section]; r++)
@@ -185,8 +195,8 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
             if (program !~ /\/[kj][0-9]/ || key == alone || !(key in walls) || !(alone in walls))
                 continue
             if (!shown++)
-                print "\nSpeed-up over one job, undivided (a mark: a twentieth):\n\n```"
-            speedup = median(walls[alone]) / median(walls[key])
+                print "\nSpeed-up over one job, undivided, medians over rounds (a mark: a twentieth):\n\n```"
+            speedup = paired(walls[alone], walls[key])
             marks = ""
             while (length(marks) < int(20 * speedup + 0.5))
                 marks = marks "#"
