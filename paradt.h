@@ -387,8 +387,8 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
-// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called a few times by a
-// paradt_triangulate, one step of the work each, from the thread that called that.
+// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
+// from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
 // fraction: 0..1, of the work done; an estimate. A nonzero return cancels. With a parallel_for it is called from its
@@ -645,8 +645,10 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
         memory->allocator = options->allocator;
         if (options->memory_limit) memory->limit = options->memory_limit;
     }
-    if (!memory->allocator.alloc) memory->allocator.alloc = paradt__default_alloc;
-    if (!memory->allocator.free) memory->allocator.free = paradt__default_free;
+    if (!memory->allocator.alloc || !memory->allocator.free) {
+        memory->allocator.alloc = paradt__default_alloc;
+        memory->allocator.free = paradt__default_free;
+    }
 }
 
 // The account of one of `shares` tasks that may run at once.
@@ -8541,6 +8543,7 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
         if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
             return PARADT_ERROR_ARGUMENT;
         if (options->flags & ~(unsigned)PARADT_NO_NEIGHBORS) return PARADT_ERROR_ARGUMENT;
+        if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
         return PARADT_ERROR_TOO_LARGE;
@@ -9493,7 +9496,8 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 //
 // paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
 // hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, paradt__remote_sphere, paradt__remote_region.
+// side, the last exactly. Doors: these, paradt__remote_sphere,
+// paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
@@ -9893,6 +9897,19 @@ static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t re
     part->cells.vertices[0] = 0;
     part->cells.neighbors[0] = PARADT__HULL;
     return PARADT_OK;
+}
+
+// The bytes that a result holds: each block begins with its size.
+static size_t paradt__remote_bytes(const paradt_triangulation *t) {
+    const void *blocks[3] = {t->cells, t->neighbors, t->representative};
+    size_t bytes, sum = 0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        if (!blocks[i]) continue;
+        memcpy(&bytes, (const char *)blocks[i] - PARADT__BLOCK_HEADER, sizeof bytes);
+        sum += bytes;
+    }
+    return sum;
 }
 
 // paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor

@@ -133,8 +133,8 @@
 // All ranks return the same status, that of the first rank that failed; error_rank says which, and error_point the
 // index of the point there (PARADT_ERROR_NOT_FINITE). The statuses are those of paradt.h, and also
 //
-//     PARADT_ERROR_ARGUMENT    ranks that differ in dim, in having weights, in options.flags; replicated points that
-//                              are not the same
+//     PARADT_ERROR_ARGUMENT    ranks that differ in dim, in having weights, in options.flags, in the flags or the
+//                              partition of options.local; replicated points that are not the same
 //     PARADT_ERROR_CANCELLED   a rank's progress callback returned nonzero
 //
 // They are agreed on at the end of each step, so a rank that fails waits for the others to get there.
@@ -205,7 +205,7 @@ typedef struct paradt_mpi_options {
 
 // Fields of paradt_mpi_stats: name, what it counts. Times are wall time, and the sum and maximum of times are too.
 #define PARADT_MPI_COUNTERS(X)                                                                                         \
-    X(points, "own points, without duplicates")                                                                        \
+    X(points, "own points, without duplicates; replicated, rank 0 counts them")                                        \
     X(points_guessed, "points got from others by the guess")                                                           \
     X(points_asked, "points got from others because of an edge or a conflict")                                         \
     X(cells, "cells that this rank owns")                                                                              \
@@ -243,7 +243,7 @@ typedef struct paradt_mpi_triangulation {
     paradt_index *cells;      // [cell_count][dim + 1] positions in `vertices`, positively oriented
     int64_t *neighbors;       // [cell_count][dim + 1] number of the cell opposite each vertex, -1: hull; or NULL
     size_t vertex_count;      // vertices of this rank's cells
-    size_t vertex_own;        // so many of them, the first, lie in this rank's box
+    size_t vertex_own;        // so many of them, the first, lie in this rank's box; replicated: 0
     int64_t *vertices;        // [vertex_count] global ids
     double *coordinates;      // [vertex_count][ambient]
     uint64_t point_total;     // points of all ranks, as handed in
@@ -1763,10 +1763,9 @@ typedef struct paradt_mpi__questions {
 
 // The local triangulation has an account of its own: its peak and what it goes on to hold are added to the rank's.
 static void paradt_mpi__account(paradt_mpi__work *w) {
-    const paradt_triangulation *t = &w->local;
-    size_t peak = w->memory.held + (size_t)t->stats.peak_bytes;
+    size_t peak = w->memory.held + (size_t)w->local.stats.peak_bytes;
     if (peak > w->memory.peak) w->memory.peak = peak;
-    w->local_bytes = sizeof *t + (2 * t->cell_count * (size_t)(t->dim + 1) + t->point_count) * sizeof(paradt_index);
+    w->local_bytes = paradt__remote_bytes(&w->local);
     w->memory.held += w->local_bytes;
 }
 
@@ -2897,7 +2896,7 @@ static void paradt_mpi__unite(paradt_mpi__work *w, uint8_t *used, size_t count) 
 // Builds this rank's region; not collective. `rows` becomes the records.
 static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     size_t count = w->out->point_count, width = (size_t)w->dim + (size_t)w->weighted + 1, i;
-    paradt_options options = paradt_mpi__local_options(w);
+    paradt_options options;
     paradt_points points;
     double *weights = NULL;
     paradt_status status;
@@ -2925,13 +2924,14 @@ static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     points.dim = w->dim;
     points.stride = width * sizeof *rows;
     points.weights = weights;
+    options = paradt_mpi__local_options(w);
     options.regions = (size_t)w->ranks;
     options.parallel_for = NULL;
     status = paradt__remote_region(&w->local, &points, &options, (size_t)w->rank);
-    paradt_mpi__account(w);
+    if (!status) paradt_mpi__account(w);
     paradt__release(&w->memory, weights);
     w->stats.triangulations = 1;
-    w->stats.points = count - (size_t)w->local.stats.duplicates;
+    if (w->rank == 0) w->stats.points = count - (size_t)w->local.stats.duplicates;
     w->stats.cells_recomputed = w->local.stats.cells_recomputed;
     w->stats.seconds_build = paradt__now() - begun;
     return status;
@@ -3166,18 +3166,19 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
     paradt_mpi__work w;
     paradt_mpi_triangulation errors; // agreeing notes the rank there
     paradt_triangulation nowhere;
-    paradt_status status;
+    paradt_status status = PARADT_OK;
     if (!out) out = &nowhere;
     memset(out, 0, sizeof *out);
     memset(&w, 0, sizeof w);
     memset(&errors, 0, sizeof errors);
     w.out = &errors;
-    w.options.local.allocator = t->allocator;
+    if (t) w.options.local.allocator = t->allocator;
     paradt__memory_begin(&w.memory, &w.options.local);
     MPI_Comm_dup(comm, &w.comm);
     MPI_Comm_rank(w.comm, &w.rank);
     MPI_Comm_size(w.comm, &w.ranks);
-    status = paradt_mpi__agree(&w, out == &nowhere || root < 0 || root >= w.ranks ? PARADT_ERROR_ARGUMENT : PARADT_OK);
+    if (!t || out == &nowhere || root < 0 || root >= w.ranks) status = PARADT_ERROR_ARGUMENT;
+    status = paradt_mpi__agree(&w, status);
     if (!status) status = paradt_mpi__gather(&w, out, t, root);
     out->allocator = w.memory.allocator;
     if (status) paradt_free(out);

@@ -248,6 +248,18 @@ static void no_points_give_an_empty_result(void **state) {
     paradt_free(&t);
 }
 
+// Blocks that free() does not take
+static void *take(void *user, size_t size) {
+    char *block = (char *)malloc(size + 64);
+    (void)user;
+    return block ? block + 64 : NULL;
+}
+
+static void give_back(void *user, void *memory) {
+    (void)user;
+    free(memory ? (char *)memory - 64 : NULL);
+}
+
 static void arguments_out_of_range_are_refused(void **state) {
     static const double x[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     paradt_points good = {0}, points;
@@ -280,6 +292,12 @@ static void arguments_out_of_range_are_refused(void **state) {
     expect_status(PARADT_ERROR_ARGUMENT, &good, &options);
     memset(&options, 0, sizeof options);
     options.partition = (paradt_partition)2;
+    expect_status(PARADT_ERROR_ARGUMENT, &good, &options);
+    memset(&options, 0, sizeof options);
+    options.allocator.alloc = take;
+    expect_status(PARADT_ERROR_ARGUMENT, &good, &options);
+    options.allocator.alloc = NULL;
+    options.allocator.free = give_back;
     expect_status(PARADT_ERROR_ARGUMENT, &good, &options);
     memset(&t, 0, sizeof t);
     paradt_free(&t); // of an empty result: nothing

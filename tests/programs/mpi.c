@@ -285,20 +285,37 @@ static void same_cells_by_other_options(void) {
 
 // --- errors: the same status on all ranks, and who is to blame
 
-typedef struct meter { // an allocator that fails after so many calls, and counts what is not given back
-    long left, held;
+typedef struct meter { // an allocator that fails after so many calls, and counts the bytes that are not given back
+    long left;
+    size_t held, peak;
 } meter;
+
+enum { METER_SIZE = 64 }; // in front of a block
 
 static void *meter_alloc(void *user, size_t size) {
     meter *m = (meter *)user;
-    if (m->left-- <= 0) return NULL;
-    m->held++;
-    return malloc(size);
+    char *block = m->left-- <= 0 ? NULL : (char *)malloc(size + METER_SIZE);
+    if (!block) return NULL;
+    memcpy(block, &size, sizeof size);
+    m->held += size;
+    if (m->held > m->peak) m->peak = m->held;
+    return block + METER_SIZE;
 }
 
 static void meter_free(void *user, void *memory) {
-    ((meter *)user)->held--;
-    free(memory);
+    char *block = memory ? (char *)memory - METER_SIZE : NULL;
+    size_t size = 0;
+    if (block) memcpy(&size, block, sizeof size);
+    ((meter *)user)->held -= size;
+    free(block);
+}
+
+static void keep_meter(paradt_mpi_options *options, meter *m, long allowed) {
+    memset(m, 0, sizeof *m);
+    m->left = allowed;
+    options->local.allocator.alloc = meter_alloc;
+    options->local.allocator.free = meter_free;
+    options->local.allocator.user = m;
 }
 
 static int cancels_at_once(void *user, double fraction) {
@@ -343,6 +360,9 @@ static void errors_are_agreed_on(void) {
             if (rank == culprit) wrong.data = NULL;
             good &= agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
             good &= agreed(&t, rank == culprit ? NULL : &points, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
+            if (rank == culprit) options.local.allocator.alloc = meter_alloc; // and nothing to give back with
+            good &= agreed(&t, &points, &options, PARADT_ERROR_ARGUMENT, culprit, 0);
+            options.local.allocator.alloc = NULL;
         }
         if (!good) note(&s, 4, BLOCKS, "a wrong argument");
         if (comms[3] != MPI_COMM_NULL) {
@@ -370,12 +390,8 @@ static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
         paradt_mpi_options options;
         meter m;
         memset(&options, 0, sizeof options);
-        m.held = 0;
-        m.left = rank == culprit ? allowed : LONG_MAX;
+        keep_meter(&options, &m, rank == culprit ? allowed : LONG_MAX);
         options.flags = flags;
-        options.local.allocator.alloc = meter_alloc;
-        options.local.allocator.free = meter_free;
-        options.local.allocator.user = &m;
         status = paradt_mpi_triangulate(&t, comms[2], &points, &options);
         if (status && (status != PARADT_ERROR_MEMORY || t.error_rank != culprit))
             note(&s, 3, BLOCKS, "another status or rank");
@@ -385,6 +401,60 @@ static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
     sample_free(&share);
     sample_free(&s);
     finish_test("each allocation of a rank fails%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
+}
+
+// No rank holds more than it says, nor more than its limit, whether that is enough or not.
+static void memory_stays_within_its_limit(int weighted, unsigned flags) {
+    enum { PARTS = 16 };
+    sample s = family_make(&families[family_named("uniform")], weighted ? &weightings[1] : NULL, 3, 4000, 5);
+    int order[4000], sixteenth;
+    sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
+    paradt_points points = flags ? points_of(&s) : points_of(&share);
+    size_t said = 0;
+    for (sixteenth = PARTS + 1; sixteenth > 2 && comms[2] != MPI_COMM_NULL; sixteenth--) {
+        paradt_mpi_triangulation t;
+        paradt_mpi_options options;
+        paradt_status status;
+        meter m;
+        memset(&options, 0, sizeof options);
+        keep_meter(&options, &m, LONG_MAX);
+        options.flags = flags;
+        options.local.memory_limit = sixteenth > PARTS ? 0 : said / PARTS * (size_t)sixteenth;
+        status = paradt_mpi_triangulate(&t, comms[2], &points, &options);
+        if (sixteenth > PARTS) said = (size_t)t.stats.peak_bytes;
+        if (status != (sixteenth > PARTS ? PARADT_OK : PARADT_ERROR_MEMORY) && sixteenth != PARTS)
+            note(&s, 3, BLOCKS, "another status");
+        if (!status && m.peak > t.stats.peak_bytes) note(&s, 3, BLOCKS, "more was held than is said");
+        if (options.local.memory_limit && m.peak > options.local.memory_limit)
+            note(&s, 3, BLOCKS, "more was held than is allowed");
+        paradt_mpi_free(&t);
+    }
+    sample_free(&share);
+    sample_free(&s);
+    finish_test("memory stays within its limit%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
+}
+
+static void wrong_arguments_of_gathering_are_agreed_on(void) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 100, 5);
+    int order[100], culprit = 1;
+    sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
+    paradt_points points = points_of(&share);
+    if (comms[2] != MPI_COMM_NULL) {
+        int wrong = rank == culprit;
+        paradt_mpi_triangulation t;
+        paradt_triangulation out;
+        paradt_status status = paradt_mpi_triangulate(&t, comms[2], &points, NULL);
+        if (status || paradt_mpi_gather(&out, comms[2], wrong ? NULL : &t, 0) != PARADT_ERROR_ARGUMENT)
+            note(&s, 3, BLOCKS, "no triangulation");
+        if (paradt_mpi_gather(wrong ? NULL : &out, comms[2], &t, 0) != PARADT_ERROR_ARGUMENT)
+            note(&s, 3, BLOCKS, "nowhere to gather");
+        if (paradt_mpi_gather(&out, comms[2], &t, wrong ? 3 : 0) != PARADT_ERROR_ARGUMENT)
+            note(&s, 3, BLOCKS, "no such root");
+        paradt_mpi_free(&t);
+    }
+    sample_free(&share);
+    sample_free(&s);
+    finish_test("wrong arguments of gathering are agreed on");
 }
 
 static void empty_communicator_of_one(void) {
@@ -409,6 +479,8 @@ static void options_and_errors(void) {
     failing_allocations_are_agreed_on(0, 0);
     failing_allocations_are_agreed_on(1, 0);
     failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
+    for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
+    wrong_arguments_of_gathering_are_agreed_on();
 }
 
 static const struct {
