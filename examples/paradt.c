@@ -341,8 +341,8 @@ static void print_summary(const job *j) {
     printf("time         %.3f s", j->seconds);
     if (j->seconds > 0 && j->t.cell_count)
         printf(", %.0f cells a second", (double)j->t.cell_count / j->seconds);
-    printf(" (%s, %zu job%s, %zu region%s)\n", paradt_method_string(j->s->method), j->jobs, j->jobs == 1 ? "" : "s",
-           j->regions, j->regions == 1 ? "" : "s");
+    printf(" (%s, %zu job%s, %" PRIu64 " region%s)\n", paradt_method_string(j->s->method), j->jobs,
+           j->jobs == 1 ? "" : "s", stats->regions, stats->regions == 1 ? "" : "s");
     if (j->s->check)
         printf("certified    in %.3f s\n", j->check_seconds);
     for (i = 0; i < j->s->output_count; i++)
@@ -450,7 +450,11 @@ static int write_all(const job *j, const char *stats, paradt_io_error *error) {
             return 0;
     if (stats && strcmp(s->stats, "-") != 0 && !paradt_io_write_text(&stage, s->stats, stats, error))
         return 0;
-    return paradt_io_stage_commit(&stage, error);
+    return 1;
+}
+
+static int flush_output(void) {
+    return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
 }
 
 static int print_all(const job *j, const char *stats) {
@@ -461,7 +465,7 @@ static int print_all(const job *j, const char *stats) {
         print_summary(j);
     if (s->hash)
         printf("%016" PRIx64 "\n", paradt_hash(&j->t));
-    return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
+    return flush_output();
 }
 
 static int finish(const job *j) {
@@ -471,11 +475,15 @@ static int finish(const job *j) {
     if (j->s->stats && !(stats = make_stats(j)))
         return fail(EXIT_FAILED, "not enough memory");
     if (!paradt_io_stage_init(&stage, j->s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error) ||
-        !write_all(j, stats, &error)) {
-        paradt_io_stage_abort(&stage);
+        !write_all(j, stats, &error))
         status = io_failed(&error);
-    } else
+    else {
         status = print_all(j, stats);
+        if (!status && !paradt_io_stage_commit(&stage, &error))
+            status = io_failed(&error);
+    }
+    if (status)
+        paradt_io_stage_abort(&stage);
     paradt_io_stage_free(&stage);
     free(stats);
     return status;
@@ -517,6 +525,8 @@ int main(int count, char **arguments) {
         printf("paradt %d.%d.%d\n", PARADT_VERSION / 10000, PARADT_VERSION / 100 % 100, PARADT_VERSION % 100);
     else if (!status)
         status = run(&s);
+    if (!status)
+        status = flush_output();
     free(s.outputs);
     return status;
 }

@@ -1,7 +1,7 @@
 // paradt_io.h - reads point sets and writes triangulations, for the command-line tools
 //
-// In one file: #define PARADT_IO_IMPLEMENTATION, then #include "paradt_io.h". C99 and POSIX; include it before any
-// system header or define _POSIX_C_SOURCE as 200809L yourself. Numbers are read and written for the "C" locale.
+// In one file: #define PARADT_IO_IMPLEMENTATION, then #include "paradt_io.h". C99 and POSIX with XSI; include it before
+// any system header or define _XOPEN_SOURCE as 700 yourself. Numbers are read and written for the "C" locale.
 //
 //     paradt_io_points points;
 //     paradt_io_error  error;
@@ -32,8 +32,8 @@
 #ifndef PARADT_IO_H
 #define PARADT_IO_H
 
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700
 #endif
 
 #include "../paradt.h"
@@ -78,6 +78,7 @@ void paradt_io_free(paradt_io_points *points);
 typedef struct paradt_io_staged {
     char *name;
     char *temporary;
+    char *former; // another name of what stood there, while the files get their names; NULL: none
 } paradt_io_staged;
 
 typedef struct paradt_io_stage {
@@ -248,11 +249,15 @@ static int paradt_io__push(paradt_io__reader *r, const double *row) {
 
 // Settles how many coordinates are taken of the `available` ones.
 static int paradt_io__settle_dim(paradt_io__reader *r, int available) {
+    if (available < 0)
+        return paradt_io__bad(r, "no column is left for the weight");
     if (r->dim > available)
         return paradt_io__bad(r, "%d coordinates where %d are wanted", available, r->dim);
     if (!r->dim)
         r->dim = available;
-    if (r->dim < 2 || r->dim > PARADT_MAX_DIM)
+    if (r->dim > PARADT_MAX_DIM)
+        return paradt_io__bad(r, "more than %d coordinates", PARADT_MAX_DIM);
+    if (r->dim < 2)
         return paradt_io__bad(r, "%d coordinates where 2 to %d are possible", r->dim, PARADT_MAX_DIM);
     return 1;
 }
@@ -650,6 +655,23 @@ static int paradt_io__off_count(paradt_io__reader *r, uint64_t *number) {
     return paradt_io__natural(value, number) ? 1 : paradt_io__bad(r, "%.17g is not a count", value);
 }
 
+// Passes over the number of edges where it has a line of its own. No point has just one coordinate.
+static void paradt_io__skip_off_edges(paradt_io__reader *r) {
+    paradt_io__reader here;
+    const char *number;
+    paradt_io__skip_blanks(r);
+    if (!paradt_io__at_end_of_line(r))
+        return;
+    here = *r;
+    if (paradt_io__next_content(r)) {
+        paradt_io__token(r, &number);
+        paradt_io__skip_blanks(r);
+        if (paradt_io__at_end_of_line(r))
+            return;
+    }
+    *r = here;
+}
+
 static int paradt_io__read_off(paradt_io__reader *r) {
     uint64_t dim, points, faces;
     if (!paradt_io__next_content(r))
@@ -662,6 +684,7 @@ static int paradt_io__read_off(paradt_io__reader *r) {
         return paradt_io__bad(r, "dimension %llu is not 2 to %d", (unsigned long long)dim, PARADT_MAX_DIM);
     if (!paradt_io__off_count(r, &points) || !paradt_io__off_count(r, &faces))
         return 0;
+    paradt_io__skip_off_edges(r);
     if (!paradt_io__settle_dim(r, (int)dim))
         return 0;
     return paradt_io__read_announced(r, points, 0, (int)dim);
@@ -1312,21 +1335,43 @@ int paradt_io_stage_init(paradt_io_stage *stage, size_t capacity, paradt_io_erro
     return stage->files ? 1 : paradt_io__no_memory(error, "output");
 }
 
-// Creates a file beside `name` with a name of its own and the permissions that a new file gets.
+// The file that a name leads to, through symbolic links; malloc'ed
+static char *paradt_io__target(const char *name) {
+    struct stat about;
+    char *target = NULL;
+    if (lstat(name, &about) == 0 && S_ISLNK(about.st_mode))
+        target = realpath(name, NULL);
+    if (target)
+        return target;
+    target = (char *)malloc(strlen(name) + 1);
+    return target ? strcpy(target, name) : NULL;
+}
+
+static int paradt_io__is_staged(const paradt_io_stage *stage, const char *target) {
+    size_t i, count = (size_t)stage->count;
+    for (i = 0; i < count; i++)
+        if (strcmp(stage->files[i].name, target) == 0)
+            return 1;
+    return 0;
+}
+
+// Creates a file beside what `name` leads to, with a name of its own and the permissions that a new file gets.
 static int paradt_io__create(paradt_io_stage *stage, const char *name, paradt_io_error *error) {
-    size_t n = strlen(name) + 1, at = (size_t)stage->count;
+    char *copy = paradt_io__target(name), *temporary = copy ? (char *)malloc(strlen(copy) + 8) : NULL;
+    size_t n = copy ? strlen(copy) + 1 : 0, at = (size_t)stage->count;
     sigset_t before;
     mode_t mask;
-    int fd, reason;
-    char *copy = (char *)malloc(n), *temporary = (char *)malloc(n + 7);
-    if (!copy || !temporary || at == stage->capacity) {
+    int fd, reason, twice = copy && paradt_io__is_staged(stage, copy);
+    if (!temporary || twice || at == stage->capacity) {
         free(copy);
         free(temporary);
-        paradt_io__no_memory(error, name);
+        if (twice)
+            paradt_io__error(error, PARADT_IO_BAD_NAME, "%.900s: two outputs of one name", name);
+        else
+            paradt_io__no_memory(error, name);
         return -1;
     }
-    memcpy(copy, name, n);
-    memcpy(temporary, name, n - 1);
+    memcpy(temporary, copy, n - 1);
     temporary[n - 1] = '.'; // then six letters that mkstemp replaces
     memset(temporary + n, 'X', 6);
     temporary[n + 6] = '\0';
@@ -1336,6 +1381,7 @@ static int paradt_io__create(paradt_io_stage *stage, const char *name, paradt_io
     if (fd >= 0) {
         stage->files[at].name = copy;
         stage->files[at].temporary = temporary;
+        stage->files[at].former = NULL;
         stage->count = (sig_atomic_t)(at + 1);
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -1351,11 +1397,33 @@ static int paradt_io__create(paradt_io_stage *stage, const char *name, paradt_io
     return fd;
 }
 
+// Gives what stands where a file is to be another name, where that can be.
+static void paradt_io__keep_former(paradt_io_staged *file) {
+    size_t room = strlen(file->temporary) + 2;
+    file->former = (char *)malloc(room);
+    if (!file->former)
+        return;
+    snprintf(file->former, room, "%s~", file->temporary);
+    if (link(file->name, file->former) != 0) {
+        free(file->former);
+        file->former = NULL;
+    }
+}
+
+static void paradt_io__drop_former(paradt_io_staged *file) {
+    if (file->former)
+        unlink(file->former);
+    free(file->former);
+    file->former = NULL;
+}
+
 int paradt_io_stage_commit(paradt_io_stage *stage, paradt_io_error *error) {
     size_t i, count = (size_t)stage->count;
     int good = 1;
     sigset_t before;
     paradt_io__hold_signals(&before);
+    for (i = 0; i < count; i++)
+        paradt_io__keep_former(stage->files + i);
     for (i = 0; i < count && good; i++)
         if (rename(stage->files[i].temporary, stage->files[i].name) != 0)
             good = paradt_io__error(error, PARADT_IO_FAILED, "%.900s: %s", stage->files[i].name, strerror(errno));
@@ -1364,9 +1432,12 @@ int paradt_io_stage_commit(paradt_io_stage *stage, paradt_io_error *error) {
     else { // i - 1 is the one that could not be renamed; those before it have their names already
         size_t k;
         for (k = 0; k + 1 < i; k++)
-            unlink(stage->files[k].name);
+            if (!stage->files[k].former || rename(stage->files[k].former, stage->files[k].name) != 0)
+                unlink(stage->files[k].name);
         paradt_io_stage_abort(stage);
     }
+    for (i = 0; i < count; i++)
+        paradt_io__drop_former(stage->files + i);
     for (i = 0; good && i < count; i++) {
         free(stage->files[i].name);
         free(stage->files[i].temporary);
@@ -1911,6 +1982,8 @@ int paradt_io_check_place(const char *name, const char *input, paradt_io_error *
     else if (stat(name, &here) == 0) {
         if (S_ISDIR(here.st_mode))
             good = paradt_io__error(error, PARADT_IO_FAILED, "%.900s: %s", name, strerror(EISDIR));
+        else if (!S_ISREG(here.st_mode))
+            good = paradt_io__error(error, PARADT_IO_FAILED, "%.900s: no regular file, so it is not replaced", name);
         else if (input && stat(input, &there) == 0 && here.st_dev == there.st_dev && here.st_ino == there.st_ino)
             good = paradt_io__error(error, PARADT_IO_BAD_NAME, "%.900s: would replace the input", name);
     }

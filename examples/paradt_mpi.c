@@ -5,8 +5,9 @@
 //
 // It takes the inputs and options of `paradt` that make sense here; `paradt_mpi --help` lists them. Each rank makes or
 // reads its own part of gen:..., of .npy and of binary .ply; other inputs are read by rank 0, which hands in all
-// points. Each rank writes its own piece of a .pvtu; for other outputs and for --check the cells are gathered on rank
-// 0. Only rank 0 prints, and shows how far its own work is.
+// points. Each rank writes its own piece of a .pvtu, points and cells, without weights; for other outputs and for
+// --check the cells are gathered on rank 0. Only rank 0 prints, and shows how far its own work is; what a rank alone
+// can't read or write the first such rank says.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"
@@ -173,6 +174,7 @@ static int parse(settings *s, int count, char **arguments) {
 typedef struct part {
     void *rows;      // of the file, or coordinates; from malloc
     double *weights; // [points.count], from malloc; NULL: none
+    int whole;       // rank 0 has all points, as coordinates; the same on all ranks
     paradt_points points;
 } part;
 
@@ -188,6 +190,14 @@ static int agree(int status) {
     return status;
 }
 
+// The same; the first rank that failed says why.
+static int agree_on(int status, const paradt_io_error *error) {
+    int first = status ? rank : ranks;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (first == rank) fprintf(stderr, "paradt_mpi: %s\n", error->text);
+    return agree(status);
+}
+
 // A table of numbers in a file: what rank 0 tells the others of its header.
 enum { TABLE_OFFSET, TABLE_ROWS, TABLE_STRIDE, TABLE_COLUMNS, TABLE_FLOATS, TABLE_FIELDS };
 
@@ -195,12 +205,14 @@ enum { TABLE_OFFSET, TABLE_ROWS, TABLE_STRIDE, TABLE_COLUMNS, TABLE_FLOATS, TABL
 static int npy_table(const char *head, size_t size, int64_t *table) {
     const char *text = head + 10, *shape;
     unsigned length;
+    int closed = 0;
     long long rows, columns;
     if (size < 128 || memcmp(head, "\x93NUMPY\x01", 7) != 0) return 0;
     length = (unsigned char)head[8] | (unsigned)(unsigned char)head[9] << 8;
     shape = strstr(text, "'shape': (");
     if (10 + length >= size || !strstr(text, "'fortran_order': False") || !shape || shape > text + length ||
-        sscanf(shape, "'shape': (%lld, %lld)", &rows, &columns) != 2 || rows < 0 || columns < 1 || columns > 1 << 20)
+        sscanf(shape, "'shape': (%lld, %lld)%n", &rows, &columns, &closed) != 2 || !closed || rows < 0 || columns < 1 ||
+        columns > 1 << 20)
         return 0;
     table[TABLE_FLOATS] = strstr(text, "'descr': '<f4'") != NULL;
     if (!table[TABLE_FLOATS] && !strstr(text, "'descr': '<f8'")) return 0;
@@ -227,7 +239,7 @@ static int ply_size(const char *type) {
 
 // A binary .ply whose vertices come first and begin with x, y, z of one floating-point type. Returns 1 if it is one.
 static int ply_table(const char *head, int64_t *table) {
-    const char *end = strstr(head, "end_header\n"), *line = strstr(head, "\nelement "), *next;
+    const char *end = strstr(head, "\nend_header\n"), *line = strstr(head, "\nelement "), *next;
     char type[16], name[16];
     long long rows;
     int place = 0, first = 0;
@@ -246,33 +258,47 @@ static int ply_table(const char *head, int64_t *table) {
         place++;
         table[TABLE_STRIDE] += size;
     }
-    table[TABLE_OFFSET] = end + 11 - head;
+    if (line != end + 1 && strncmp(line, "element ", 8) != 0) return 0; // a comment: more properties may follow
+    table[TABLE_OFFSET] = end + 12 - head;
     table[TABLE_ROWS] = rows;
     table[TABLE_COLUMNS] = 3;
     table[TABLE_FLOATS] = first == 4;
     return place >= 3;
 }
 
-// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is.
+static int has_extension(const char *name, const char *extension) {
+    size_t n = strlen(name), m = strlen(extension);
+    return n > m && strcasecmp(name + n - m, extension) == 0;
+}
+
+// Is the input such a file of so many bytes? One that is cut short is for the reader that says so.
+static int is_table(const settings *s, FILE *file, int64_t bytes, int64_t *table) {
+    char head[4097];
+    size_t size = fread(head, 1, sizeof head - 1, file);
+    int found;
+    int64_t dim;
+    head[size] = '\0';
+    if (has_extension(s->input, ".npy")) found = npy_table(head, size, table);
+    else found = !s->want.weights && ply_table(head, table);
+    dim = s->want.dim ? s->want.dim : table[TABLE_COLUMNS] - s->want.weights;
+    return found && bytes >= table[TABLE_OFFSET] &&
+           table[TABLE_ROWS] <= (bytes - table[TABLE_OFFSET]) / table[TABLE_STRIDE] && dim >= 2 &&
+           dim <= PARADT_MAX_DIM && dim + s->want.weights <= table[TABLE_COLUMNS];
+}
+
+// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is. What
+// is no regular file is left alone: its bytes can be read once.
 static int find_table(const settings *s, int64_t *table) {
     static const union {
         unsigned short number;
         unsigned char bytes[2];
     } order = {1};
-    char head[4097];
+    struct stat about;
     int found = 0;
-    if (rank == 0 && order.bytes[0]) {
+    if (rank == 0 && order.bytes[0] && (has_extension(s->input, ".npy") || has_extension(s->input, ".ply")) &&
+        stat(s->input, &about) == 0 && S_ISREG(about.st_mode)) {
         FILE *file = fopen(s->input, "rb");
-        size_t size = file ? fread(head, 1, sizeof head - 1, file) : 0, n = strlen(s->input);
-        head[size] = '\0';
-        if (n > 4 && strcasecmp(s->input + n - 4, ".npy") == 0) found = npy_table(head, size, table);
-        if (n > 4 && strcasecmp(s->input + n - 4, ".ply") == 0 && !s->want.weights) found = ply_table(head, table);
-        if (found) { // a file cut short is for the reader that says so
-            int64_t dim = s->want.dim ? s->want.dim : table[TABLE_COLUMNS] - s->want.weights;
-            fseek(file, 0, SEEK_END);
-            found = ftell(file) >= table[TABLE_OFFSET] + table[TABLE_ROWS] * table[TABLE_STRIDE] && dim >= 2 &&
-                    dim <= PARADT_MAX_DIM && dim + s->want.weights <= table[TABLE_COLUMNS];
-        }
+        found = file && is_table(s, file, (int64_t)about.st_size, table);
         if (file) fclose(file);
     }
     MPI_Bcast(&found, 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -359,6 +385,7 @@ static int generate(const settings *s, part *p) {
     if (p->weights) paradt_gen_weights(&spec, dim, (size_t)first, p->points.count, p->weights);
     p->points.data = x;
     p->points.weights = p->weights;
+    p->whole = s->replicated;
     return EXIT_DONE;
 }
 
@@ -373,14 +400,16 @@ static int read_whole(const settings *s, int on_all, part *p) {
     paradt_io_error error;
     int status = EXIT_DONE, dim = 0;
     memset(&points, 0, sizeof points);
-    if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error))
-        status = fail(exit_status(error.status), "%s", error.text);
-    status = agree(status);
-    if (!status && on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))
-        status = exit_status(error.status);
-    status = agree(status);
+    if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error)) status = exit_status(error.status);
+    status = agree_on(status, &error);
+    if (!status) { // on all ranks
+        if (on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))
+            status = exit_status(error.status);
+        status = agree_on(status, &error);
+    }
     dim = points.dim;
     MPI_Bcast(&dim, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    p->whole = 1;
     p->rows = points.coordinates;
     p->weights = points.weights;
     p->points.data = points.coordinates;
@@ -447,14 +476,30 @@ static char *piece_name(const char *name, int r) {
     return piece;
 }
 
+// The `n` characters of a name as an attribute of XML; malloc'ed
+static char *escaped(const char *name, size_t n) {
+    char *text = (char *)malloc(6 * n + 1), *to = text;
+    size_t i;
+    for (i = 0; text && i < n; i++) {
+        const char *as = name[i] == '&' ? "&amp;" : name[i] == '<' ? "&lt;" : name[i] == '"' ? "&quot;" : NULL;
+        if (as) to += sprintf(to, "%s", as);
+        else *to++ = name[i];
+    }
+    if (text) *to = '\0';
+    return text;
+}
+
 // What binds the pieces together: malloc'ed text
 static char *pvtu_text(const char *name) {
     const char *slash = strrchr(name, '/'), *base = slash ? slash + 1 : name;
-    size_t room = 1024 + (size_t)ranks * (strlen(base) + 64);
-    char *text = (char *)malloc(room);
-    size_t used;
+    char *pieces = escaped(base, strlen(base) - 5), *text;
+    size_t room = 1024 + (size_t)ranks * (pieces ? strlen(pieces) + 64 : 0), used;
     int r;
-    if (!text) return NULL;
+    text = pieces ? (char *)malloc(room) : NULL;
+    if (!text) {
+        free(pieces);
+        return NULL;
+    }
     used =
         (size_t)snprintf(text, room,
                          "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
@@ -462,8 +507,8 @@ static char *pvtu_text(const char *name) {
                          "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
                          "</PPoints>\n");
     for (r = 0; r < ranks; r++)
-        used += (size_t)snprintf(text + used, room - used, "<Piece Source=\"%.*s_%d.vtu\"/>\n", (int)strlen(base) - 5,
-                                 base, r);
+        used += (size_t)snprintf(text + used, room - used, "<Piece Source=\"%s_%d.vtu\"/>\n", pieces, r);
+    free(pieces);
     snprintf(text + used, room - used, "</PUnstructuredGrid>\n</VTKFile>\n");
     return text;
 }
@@ -513,32 +558,39 @@ static int finish_whole(const settings *s, paradt_io_stage *stage, const part *a
     return 1;
 }
 
-// Writes and checks; collective.
-static int finish(const settings *s, paradt_io_stage *stage, const paradt_mpi_triangulation *t) {
+// What takes all cells on rank 0; collective.
+static int finish_gathered(const settings *s, paradt_io_stage *stage, const part *p,
+                           const paradt_mpi_triangulation *t) {
+    paradt_io_error error;
+    paradt_triangulation whole;
+    paradt_status gathered = paradt_mpi_gather(&whole, MPI_COMM_WORLD, t, 0);
+    part again;
+    int status;
+    if (gathered) return fail(EXIT_FAILED, "%s: %s", s->input, paradt_status_string(gathered));
+    memset(&again, 0, sizeof again);
+    status = p->whole ? EXIT_DONE : read_whole(s, 0, &again);
+    if (!status) {
+        if (rank == 0 && !finish_whole(s, stage, p->whole ? p : &again, &whole, &error))
+            status = exit_status(error.status);
+        status = agree_on(status, &error);
+    }
+    paradt_free(&whole);
+    part_free(&again);
+    return status;
+}
+
+// Writes under temporary names, and checks; collective.
+static int finish(const settings *s, paradt_io_stage *stage, const part *p, const paradt_mpi_triangulation *t) {
     paradt_io_error error;
     int status = EXIT_DONE, gathers = s->check;
     size_t i;
-    error.text[0] = '\0';
     for (i = 0; i < s->output_count; i++) {
         gathers |= !is_pvtu(s->outputs[i]);
         if (is_pvtu(s->outputs[i]) && !status && !write_pieces(stage, s->outputs[i], t, &error))
             status = exit_status(error.status);
     }
-    if (gathers) {
-        part all;
-        paradt_triangulation whole;
-        paradt_status gathered = paradt_mpi_gather(&whole, MPI_COMM_WORLD, t, 0);
-        memset(&all, 0, sizeof all);
-        if (gathered) return fail(EXIT_FAILED, "%s: %s", s->input, paradt_status_string(gathered));
-        if (read_whole(s, 0, &all)) status = EXIT_INPUT;
-        else if (rank == 0 && !status && !finish_whole(s, stage, &all, &whole, &error))
-            status = exit_status(error.status);
-        paradt_free(&whole);
-        part_free(&all);
-    }
-    if (agree(status) == EXIT_DONE && !paradt_io_stage_commit(stage, &error)) status = exit_status(error.status);
-    if (status && error.text[0]) fprintf(stderr, "paradt_mpi: %s\n", error.text);
-    return agree(status);
+    status = agree_on(status, &error);
+    return !status && gathers ? finish_gathered(s, stage, p, t) : status;
 }
 
 static int report(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash) {
@@ -557,13 +609,14 @@ static int report(const settings *s, const part *p, const paradt_mpi_triangulati
 // ---------------------------------------------------------------------------------------------------------------------
 // >>main
 
-static int check_outputs(const settings *s) {
+// Can the outputs be written, and hold points of the dimension, if that is known (0: not yet)?
+static int check_outputs(const settings *s, int dim) {
     paradt_io_error error;
     size_t i;
     for (i = 0; i < s->output_count && rank == 0; i++) {
         int good = is_pvtu(s->outputs[i]) ? paradt_io_check_place(s->outputs[i], s->input, &error)
-                                          : paradt_io_check_output(s->outputs[i], s->want.dim, s->input, &error);
-        if (good && is_pvtu(s->outputs[i]) && s->want.dim > 3)
+                                          : paradt_io_check_output(s->outputs[i], dim, s->input, &error);
+        if (good && is_pvtu(s->outputs[i]) && dim > 3)
             return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions", s->outputs[i]);
         if (!good) return fail(exit_status(error.status), "%s", error.text);
     }
@@ -600,19 +653,24 @@ static int run(const settings *s) {
     paradt_mpi_triangulation t;
     paradt_io_stage stage;
     paradt_io_error error;
-    int status = agree(check_outputs(s));
+    int status = agree(check_outputs(s, s->want.dim));
     memset(&p, 0, sizeof p);
     memset(&t, 0, sizeof t);
     if (!status) status = agree(read_part(s, &p));
+    if (!status) status = agree(check_outputs(s, p.points.dim));
     if (!status) status = agree(triangulate(s, &p, &t));
     if (!status) {
         uint64_t hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
         int staged = paradt_io_stage_init(&stage, s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error);
         status = agree(staged ? EXIT_DONE : EXIT_FAILED);
-        if (!status) status = finish(s, &stage, &t);
+        if (!status) status = finish(s, &stage, &p, &t);
+        if (!status) status = agree(report(s, &p, &t, hash));
+        if (!status) {
+            if (!paradt_io_stage_commit(&stage, &error)) status = exit_status(error.status);
+            status = agree_on(status, &error);
+        }
         if (status && staged) paradt_io_stage_abort(&stage);
         if (staged) paradt_io_stage_free(&stage);
-        if (!status) status = agree(report(s, &p, &t, hash));
     }
     paradt_mpi_free(&t);
     part_free(&p);

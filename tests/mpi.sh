@@ -82,8 +82,8 @@ if command -v python3 >/dev/null 2>&1; then
 import random, struct, sys
 random.seed(1)
 points = [[random.random() for _ in range(4)] for _ in range(1000)]
-def npy(name, columns, code, kind, rows):
-    head = "{'descr': '<%s', 'fortran_order': False, 'shape': (%d, %d), }" % (kind, len(rows), columns)
+def npy(name, columns, code, kind, rows, shape=None):
+    head = "{'descr': '<%s', 'fortran_order': False, 'shape': (%s), }" % (kind, shape or '%d, %d' % (len(rows), columns))
     head += ' ' * (63 - (10 + len(head)) % 64) + '\n'
     with open(sys.argv[1] + '/' + name, 'wb') as file:
         file.write(b'\x93NUMPY\x01\x00' + struct.pack('<H', len(head)) + head.encode())
@@ -91,20 +91,43 @@ def npy(name, columns, code, kind, rows):
 npy('doubles.npy', 3, 'd', 'f8', points)
 npy('floats.npy', 4, 'f', 'f4', points)
 npy('nan.npy', 3, 'd', 'f8', points[:700] + [[0, float('nan'), 0]])
-with open(sys.argv[1] + '/scan.ply', 'wb') as file:
-    file.write(b'ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\n'
-               b'property float z\nproperty uchar red\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n')
-    for row in points: file.write(struct.pack('<fffB', *row[:3], 1))
+npy('deep.npy', 3, 'd', 'f8', points, '500, 3, 2')
+npy('huge.npy', 8, 'd', 'f8', [], '2305843009213693952, 8')
+def ply(name, between):
+    with open(sys.argv[1] + '/' + name, 'wb') as file:
+        file.write(b'ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\n'
+                   b'property float z\n' + between + b'property uchar red\nelement face 0\n'
+                   b'property list uchar int vertex_indices\nend_header\n')
+        for row in points: file.write(struct.pack('<fffB', *row[:3], 1))
+ply('scan.ply', b'')
+ply('remark.ply', b'comment colours follow\n')
+ply('end.ply', b'comment not yet the end_header\n')
 END
     same reads_npy_in_parts "$work/doubles.npy"
     same reads_npy_of_floats "$work/floats.npy"
     same reads_npy_with_weights --weights "$work/floats.npy"
     same reads_npy_in_the_plane --dim 2 "$work/doubles.npy"
     same reads_binary_ply_in_parts "$work/scan.ply"
+    same reads_ply_with_a_comment_among_the_properties "$work/remark.ply"
+    same reads_ply_with_a_comment_that_names_the_end "$work/end.ply"
+    ends npy_of_three_dimensions_is_an_input_error 3 'not two-dimensional' "$work/deep.npy"
+    ends npy_of_more_than_can_be_is_an_input_error 3 'ends within' --weights --dim 3 "$work/huge.npy"
+    ends more_dimensions_than_an_output_holds_are_found_early 2 'at most 3' -o "$work/four.pvtu" --dim 4 "$work/floats.npy"
+    mkfifo "$work/pipe.ply"
+    timeout 100 cat "$work/scan.ply" >"$work/pipe.ply" &
+    [ "$(on 2 "$tool" --quiet --hash "$work/pipe.ply" 2>&1)" = "$("$work/paradt" --quiet --hash "$work/scan.ply")" ]
+    report $? reads_a_pipe_once
     ends nan_is_an_input_error 3 'not finite' "$work/nan.npy"
 fi
 printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1.5\n' >"$work/few.xyz"
 same reads_text_on_rank_0 "$work/few.xyz"
+[ "$(on 2 "$tool" --quiet --hash --check - <"$work/few.xyz" 2>&1)" = "$("$work/paradt" --quiet --hash "$work/few.xyz")" ]
+report $? certifies_standard_input
+mkdir "$work/has" "$work/lacks" && cp "$work/few.xyz" "$work/has"
+timeout -k 5 200 mpiexec -n 1 -wdir "$work/has" "$tool" --replicated few.xyz : -n 1 -wdir "$work/lacks" "$tool" --replicated few.xyz \
+    >"$work/out" 2>"$work/log"
+[ $? -eq 3 ] && grep -q 'few.xyz: No such file' "$work/log"
+report $? what_one_rank_lacks_it_says "$work/log"
 same makes_points_in_parts gen:plummer:3000:7
 same makes_points_with_weights --weights --dim 2 gen:uniform:1000:7
 printf '0 0 0\n1 x 0\n' >"$work/bad.xyz"
@@ -165,6 +188,9 @@ report $? writes_a_piece_for_each_rank "$work/log"
 [ "$(grep -ao 'NumberOfCells="[0-9]*"' "$work"/cloud_?.vtu | tr -dc '0-9"\n' | tr '"' ' ' |
     awk '{ sum += $NF } END { print sum }')" = "$(awk 'NR == 1 { print $1 }' "$work/serial.ele")" ]
 report $? pieces_have_every_cell_once
+mkdir "$work/a&b" && on 2 "$tool" --quiet -o "$work/a&b/x&y.pvtu" gen:uniform:100:1 2>"$work/log" &&
+    grep -q '"x&amp;y_1.vtu"' "$work/a&b/x&y.pvtu" && [ -s "$work/a&b/x&y_1.vtu" ]
+report $? names_of_pieces_are_escaped "$work/log"
 
 on 2 "$tool" --quiet --progress gen:uniform:3000000:1 2>"$work/log" &&
     tr '\r' '\n' <"$work/log" | grep -o '[0-9]*%' | tr -d % >"$work/percents" && [ -s "$work/percents" ] &&

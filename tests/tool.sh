@@ -172,6 +172,7 @@ write zero.node '5 3 2 1\n# point\n0 0 0 0 0 9 1\n1 1 0 0 0 9 1\n2 0 1 0 0 9 1\n
 write one.node '# points\n5 3 2 1 # of them\n1 0 0 0 0 9 1\n2 1 0 0 0 9 1\n3 0 1 0 0 9 1\n4 0 0 1 0 9 1\n5 .25 .25 .25 -1 9 0\n'
 write faces.off "OFF # comment\n5\n1 0\n${text}3 0 1 2\n"
 write colours.off "COFF 5 0 0\n$text"
+write lines.off "OFF\n5\n1\n0\n${text}3 0 1 2\n"
 
 # float32: the bytes of 0, 1, 1/4 and -1, lowest first
 zero='\000\000\000\000' one='\000\000\200\077' quarter='\000\000\200\076' minus='\000\000\200\277'
@@ -204,7 +205,7 @@ end_header\n\002\000ab\001\000c$(around $zero $zero $zero $zero)$(around $zero $
     )$(around $zero $zero $one $zero)$(around $one $zero $zero $zero)$(around $quarter $quarter $quarter $minus
     )\003$zero\001\000\000\000\002\000\000\000"
 
-for file in same.xyz spread.xyz macintosh.xyz columns.txt titled.csv zero.node one.node faces.off colours.off floats.npy \
+for file in same.xyz spread.xyz macintosh.xyz columns.txt titled.csv zero.node one.node faces.off colours.off lines.off floats.npy \
     doubles.npy fortran.npy swapped.npy ascii.ply little.ply big.ply mixed.ply; do
     run --dim 3 --quiet -o read.ele "$file"
     done_well && cmp -s read.node plain.node && [ "$(wc -l <read.ele)" -eq 5 ]
@@ -374,6 +375,9 @@ report $? no_points_are_no_error
 run gen:uniform:300:1
 done_well && grep -q '^points  *300 in 3 dimensions$' out && grep -Eq '^cells  *[0-9]+$' out && grep -q '^time .* cells a second' out
 report $? the_summary_says_what_was_done
+run --regions 1000000 gen:uniform:4:1
+done_well && grep -q ' 4 regions)' out
+report $? the_summary_counts_the_regions_that_were_built
 run --quiet gen:uniform:300:1
 done_well && [ ! -s out ]
 report $? quiet_is_silent
@@ -400,6 +404,14 @@ if [ -w /dev/full ]; then
     status=$?
     [ "$status" -eq 1 ] && grep -q '^paradt: standard output' err
     report $? a_full_standard_output_is_an_error
+    "$tool" -o unseen.obj gen:uniform:100:1 >/dev/full 2>err
+    status=$?
+    [ "$status" -eq 1 ] && ! ls unseen.* >/dev/null 2>&1
+    report $? what_could_not_be_printed_leaves_no_file
+    "$tool" --help >/dev/full 2>err
+    status=$?
+    [ "$status" -eq 1 ] && grep -q '^paradt: standard output' err
+    report $? help_that_could_not_be_printed_is_an_error
 fi
 
 # --- the same result by every way -------------------------------------------------------------------------------------
@@ -429,6 +441,26 @@ report $? a_folder_in_the_way_is_refused
 ends a_missing_folder_is_refused 1 '^paradt: nowhere/out.ele: No such file' -o nowhere/out.ele gen:uniform:50:1
 ends the_input_is_not_replaced 2 '^paradt: ./one.node: would replace the input' -o ./one.ele one.node
 ends statistics_do_not_replace_the_input 2 '^paradt: same.xyz: would replace' --stats same.xyz same.xyz
+
+ends two_outputs_of_one_name_are_refused 2 '^paradt: one.off: two outputs of one name' -o one.off -o one.off same.xyz
+mkfifo pipe.off
+ends a_pipe_is_not_replaced 1 '^paradt: pipe.off: no regular file' -o pipe.off same.xyz
+ends statistics_do_not_replace_a_pipe 1 '^paradt: pipe.off: no regular file' --stats pipe.off same.xyz
+write target.off 'old\n'
+ln -s target.off link.off
+run --quiet -o link.off same.xyz
+done_well && [ -h link.off ] && [ "$(sed -n 1p target.off)" = OFF ]
+report $? a_link_is_followed
+if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null 2>&1; then # in a folder where others' files can't be replaced
+    mkdir sticky && chmod 1777 sticky && chmod a+rx . && write sticky/mine.off 'old\n' && chown 65534 sticky/mine.off
+    write sticky/yours.off 'old\n'
+    ran=$(setpriv --reuid=65534 --clear-groups "$tool" --quiet -o sticky/mine.off -o sticky/yours.off gen:uniform:50:1 2>&1)
+    status=$?
+    case $ran in *'denied'*) status=skipped ;; esac # that user can't come here at all
+    [ $status = skipped ] || { [ $status -eq 1 ] && [ "$(cat sticky/mine.off sticky/yours.off)" = "$(printf 'old\nold')" ] &&
+        [ "$(ls -A sticky | tr '\n' ' ')" = "mine.off yours.off " ]; }
+    report $? what_was_replaced_already_comes_back
+fi
 
 # Ends the tool as soon as a temporary file of its outputs is there.
 caught=1
