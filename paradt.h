@@ -9496,8 +9496,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 //
 // paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
 // hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, paradt__remote_sphere,
-// paradt__remote_region, paradt__remote_bytes.
+// side, the last exactly. Doors: these, paradt__remote_sphere, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
