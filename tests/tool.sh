@@ -456,10 +456,14 @@ if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null 2>&1; then # in a folde
     write sticky/yours.off 'old\n'
     ran=$(setpriv --reuid=65534 --clear-groups "$tool" --quiet -o sticky/mine.off -o sticky/yours.off gen:uniform:50:1 2>&1)
     status=$?
-    case $ran in *'denied'*) status=skipped ;; esac # that user can't come here at all
-    [ $status = skipped ] || { [ $status -eq 1 ] && [ "$(cat sticky/mine.off sticky/yours.off)" = "$(printf 'old\nold')" ] &&
-        [ "$(ls -A sticky | tr '\n' ' ')" = "mine.off yours.off " ]; }
-    report $? what_was_replaced_already_comes_back
+    case $ran in
+    *denied*) ;; # that user can't come here at all
+    *)
+        [ $status -eq 1 ] && [ "$(cat sticky/mine.off sticky/yours.off)" = "$(printf 'old\nold')" ] &&
+            [ "$(ls -A sticky | tr '\n' ' ')" = "mine.off yours.off " ]
+        report $? what_was_replaced_already_comes_back
+        ;;
+    esac
 fi
 
 # Ends the tool as soon as a temporary file of its outputs is there.
