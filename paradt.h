@@ -3621,7 +3621,6 @@ typedef struct paradt__cells {
     paradt_index *vertices;  // [capacity][corners]
     paradt_index *neighbors; // [capacity][corners]
     int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
-    int wide;                // the neighbors' block, which is not lent, has room for as many numbers of 64 bits
 } paradt__cells;
 
 enum {
@@ -3691,7 +3690,6 @@ static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, pa
 static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
     size_t corners = (size_t)cells->corners, used = cells->count * corners;
     size_t most = (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / corners;
-    size_t each = cells->wide ? sizeof(int64_t) / sizeof(paradt_index) : 1;
     void *array = cells->vertices;
     if (capacity > most) capacity = most;
     if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
@@ -3699,8 +3697,7 @@ static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity
     if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
     cells->vertices = (paradt_index *)array;
     array = cells->neighbors;
-    if (!paradt__grow(memory, &array, used, capacity * corners * each, sizeof(paradt_index)))
-        return PARADT_ERROR_MEMORY;
+    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
     cells->neighbors = (paradt_index *)array;
     cells->capacity = capacity;
     return PARADT_OK;
@@ -9621,15 +9618,14 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
 }
 
 // Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come, spans them, and has no sagittas. wide: as in paradt__cells.
+// with all points that are to come, spans them, and has no sagittas.
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 int wide, paradt__memory *memory, const paradt__progress *progress) {
+                                                 paradt__memory *memory, const paradt__progress *progress) {
     memset(engine, 0, sizeof *engine);
     engine->order =
         own == set->count ? paradt__round_order(own, memory) : paradt__merged_order(set, own, set->count, own, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
-    engine->bw.cells.wide = wide;
     engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
     return paradt__bw_build(&engine->bw, progress);
 }

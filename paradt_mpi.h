@@ -59,13 +59,19 @@
 //     t.cells[i * k + j]        vertex j of cell i, a position in the table
 //     t.vertices[v]             its global id
 //     t.coordinates[v * t.ambient + a]
-//     t.neighbors[i * k + j]    the number of the cell opposite that vertex, or -1 on the hull
+//     t.neighbors[i * k + j]    the cell opposite that vertex: a position too, see below, or -1 on the hull
 //     t.first_cell + i          the number of cell i
 //     t.representative[p]       of the points that this rank handed in: the global id of the vertex that stands for it
 //
-// Numbers of cells run through all ranks: rank r has those from first_cell to first_cell + cell_count - 1. Which rank
-// a cell belongs to depends on the number of ranks; the union does not. The rules for duplicates, hidden points, lower
-// dimensions and orientation are those of paradt.h, with global ids in the place of indices.
+// Numbers of cells run through all ranks: rank r has those from first_cell to first_cell + cell_count - 1. A neighbour
+// below cell_count is that cell of this rank; one from there on is another rank's, and t.others has its number. So
+// arrays of values by cell, of the own cells and behind them of others', can be read at a neighbour's position; and
+//
+//     paradt_mpi_neighbor(&t, i * k + j)
+//
+// is the number of the cell opposite vertex j of cell i, whoever has it. Which rank a cell belongs to depends on the
+// number of ranks; the union does not. The rules for duplicates, hidden points, lower dimensions and orientation are
+// those of paradt.h, with global ids in the place of indices.
 //
 // Statistics come three times: of this rank, summed over all, and the largest of all. Those of all are the same on
 // every rank.
@@ -241,7 +247,9 @@ typedef struct paradt_mpi_triangulation {
     uint64_t first_cell;      // number of this rank's first cell
     size_t cell_count;        // cells of this rank
     paradt_index *cells;      // [cell_count][dim + 1] positions in `vertices`, positively oriented
-    int64_t *neighbors;       // [cell_count][dim + 1] number of the cell opposite each vertex, -1: hull; or NULL
+    paradt_index *neighbors;  // [cell_count][dim + 1] cell opposite each vertex, cell_count + i: others[i]; or NULL
+    size_t other_count;       // facets across which another rank's cell lies
+    int64_t *others;          // [other_count] the number of that cell
     size_t vertex_count;      // vertices of this rank's cells
     size_t vertex_own;        // so many of them, the first, lie in this rank's box; replicated: 0
     int64_t *vertices;        // [vertex_count] global ids
@@ -270,6 +278,11 @@ PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, M
 // Gives this rank's arrays back to the allocator they came from, and makes the triangulation all zero. NULL and all
 // zero are fine. Not collective. Thread safety: as free.
 PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *triangulation);
+
+// The number, through all ranks, of the cell behind a facet: that of cell facet / (dim + 1) opposite its vertex
+// facet % (dim + 1). -1: the facet is on the hull. The triangulation has neighbours. Not collective. Thread safety:
+// any.
+PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *triangulation, size_t facet);
 
 // The hash of the cells of all ranks, by their global ids: that of paradt_hash for the same points in the order of
 // their ids. Collective over comm; the same on all ranks.
@@ -406,7 +419,6 @@ typedef struct paradt_mpi__work {
     int inserting;                // it does
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
-    int wide;                     // the block of its neighbors has room for those of the result
     double progress_begin, progress_length;
 } paradt_mpi__work;
 
@@ -1836,8 +1848,7 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     progress.begin = 0.0;
     progress.length = 1.0;
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, !(w->options.local.flags & PARADT_NO_NEIGHBORS),
-                                       &w->memory, &progress);
+    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, &w->memory, &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided. It has no use for sagittas.
@@ -2538,7 +2549,6 @@ static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
     w->local.neighbors = cells.neighbors;
-    w->wide = cells.wide;
 }
 
 // Numbers the own cells of all ranks.
@@ -2551,67 +2561,43 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
     w->stats.cells = mine;
 }
 
-// Where the numbers of the neighbours go: into the block that they are in, where it has room for them. Not collective.
-static paradt_status paradt_mpi__place_neighbors(paradt_mpi__work *w) {
-    size_t k = (size_t)w->out->dim + 1;
-    if (w->wide) {
-        w->out->neighbors = (int64_t *)(void *)w->local.neighbors;
-        w->local.neighbors = NULL;
-    } else {
-        w->out->neighbors = (int64_t *)paradt__alloc(&w->memory, w->out->cell_count, k * sizeof *w->out->neighbors);
-    }
-    return w->out->neighbors ? PARADT_OK : PARADT_ERROR_MEMORY;
-}
-
-// The numbers of the neighbours that a cell lacks here: of those on other ranks the facets are listed.
-PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_t k, size_t c, int64_t *numbers,
-                                                      const paradt_index *neighbors, paradt_mpi__facets *f) {
+// Lists the facets of a cell whose other side is on another rank.
+PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_t k, size_t c, paradt_mpi__facets *f) {
+    paradt_index *neighbors = w->out->neighbors;
     int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
     size_t j;
-    for (j = 0; j < k; j++) {
-        if (neighbors[j] >= 0) continue;
-        numbers[j] = final ? neighbors[j] : (paradt_index)PARADT__OPEN;
-        w->stats.hull_facets += numbers[j] == PARADT__HULL && k > 1;
-        if (numbers[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, c * k + j)) return PARADT_ERROR_MEMORY;
+    for (j = c * k; j < (c + 1) * k; j++) {
+        if (neighbors[j] == PARADT__HULL && !final) neighbors[j] = PARADT__OPEN;
+        w->stats.hull_facets += neighbors[j] == PARADT__HULL && k > 1;
+        if (neighbors[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
     }
     return PARADT_OK;
 }
 
-// Numbers the vertices of a cell, and, where they are wanted, its neighbours among the cells of all ranks. These are
-// read byte by byte, as it were: they may lie in the block that the numbers go to, which has two types then.
+// Numbers the vertices of a cell, and lists its facets whose other side is not known. Not collective.
 PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *number,
-                                                    const char *neighbors, paradt_mpi__facets *f) {
-    paradt_index *vertices = w->out->cells + c * k, nearby[PARADT_MAX_DIM + 1], any = 0;
-    int64_t numbers[PARADT_MAX_DIM + 1], first = (int64_t)w->out->first_cell;
-    paradt_status status = PARADT_OK;
+                                                    paradt_mpi__facets *f) {
+    paradt_index *vertices = w->out->cells + c * k;
+    const paradt_index *neighbors = w->out->neighbors;
     size_t j;
     for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
-    if (!neighbors) return PARADT_OK;
-    memcpy(nearby, neighbors + c * k * sizeof *nearby, k * sizeof *nearby);
-    for (j = 0; j < k; j++) {
-        any |= nearby[j];
-        numbers[j] = first + nearby[j];
-    }
-    if (!PARADT__LIKELY(any >= 0)) status = paradt_mpi__close_open(w, k, c, numbers, nearby, f);
-    memcpy(w->out->neighbors + c * k, numbers, k * sizeof *numbers);
-    return status;
+    if (!neighbors || PARADT__LIKELY(paradt__vertices_among(neighbors + c * k, (int)k, 0, PARADT__NOWHERE)))
+        return PARADT_OK;
+    return paradt_mpi__close_open(w, k, c, f);
 }
 
-// Numbers the vertices and neighbours of the own cells, from the last to the first: where the neighbours are in the
-// block that their numbers go to, none is written over one that is still to be read. Lists the facets whose other side
-// is not known. Not collective.
+// The same of all own cells, which become those of the result. Not collective.
 static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
-    const char *neighbors = (const char *)w->local.neighbors;
     size_t k = (size_t)w->out->dim + 1, c;
     paradt_status status = PARADT_OK;
     w->out->cells = w->local.cells;
     w->local.cells = NULL;
-    if (w->options.local.flags & PARADT_NO_NEIGHBORS) neighbors = NULL;
-    else status = paradt_mpi__place_neighbors(w);
-    if (w->wide && neighbors) neighbors = (const char *)w->out->neighbors;
-    for (c = w->out->cell_count; c-- > 0 && !status;)
-        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, number, neighbors, f)
-                        : paradt_mpi__close_cell(w, k, c, number, neighbors, f);
+    if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
+        w->out->neighbors = w->local.neighbors;
+        w->local.neighbors = NULL;
+    }
+    for (c = 0; c < w->out->cell_count && !status; c++)
+        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, number, f) : paradt_mpi__close_cell(w, k, c, number, f);
     return status;
 }
 
@@ -2687,11 +2673,29 @@ static paradt_status paradt_mpi__match(paradt_mpi__work *w, const uint64_t *rows
     return PARADT_OK;
 }
 
+// The answers are what lies across the facets, or PARADT__HULL; they become the table of others' cells. Not collective.
+static void paradt_mpi__set_across(paradt_mpi__work *w, int64_t *answers, const paradt_mpi__facets *f) {
+    paradt_mpi_triangulation *out = w->out;
+    size_t i;
+    out->others = answers;
+    for (i = 0; i < f->count; i++) {
+        paradt_index *neighbor = &out->neighbors[f->handles[i]];
+        if (answers[i] == PARADT__HULL) {
+            *neighbor = PARADT__HULL;
+            w->stats.hull_facets++;
+        } else {
+            *neighbor = (paradt_index)(out->cell_count + out->other_count);
+            out->others[out->other_count++] = answers[i];
+        }
+    }
+}
+
 // Finds the neighbours on other ranks.
 static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status, paradt_mpi__facets *f) {
     void *rows = NULL, *answers = NULL;
     int64_t *twins = NULL;
-    size_t count = 0, back, i;
+    size_t count = 0, back;
+    if (!status && f->count > (size_t)PARADT__NOWHERE - w->out->cell_count) status = PARADT_ERROR_TOO_LARGE;
     if (!status) status = paradt_mpi__sort_facets(w, f);
     status = paradt_mpi__exchange(w, status, f->rows, f->width * sizeof *f->rows, &rows, &count);
     if (!status) {
@@ -2700,12 +2704,8 @@ static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status,
         memcpy(w->to, w->from, (size_t)w->ranks * sizeof *w->to); // the answers go back where the rows came from
         status = paradt_mpi__exchange(w, status, twins, sizeof *twins, &answers, &back);
     }
-    for (i = 0; i < f->count && !status; i++) {
-        int64_t number = ((const int64_t *)answers)[i];
-        w->out->neighbors[f->handles[i]] = number;
-        w->stats.hull_facets += number == PARADT__HULL;
-    }
-    paradt__release(&w->memory, answers);
+    if (!status) paradt_mpi__set_across(w, (int64_t *)answers, f);
+    else paradt__release(&w->memory, answers);
     paradt__release(&w->memory, twins);
     paradt__release(&w->memory, rows);
     return status;
@@ -2984,6 +2984,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
     paradt__memory_begin(&memory, &options);
     paradt__release(&memory, t->cells);
     paradt__release(&memory, t->neighbors);
+    paradt__release(&memory, t->others);
     paradt__release(&memory, t->vertices);
     paradt__release(&memory, t->coordinates);
     paradt__release(&memory, t->representative);
@@ -3088,6 +3089,12 @@ PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *t, MPI_Comm 
     return sum;
 }
 
+PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *t, size_t facet) {
+    size_t cell = (size_t)t->neighbors[facet];
+    if (t->neighbors[facet] < 0) return PARADT__HULL;
+    return cell < t->cell_count ? (int64_t)(t->first_cell + cell) : t->others[cell - t->cell_count];
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>gather
 
@@ -3101,12 +3108,17 @@ static paradt_status paradt_mpi__collect_at(paradt_mpi__work *w, paradt_status s
     return paradt_mpi__exchange(w, status, part, size, all, total);
 }
 
-// The global ids of the vertices of all own cells.
-static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, int64_t **ids) {
+// The global ids of the vertices of all own cells, and the numbers of the neighbours, where there are any.
+static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, int64_t **ids,
+                                            int64_t **numbers) {
     size_t values = t->cell_count * (size_t)(t->dim + 1), i;
     *ids = (int64_t *)paradt__alloc(&w->memory, values, sizeof **ids);
-    if (!*ids) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < values; i++) (*ids)[i] = t->vertices[t->cells[i]];
+    *numbers = t->neighbors ? (int64_t *)paradt__alloc(&w->memory, values, sizeof **numbers) : NULL;
+    if (!*ids || (t->neighbors && !*numbers)) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < values; i++) {
+        (*ids)[i] = t->vertices[t->cells[i]];
+        if (*numbers) (*numbers)[i] = paradt_mpi_neighbor(t, i);
+    }
     return PARADT_OK;
 }
 
@@ -3124,20 +3136,20 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
     size_t k = t->dim < 0 ? 1 : (size_t)t->dim + 1, values = t->cell_count * k, cells = 0, neighbors = 0, points = 0,
            handed;
     void *all_cells = NULL, *all_neighbors = NULL, *all_points = NULL;
-    int64_t *ids = NULL;
+    int64_t *ids = NULL, *numbers = NULL;
     const uint64_t most = sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX;
     const uint64_t handed_in = paradt_mpi__sum(w, t->point_count); // more than there are if replicated: one rank's do
     paradt_status status;
     w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
     w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
-    status = w->to && w->from ? paradt_mpi__name_cells(w, t, &ids) : PARADT_ERROR_MEMORY;
+    status = w->to && w->from ? paradt_mpi__name_cells(w, t, &ids, &numbers) : PARADT_ERROR_MEMORY;
     if (t->cell_total > most / k || t->point_total > most) status = PARADT_ERROR_TOO_LARGE;
     handed = handed_in > t->point_total && w->rank != root ? 0 : t->point_count;
     status = paradt_mpi__agree(w, status);
     if (!status) status = paradt_mpi__collect_at(w, status, root, ids, values, sizeof *ids, &all_cells, &cells);
     if (!status)
-        status = paradt_mpi__collect_at(w, status, root, t->neighbors, t->neighbors ? values : 0, sizeof *t->neighbors,
-                                        &all_neighbors, &neighbors);
+        status = paradt_mpi__collect_at(w, status, root, numbers, numbers ? values : 0, sizeof *numbers, &all_neighbors,
+                                        &neighbors);
     if (!status)
         status = paradt_mpi__collect_at(w, status, root, t->representative, handed, sizeof *t->representative,
                                         &all_points, &points);
@@ -3157,6 +3169,7 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
     paradt__release(&w->memory, all_cells);
     paradt__release(&w->memory, all_neighbors);
     paradt__release(&w->memory, all_points);
+    paradt__release(&w->memory, numbers);
     paradt__release(&w->memory, ids);
     return status;
 }
