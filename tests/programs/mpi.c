@@ -96,6 +96,28 @@ static paradt_triangulation serial(const sample *s, const int *order) {
     return t;
 }
 
+// Has each entry of the table of others' cells its one facet, and is it another rank's cell?
+static int others_are_others(const paradt_mpi_triangulation *t) {
+    char *met = (char *)need(t->other_count, 1);
+    size_t facet, i, found = 0;
+    int good = 1;
+    memset(met, 0, t->other_count);
+    for (facet = 0; t->neighbors && facet < t->cell_count * (size_t)(t->dim + 1); facet++) {
+        if (t->neighbors[facet] < 0 || (size_t)t->neighbors[facet] < t->cell_count) continue;
+        i = (size_t)t->neighbors[facet] - t->cell_count;
+        good = good && i < t->other_count && !met[i];
+        if (!good) break;
+        met[i] = 1;
+        found++;
+    }
+    for (i = 0; i < t->other_count; i++) {
+        uint64_t number = (uint64_t)t->others[i];
+        good = good && number < t->cell_total && (number < t->first_cell || number >= t->first_cell + t->cell_count);
+    }
+    free(met);
+    return good && found == t->other_count;
+}
+
 // NULL, or what is wrong with the distributed result.
 static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, const sample *s, const int *order,
                            const paradt_triangulation *expected) {
@@ -120,6 +142,7 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     for (i = 0; i < t->point_count && !wrong; i++) {
         if (t->representative[i] != expected->representative[t->first_point + i]) wrong = "representatives";
     }
+    if (!wrong && !others_are_others(t)) wrong = "cells of others";
     if (!wrong && t->sum.hull_facets != expected->stats.hull_facets) wrong = "hull facets";
     if (!wrong && t->sum.hidden != expected->stats.hidden) wrong = "hidden";
     if (!wrong && t->sum.duplicates != expected->stats.duplicates) wrong = "duplicates";
@@ -434,6 +457,31 @@ static void memory_stays_within_its_limit(int weighted, unsigned flags) {
     finish_test("memory stays within its limit%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
 }
 
+// Points that are near the border take the rest.
+static void eight_ranks_hold_less_than_double_an_eighth(void) {
+    enum { COUNT = 200000 };
+    if (comms[SIZES - 1] != MPI_COMM_NULL) {
+        sample s = family_make(&families[family_named("uniform")], NULL, 3, COUNT, 5);
+        int size = sizes[SIZES - 1], *order = (int *)need(COUNT, sizeof *order);
+        sample share = share_of(&s, BLOCKS, rank, size, order);
+        paradt_points points = points_of(&share);
+        paradt_mpi_triangulation t;
+        if (paradt_mpi_triangulate(&t, comms[SIZES - 1], &points, NULL) != PARADT_OK) note(&s, size, BLOCKS, "it fails");
+        if (rank == 0 && t.cell_total) {
+            paradt_triangulation all = serial(&s, order);
+            if ((double)t.largest.peak_bytes * size > 1.8 * (double)all.stats.peak_bytes)
+                note(&s, size, BLOCKS, "more is held");
+            if (all.cell_count != t.cell_total) note(&s, size, BLOCKS, "number of cells");
+            paradt_free(&all);
+        }
+        paradt_mpi_free(&t);
+        sample_free(&share);
+        sample_free(&s);
+        free(order);
+    }
+    finish_test("eight ranks hold less than double an eighth");
+}
+
 static void wrong_arguments_of_gathering_are_agreed_on(void) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 100, 5);
     int order[100], culprit = 1;
@@ -480,6 +528,7 @@ static void options_and_errors(void) {
     failing_allocations_are_agreed_on(1, 0);
     failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
+    eight_ranks_hold_less_than_double_an_eighth();
     wrong_arguments_of_gathering_are_agreed_on();
 }
 
