@@ -64,8 +64,9 @@
 //     t.representative[p]       of the points that this rank handed in: the global id of the vertex that stands for it
 //
 // Numbers of cells run through all ranks: rank r has those from first_cell to first_cell + cell_count - 1. A neighbour
-// below cell_count is that cell of this rank; one from there on is another rank's, and t.others has its number. So
-// arrays of values by cell, of the own cells and behind them of others', can be read at a neighbour's position; and
+// n < cell_count is that cell of this rank; from there on it is another rank's, whose number is
+// t.others[n - cell_count]. So values by cell, of the own cells and behind them of the others, can be read at a
+// neighbour's position; and
 //
 //     paradt_mpi_neighbor(&t, i * k + j)
 //
@@ -279,9 +280,9 @@ PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, M
 // zero are fine. Not collective. Thread safety: as free.
 PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *triangulation);
 
-// The number, through all ranks, of the cell behind a facet: that of cell facet / (dim + 1) opposite its vertex
-// facet % (dim + 1). -1: the facet is on the hull. The triangulation has neighbours. Not collective. Thread safety:
-// any.
+// The number, through all ranks, of the cell behind the facet of cell facet / (dim + 1) opposite its vertex
+// facet % (dim + 1), or -1 on the hull; for a triangulation with neighbours. Not collective. Thread safety: any number
+// of calls at once.
 PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *triangulation, size_t facet);
 
 // The hash of the cells of all ranks, by their global ids: that of paradt_hash for the same points in the order of
@@ -2561,7 +2562,7 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
     w->stats.cells = mine;
 }
 
-// Lists the facets of a cell whose other side is on another rank.
+// Lists the facets of a cell that no own cell is behind: another rank's is, or the hull.
 PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_t k, size_t c, paradt_mpi__facets *f) {
     paradt_index *neighbors = w->out->neighbors;
     int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the hull is that of all points
