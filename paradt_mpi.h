@@ -3109,16 +3109,17 @@ static paradt_status paradt_mpi__collect_at(paradt_mpi__work *w, paradt_status s
     return paradt_mpi__exchange(w, status, part, size, all, total);
 }
 
-// The global ids of the vertices of all own cells, and the numbers of the neighbours, where there are any.
-static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, int64_t **ids,
-                                            int64_t **numbers) {
+// The own cells as they are to be on the root: by global ids, and their neighbours, where there are any, by the numbers
+// of all ranks' cells. An index holds both.
+static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, paradt_index **ids,
+                                            paradt_index **numbers) {
     size_t values = t->cell_count * (size_t)(t->dim + 1), i;
-    *ids = (int64_t *)paradt__alloc(&w->memory, values, sizeof **ids);
-    *numbers = t->neighbors ? (int64_t *)paradt__alloc(&w->memory, values, sizeof **numbers) : NULL;
+    *ids = (paradt_index *)paradt__alloc(&w->memory, values, sizeof **ids);
+    *numbers = t->neighbors ? (paradt_index *)paradt__alloc(&w->memory, values, sizeof **numbers) : NULL;
     if (!*ids || (t->neighbors && !*numbers)) return PARADT_ERROR_MEMORY;
     for (i = 0; i < values; i++) {
-        (*ids)[i] = t->vertices[t->cells[i]];
-        if (*numbers) (*numbers)[i] = paradt_mpi_neighbor(t, i);
+        (*ids)[i] = (paradt_index)t->vertices[t->cells[i]];
+        if (*numbers) (*numbers)[i] = (paradt_index)paradt_mpi_neighbor(t, i);
     }
     return PARADT_OK;
 }
@@ -3137,14 +3138,13 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
     size_t k = t->dim < 0 ? 1 : (size_t)t->dim + 1, values = t->cell_count * k, cells = 0, neighbors = 0, points = 0,
            handed;
     void *all_cells = NULL, *all_neighbors = NULL, *all_points = NULL;
-    int64_t *ids = NULL, *numbers = NULL;
-    const uint64_t most = sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX;
+    paradt_index *ids = NULL, *numbers = NULL;
+    const uint64_t most = (uint64_t)PARADT__NOWHERE;
     const uint64_t handed_in = paradt_mpi__sum(w, t->point_count); // more than there are if replicated: one rank's do
-    paradt_status status;
+    paradt_status status = t->cell_total > most / k || t->point_total > most ? PARADT_ERROR_TOO_LARGE : PARADT_OK;
     w->to = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->to);
     w->from = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *w->from);
-    status = w->to && w->from ? paradt_mpi__name_cells(w, t, &ids, &numbers) : PARADT_ERROR_MEMORY;
-    if (t->cell_total > most / k || t->point_total > most) status = PARADT_ERROR_TOO_LARGE;
+    if (!status) status = w->to && w->from ? paradt_mpi__name_cells(w, t, &ids, &numbers) : PARADT_ERROR_MEMORY;
     handed = handed_in > t->point_total && w->rank != root ? 0 : t->point_count;
     status = paradt_mpi__agree(w, status);
     if (!status) status = paradt_mpi__collect_at(w, status, root, ids, values, sizeof *ids, &all_cells, &cells);
@@ -3158,9 +3158,13 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
         out->dim = t->dim;
         out->cell_count = cells / k;
         out->point_count = points;
-        status = paradt_mpi__narrow(w, all_cells, cells, &out->cells);
-        if (!status && neighbors) status = paradt_mpi__narrow(w, all_neighbors, neighbors, &out->neighbors);
-        if (!status) status = paradt_mpi__narrow(w, all_points, points, &out->representative);
+        out->cells = (paradt_index *)all_cells;
+        all_cells = NULL;
+        if (neighbors) {
+            out->neighbors = (paradt_index *)all_neighbors;
+            all_neighbors = NULL;
+        }
+        status = paradt_mpi__narrow(w, all_points, points, &out->representative);
         out->stats.cells = t->sum.cells;
         out->stats.duplicates = t->sum.duplicates;
         out->stats.hidden = t->sum.hidden;
