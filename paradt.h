@@ -2793,7 +2793,7 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
     for (i = 0; i < count && margin > 0.0; i++)
         beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
-    extra = 1.75 * (double)beside / (double)WIDTH;
+    extra = 1.85 * (double)beside / (double)WIDTH;
     most = (double)count / 4.0 / (double)loader->cuts->boxes;
     return (size_t)(extra < most ? extra : most);
 }
@@ -2953,12 +2953,14 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
     loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
     set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
-    loader->other = (paradt__keyed *)(void *)set->records;
     if (loader->cuts) {
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
-    return loader->keyed && set->records && set->origin ? PARADT_OK : PARADT_ERROR_MEMORY;
+    if (!loader->keyed || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
+    // In their middle: of two tasks that fill the records each then has as many pages that are new
+    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    return PARADT_OK;
 }
 
 // The points of the source, each place once, along a curve, as they are: neither scaled nor with their axes in order,
@@ -7653,12 +7655,22 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     return status;
 }
 
-// The points to begin with, and the order of their insertion. Vertices are the region's points first, in their order,
-// then those in the margin, which are inserted along with the region's.
+// The order of insertion: points in the margin along with the region's
+static paradt_status paradt__patch_sort(paradt__patch *patch) {
+    size_t own = patch->fields[patch->own].set.count;
+    paradt__set known = paradt__patch_known(patch);
+    patch->order = paradt__merged_order(&known, own, known.count, patch->set->count, patch->memory);
+    if (!patch->order) return PARADT_ERROR_MEMORY;
+    patch->bw.order = patch->order;
+    paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
+    return PARADT_OK;
+}
+
+// The points to begin with. Vertices are the region's first, in their order, then those in the margin. A region that
+// has none sorts them for the insertion while the others look for theirs.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
     const paradt__field *own = patch->fields + patch->own;
     size_t needed, i;
-    paradt__set known;
     paradt_status status;
     patch->trusts = patch->own == 0 && patch->field_count > 1 && paradt__spans(&own->set);
     status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
@@ -7670,13 +7682,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_add(patch, (size_t)patch->list[i]);
     patch->list_count = 0;
     if (!status) status = paradt__patch_add_span(patch, whole);
-    if (status) return status;
-    known = paradt__patch_known(patch);
-    patch->order = paradt__merged_order(&known, own->set.count, known.count, patch->set->count, patch->memory);
-    if (!patch->order) return PARADT_ERROR_MEMORY;
-    patch->bw.order = patch->order;
-    paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
-    return PARADT_OK;
+    return status || !patch->trusts ? status : paradt__patch_sort(patch);
 }
 
 // --- cells
@@ -8157,7 +8163,8 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
 
 // Builds the triangulation of the points that the region begins with.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
-    paradt_status status = paradt__bw_build(&patch->bw, progress);
+    paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
+    if (!status) status = paradt__bw_build(&patch->bw, progress);
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
 
