@@ -2958,7 +2958,8 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In their middle: of two tasks that fill the records each then has as many pages that are new
+    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
+    // that fill them has as many new pages to touch.
     loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
@@ -7666,8 +7667,8 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// The points to begin with. Vertices are the region's first, in their order, then those in the margin. A region that
-// has none sorts them for the insertion while the others look for theirs.
+// The points to begin with. Vertices are the region's first, in their order, then those in the margin. The region that
+// has no margin sorts its points at once, while the others look for theirs; these do it when they build.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
     const paradt__field *own = patch->fields + patch->own;
     size_t needed, i;
