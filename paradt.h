@@ -5490,6 +5490,13 @@ enum {
 #define PARADT__BW_AVX2 0
 #endif
 
+// Whether four indices fit into a register that every processor of the kind has
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#define PARADT__FOUR_AT_ONCE 1
+#else
+#define PARADT__FOUR_AT_ONCE 0
+#endif
+
 // --- the order of insertion
 
 enum {
@@ -5617,8 +5624,9 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, si
 // Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
 // relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
 // 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of
-// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. With s_p, s_x the computed differences
-// of p and x to the centre, h_j the largest size of an |s_j| in the set, and
+// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. (The first two terms of n may be made
+// as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: 8u for v's terms, 11u for v x c's, 12.1u for n's.) With s_p,
+// s_x the computed differences of p and x to the centre, h_j the largest size of an |s_j| in the set, and
 //     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
 // a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
 // h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
@@ -5636,15 +5644,19 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, si
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
-    PARADT__SPHERES = 1 << 14,       // of the table, for many points, and
+    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 16 of them;
+    PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
     PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__SMALL_STAR = 256,        // new cells for whose edges there is room to begin with
-    PARADT__SMALL_STAR_VERTICES = 130,
-    PARADT__SMALL_STAR_ROW = 144, // of the table of edges: 9 cache lines, so that rows don't compete for the same
-    PARADT__FEW_NUMBERS = 48,     // more than these are forgotten before the next point
-    PARADT__LATE = 16,            // facets that wait for a sphere to be made again, while others are looked at
+    PARADT__COMMON_STAR = 60,     // new cells that a point has as a rule at most: their edges fit into the first cache
+    PARADT__COMMON_VERTICES = 64, // numbers then, those that are kept included
+    PARADT__LARGE_STAR = 256,     // new cells for whose edges there is room to begin with
+    PARADT__LARGE_VERTICES = 130,
+    PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
+    PARADT__LARGE_ROWS = 5,              // so many of these
+    PARADT__FEW_NUMBERS = 48,            // more than these are forgotten before the next point
+    PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
     PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
     PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
 };
@@ -5670,15 +5682,29 @@ typedef struct paradt__seen3 {
     double s[3], lift;
 } paradt__seen3;
 
+// A vertex of the cavity's rim
+typedef struct paradt__around3 {
+    double place[3];
+    union {
+        paradt_index vertex; // PARADT__DEAD: none
+        uint64_t unused;     // 32 bytes
+    } is;
+} paradt__around3;
+
+// What bounds the errors: half of the bounding box' sides, rounded up, and H
+typedef struct paradt__frame3 {
+    double half[3], square;
+} paradt__frame3;
+
 typedef struct paradt__spheres3 {
     paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
     paradt__tag mask;
-    int driven_out;            // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
-    double centre[3], half[3]; // of the bounding box; half of its sides, rounded up
-    double square;             // H
-    double steep;              // 2^60 H^(1/2)
-    double nil;                // powers of less than this in size are 0
-    paradt__seen3 next;        // the point to be inserted next
+    int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
+    double centre[3]; // of the bounding box
+    paradt__frame3 frame;
+    double steep;       // 2^60 H^(1/2)
+    double nil;         // powers of less than this in size are 0
+    paradt__seen3 next; // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
@@ -5687,24 +5713,25 @@ typedef struct paradt__spheres3 {
     int sharp;         // the bounds on the powers' errors are the sharp ones
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
-    size_t large_star, large_row; // for so many new cells
+    size_t large_star, large_rows; // for so many new cells
 
-    // The vertices around have small numbers: that of v is number[v + 1], if vertex[that] is v.
+    // The vertices around have small numbers: that of v is number[v + 1], if around[that] is v. They are kept as
+    // offsets in bytes.
     uint16_t *number; // [numbers]
     size_t numbers;   // points + 1, at least
     int count;        // numbers given
-    paradt_index vertex[PARADT__STAR_VERTICES];
-    double place[PARADT__STAR_VERTICES][4];
+    paradt__around3 around[PARADT__STAR_VERTICES];
 
-    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] here, or in
+    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
     // large_edges.
-    paradt_index edges[PARADT__SMALL_STAR_VERTICES * PARADT__SMALL_STAR_ROW];
+    paradt_index common_edges[PARADT__COMMON_VERTICES * PARADT__COMMON_VERTICES];
+    paradt_index edges[PARADT__LARGE_VERTICES * PARADT__LARGE_ROWS * PARADT__EDGE_ROW];
 
     paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
     // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
     paradt_index base[PARADT__STAR + 3];  // 4 times their places
-    uint16_t corner[PARADT__STAR + 3][4]; // numbers of the vertices
+    uint16_t corner[PARADT__STAR + 3][4]; // the vertices, as offsets
     paradt_index row[PARADT__STAR][4];    // vertices
     paradt_index outer[PARADT__STAR];
     int ghosts; // there are some among them; those that are none then:
@@ -5715,6 +5742,11 @@ typedef struct paradt__spheres3 {
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
 #define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
+
+// The vertex with a number, as an offset
+PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__spheres3 *s, size_t offset) {
+    return (paradt__around3 *)(void *)((char *)s->around + offset);
+}
 
 // The first cache line that begins there
 PARADT__INLINE paradt__sphere3 *paradt__on_line(void *memory) {
@@ -5863,6 +5895,13 @@ PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corn
                                           paradt_index end) {
     paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
     int i, among = 1;
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        const __m128i sign = _mm_set1_epi32(INT32_MIN), most = _mm_set1_epi32((int)(span ^ (paradt__tag)INT32_MIN));
+        __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
+        return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
+    }
+#endif
     if (corners == 4) {
         return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
                ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
@@ -6066,9 +6105,9 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
 // The sphere through p and p + a, p + b, p + c, positively oriented. Straight code, to be vectorised: where the
 // determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with x87
 // registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
-PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double square, const paradt__seen3 *p,
-                                         double ax, double ay, double az, double bx, double by, double bz, double cx,
-                                         double cy, double cz, double *nx, double *ny, double *nz, double *constant,
+PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, const paradt__seen3 *p, double ax,
+                                         double ay, double az, double bx, double by, double bz, double cx, double cy,
+                                         double cz, double *nx, double *ny, double *nz, double *constant,
                                          double *error) {
     double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz, lc = cx * cx + cy * cy + cz * cz;
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
@@ -6083,14 +6122,14 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double s
         double sabx = paradt__minor_size(ay, az, by, bz), saby = paradt__minor_size(az, ax, bz, bx);
         double sabz = paradt__minor_size(ax, ay, bx, by);
         size = paradt__abs(ax) * sbcx + paradt__abs(ay) * sbcy + paradt__abs(az) * sbcz;
-        sides = half[0] * (la * sbcx + lb * scax + lc * sabx) + half[1] * (la * sbcy + lb * scay + lc * saby) +
-                half[2] * (la * sbcz + lb * scaz + lc * sabz);
+        sides = f->half[0] * (la * sbcx + lb * scax + lc * sabx) + f->half[1] * (la * sbcy + lb * scay + lc * saby) +
+                f->half[2] * (la * sbcz + lb * scaz + lc * sabz);
     } else {
         double mx = paradt__abs(ax) + paradt__abs(bx) + paradt__abs(cx);
         double my = paradt__abs(ay) + paradt__abs(by) + paradt__abs(cy);
         double mz = paradt__abs(az) + paradt__abs(bz) + paradt__abs(cz);
         size = mx * my * mz;
-        sides = (la + lb + lc) * (half[0] * my * mz + mx * half[1] * mz + mx * my * half[2]);
+        sides = (la + lb + lc) * (f->half[0] * my * mz + mx * f->half[1] * mz + mx * my * f->half[2]);
     }
     floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
     safe = det > floor ? det : floor;
@@ -6098,12 +6137,12 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const double *half, double s
     wx = (la * bcx + lb * cax + lc * abx) * inverse;
     wy = (la * bcy + lb * cay + lc * aby) * inverse;
     wz = (la * bcz + lb * caz + lc * abz) * inverse;
-    reach = paradt__abs(wx) * half[0] + paradt__abs(wy) * half[1] + paradt__abs(wz) * half[2];
+    reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1] + paradt__abs(wz) * f->half[2];
     *nx = -2.0 * p->s[0] - wx;
     *ny = -2.0 * p->s[1] - wy;
     *nz = -2.0 * p->s[2] - wz;
     *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
-    *error = 64.0 * PARADT__UNIT_ERROR * (square + (size * reach + sides) * inverse) +
+    *error = 64.0 * PARADT__UNIT_ERROR * (f->square + (size * reach + sides) * inverse) +
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
@@ -6115,7 +6154,7 @@ static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphe
     const paradt__spheres3 *s = bw->spheres;
     const unsigned char *order = paradt__facet3[place];
     const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
-    const double *r = paradt__bw_record(bw, vertices[order[2]]), *h = s->half;
+    const double *r = paradt__bw_record(bw, vertices[order[2]]), *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
     double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx, size = paradt__largest3(nx, ny, nz);
     double mx = paradt__largest3(ax, bx, 0.0), my = paradt__largest3(ay, by, 0.0), mz = paradt__largest3(az, bz, 0.0),
@@ -6132,7 +6171,7 @@ static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphe
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
     sphere->constant = t * (nx * seen.s[0] + ny * seen.s[1] + nz * seen.s[2]);
-    sphere->error = 2.0 * s->square +
+    sphere->error = 2.0 * s->frame.square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
@@ -6150,21 +6189,36 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
         const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->sharp, s->half, s->square, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0],
+        paradt__sphere3_make(s->sharp, &s->frame, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0],
                              a[1] - p[1], a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal,
                              sphere->normal + 1, sphere->normal + 2, &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
+// A sphere that is not in the table gets its place in it. The mark of the one that is driven out, if the cavity is
+// being dug, is kept in bw.conflict.
+PARADT__INLINE paradt__sphere3 *paradt__bw3_drive_out(const paradt__bw *bw, paradt_index cell) {
+    paradt__spheres3 *s = bw->spheres;
+    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+    if (sphere->tag & PARADT__KNOWN) {
+        bw->conflict[sphere->tag & ~PARADT__KNOWN] = 1;
+        s->driven_out = 1;
+    }
+    s->missed++;
+    return sphere;
+}
+
+// Makes a sphere that is not in the table.
 PARADT__NOINLINE void paradt__bw3_missed(const paradt__bw *bw, paradt_index cell) {
-    bw->spheres->missed++;
+    paradt__sphere3 *sphere = paradt__bw3_drive_out(bw, cell);
     paradt__bw3_sphere(bw, cell);
+    if (bw->conflict[cell]) sphere->tag |= PARADT__KNOWN;
 }
 
 PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
     const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
-    if (!PARADT__LIKELY(sphere->tag == (paradt__tag)cell)) paradt__bw3_missed(bw, cell);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__bw3_missed(bw, cell);
     return sphere;
 }
 
@@ -6236,17 +6290,9 @@ PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, 
 // cells whose spheres are driven out of the table while the cavity is dug are kept in bw.conflict.
 PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
                                              const double *x) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+    const paradt__spheres3 *s = bw->spheres;
+    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
     double power;
-    if ((sphere->tag & ~PARADT__KNOWN) != (paradt__tag)cell) {
-        if (sphere->tag & PARADT__KNOWN) {
-            bw->conflict[sphere->tag & ~PARADT__KNOWN] = 1;
-            s->driven_out = 1;
-        }
-        paradt__bw3_missed(bw, cell);
-        if (bw->conflict[cell]) sphere->tag |= PARADT__KNOWN;
-    }
     if (sphere->tag & PARADT__KNOWN) return 1;
     power = paradt__sphere3_power(sphere, seen);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
@@ -6302,15 +6348,24 @@ PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const pa
     paradt__bw3_judge(dig, inner, sphere, conflict);
 }
 
+// Makes the spheres that are not in the table of the cells across facets that wait. It may leave some out.
+typedef void (*paradt__miss3)(const paradt__bw *bw, const paradt_index *waiting, int count);
+
+static void paradt__bw3_miss_plain(const paradt__bw *bw, const paradt_index *waiting, int count) {
+    int i;
+    for (i = 0; i < count; i++) paradt__bw3_sphere_of(bw, bw->cells.neighbors[waiting[i]] >> 2);
+}
+
 // Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
 PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen,
-                                            const double *x) {
+                                            const double *x, paradt__miss3 miss) {
     const paradt_index *waiting = bw->spheres->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
         paradt_index opposite = bw->cells.vertices[dig->neighbors[waiting[i]]];
         PARADT__PREFETCH(paradt__bw_record(bw, opposite >= 0 ? opposite : 0));
     }
+    miss(bw, waiting, count);
     for (i = 0; i < count; i++) {
         paradt__tag other = (paradt__tag)dig->neighbors[waiting[i]] >> 2;
         paradt__bw3_judge(dig, waiting[i], dig->table + (other & dig->mask),
@@ -6351,7 +6406,7 @@ typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, paradt__star3 *star, 
                                       const paradt__seen3 *seen);
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
-                                             const double *x, paradt__spread3 spread) {
+                                             const double *x, paradt__spread3 spread, paradt__miss3 miss) {
     size_t head = 0;
     paradt__dig3 dig;
     dig.cavity = bw->cavity;
@@ -6369,7 +6424,7 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
         paradt_status status;
         head = spread(bw, &dig, seen, x, head);
         if (head == dig.cavity_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x);
+        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, miss);
         status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
                                  dig.cavity_count + PARADT__DIG_ROOM);
         if (!status)
@@ -6385,7 +6440,7 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
 
 static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
     int i;
-    for (i = 0; i < s->count; i++) s->vertex[i] = PARADT__DEAD;
+    for (i = 0; i < s->count; i++) s->around[i].is.vertex = PARADT__DEAD;
     s->count = 0;
 }
 
@@ -6413,28 +6468,30 @@ PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
 // largest, which few stars need, at most an eighth.
 PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
-    size_t star = PARADT__SMALL_STAR, line = 64 / sizeof(paradt_index), vertices, row;
-    if (bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR) return PARADT_OK;
+    size_t star = PARADT__LARGE_STAR, vertices, rows;
+    if (bw->rim_count <= PARADT__LARGE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR)
+        return PARADT_OK;
     while (star < bw->rim_count) star *= 2;
     vertices = 2 + star / 2;
-    row = ((vertices + line - 1) / line | 1) * line;
-    if (vertices * row > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return PARADT_OK;
+    rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
+    if (vertices * rows * PARADT__EDGE_ROW > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return PARADT_OK;
     paradt__release(bw->memory, s->large_edges);
     s->large_star = 0;
-    s->large_edges = (paradt_index *)paradt__alloc(bw->memory, vertices * row, sizeof *s->large_edges);
+    s->large_edges =
+        (paradt_index *)paradt__alloc(bw->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
     if (!s->large_edges) return PARADT_ERROR_MEMORY;
     s->large_star = star;
-    s->large_row = row;
+    s->large_rows = rows;
     return PARADT_OK;
 }
 
 PARADT__NOINLINE size_t paradt__bw3_number(paradt__bw *bw, paradt_index vertex) {
     paradt__spheres3 *s = bw->spheres;
-    size_t number = (size_t)s->count++;
-    s->number[vertex + 1] = (uint16_t)number;
-    s->vertex[number] = vertex;
+    size_t offset = (size_t)s->count++ * sizeof *s->around;
+    s->number[vertex + 1] = (uint16_t)offset;
+    paradt__around3_at(s, offset)->is.vertex = vertex;
     PARADT__PREFETCH(paradt__bw_record(bw, vertex >= 0 ? vertex : 0));
-    return number;
+    return offset;
 }
 
 // Keeps the places of the vertices with numbers from `first` on: all are fetched by then.
@@ -6442,7 +6499,9 @@ PARADT__INLINE void paradt__bw3_keep_places(paradt__bw *bw, int first) {
     paradt__spheres3 *s = bw->spheres;
     int i;
     for (i = first; i < s->count; i++) {
-        if (s->vertex[i] >= 0) memcpy(s->place[i], paradt__bw_record(bw, s->vertex[i]), 3 * sizeof(double));
+        paradt__around3 *around = s->around + i;
+        if (around->is.vertex >= 0)
+            memcpy(around->place, paradt__bw_record(bw, around->is.vertex), sizeof around->place);
     }
 }
 
@@ -6458,44 +6517,57 @@ static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int
     row[3] = point;
 }
 
-// Numbers the vertices of the rim and enters its edges.
-PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point,
-                                        paradt__turn3 turn) {
+// The number of a vertex of the rim, as an offset
+PARADT__INLINE size_t paradt__bw3_number_of(paradt__bw *bw, const uint16_t *numbers, paradt_index vertex) {
+    size_t offset = numbers[vertex];
+    if (PARADT__LIKELY(paradt__around3_at(bw->spheres, offset)->is.vertex == vertex)) return offset;
+    return paradt__bw3_number(bw, vertex);
+}
+
+// The place of the edge from one vertex to another, by their offsets, in a table of edges
+PARADT__INLINE size_t paradt__edge3(size_t from, size_t to, size_t rows) {
+    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__around3)) + to / sizeof(paradt__around3);
+}
+
+// The rows of the new cells, and what is across the rim
+PARADT__INLINE void paradt__bw3_rows(paradt__bw *bw, paradt_index point, paradt__turn3 turn) {
     paradt__spheres3 *s = bw->spheres;
     const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
+    size_t i, count = bw->rim_count;
+    for (i = 0; i < count; i++) {
+        paradt__tag inner = (paradt__tag)rim[i];
+        turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
+        s->outer[i] = neighbors[inner];
+    }
+}
+
+// Numbers the vertices of the rim and enters its edges.
+PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t rows) {
+    paradt__spheres3 *s = bw->spheres;
     const uint16_t *numbers = s->number + 1;
-    paradt_index ghosts = 0;
     size_t i, count = bw->rim_count;
     int known = s->count;
+    paradt__around3 *infinite = paradt__around3_at(s, numbers[PARADT__INFINITE]);
+    if (infinite->is.vertex == PARADT__INFINITE) infinite->is.vertex = PARADT__DEAD;
     for (i = 0; i < count; i++) {
-        paradt__tag inner = (paradt__tag)rim[i], edge = (paradt__tag)s->base[i];
-        paradt_index *to = s->row[i], a, b, c;
-        size_t na, nb, nc;
-        turn(to, vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
-        a = to[0];
-        b = to[1];
-        c = to[2];
-        na = numbers[a];
-        nb = numbers[b];
-        nc = numbers[c];
-        if (!PARADT__LIKELY(s->vertex[na] == a)) na = paradt__bw3_number(bw, a);
-        if (!PARADT__LIKELY(s->vertex[nb] == b)) nb = paradt__bw3_number(bw, b);
-        if (!PARADT__LIKELY(s->vertex[nc] == c)) nc = paradt__bw3_number(bw, c);
-        s->outer[i] = neighbors[inner];
-        s->corner[i][0] = (uint16_t)na;
-        s->corner[i][1] = (uint16_t)nb;
-        s->corner[i][2] = (uint16_t)nc;
-        edges[nb * row + nc] = (paradt_index)edge;
-        edges[nc * row + na] = (paradt_index)(edge + 1);
-        edges[na * row + nb] = (paradt_index)(edge + 2);
-        ghosts |= a | b | c;
+        const paradt_index *row = s->row[i];
+        size_t a = paradt__bw3_number_of(bw, numbers, row[0]), b = paradt__bw3_number_of(bw, numbers, row[1]);
+        size_t c = paradt__bw3_number_of(bw, numbers, row[2]);
+        paradt_index edge = s->base[i];
+        uint16_t *corner = s->corner[i];
+        corner[0] = (uint16_t)a;
+        corner[1] = (uint16_t)b;
+        corner[2] = (uint16_t)c;
+        edges[paradt__edge3(b, c, rows)] = edge;
+        edges[paradt__edge3(c, a, rows)] = edge + 1;
+        edges[paradt__edge3(a, b, rows)] = edge + 2;
     }
-    s->ghosts = ghosts < 0;
+    s->ghosts = paradt__around3_at(s, numbers[PARADT__INFINITE])->is.vertex == PARADT__INFINITE;
     paradt__bw3_keep_places(bw, known);
 }
 
 // Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t row) {
+PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t rows) {
     const paradt__spheres3 *s = bw->spheres;
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
     size_t i, count = bw->rim_count;
@@ -6504,20 +6576,26 @@ PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, 
         size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
         paradt_index *links = neighbors + base;
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        links[0] = edges[c * row + b];
-        links[1] = edges[a * row + c];
-        links[2] = edges[b * row + a];
+        links[0] = edges[paradt__edge3(c, b, rows)];
+        links[1] = edges[paradt__edge3(a, c, rows)];
+        links[2] = edges[paradt__edge3(b, a, rows)];
         links[3] = (paradt_index)outer;
         neighbors[outer] = (paradt_index)(base + 3);
     }
 }
 
-// The new cells and their links by a table of edges with rows of `row`. Inlined with a constant the small one's is
-// faster.
-PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t row, paradt_index point,
-                                     paradt__turn3 turn) {
-    paradt__bw3_outline(bw, edges, row, point, turn);
-    paradt__bw3_star(bw, edges, row);
+// The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
+// constant it is faster.
+PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t rows) {
+    paradt__bw3_outline(bw, edges, rows);
+    paradt__bw3_star(bw, edges, rows);
+}
+
+// The same for more new cells than a point has as a rule
+PARADT__NOINLINE void paradt__bw3_link_large(paradt__bw *bw) {
+    paradt__spheres3 *s = bw->spheres;
+    if (bw->rim_count <= PARADT__LARGE_STAR) paradt__bw3_link(bw, s->edges, PARADT__LARGE_ROWS);
+    else paradt__bw3_link(bw, s->large_edges, s->large_rows);
 }
 
 // Where the new cells go: into the places of the cavity, then into free ones. What remains of the cavity becomes free.
@@ -6533,62 +6611,47 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
 
 // Four new cells that are no ghosts: their vertices but for the new one, by axis, and what their spheres are made of
 typedef struct paradt__four3 {
-    const double *place[3][4];
     double corner[3][3][4]; // [vertex][axis][cell]
     double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-    paradt__sphere3 *to[4];
 } paradt__four3;
 
-typedef void (*paradt__four3_move)(paradt__four3 *four);
-
-static void paradt__four3_load_plain(paradt__four3 *four) {
-    int i, axis, lane;
-    for (i = 0; i < 3; i++) {
-        for (lane = 0; lane < 4; lane++) {
-            for (axis = 0; axis < 3; axis++) four->corner[i][axis][lane] = four->place[i][lane][axis];
-        }
-    }
-}
-
-static void paradt__four3_store_plain(paradt__four3 *four) {
-    int axis, lane;
-    for (lane = 0; lane < 4; lane++) {
-        for (axis = 0; axis < 3; axis++) four->to[lane]->normal[axis] = four->normal[axis][lane];
-        four->to[lane]->constant = four->constant[lane];
+// Of new cells, none of them a ghost, the last one again, up to a multiple of four
+PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
+    int last = star->count - 1, i;
+    for (i = star->count; i % 4; i++) {
+        star->base[i] = star->base[last];
+        memcpy(star->corner[i], star->corner[last], sizeof star->corner[i]);
     }
 }
 
 // The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
 // the four lanes the least power so far is kept, and of which four it is.
 PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt__star3 *star, const double *x,
-                                         const paradt__seen3 *seen, paradt__four3_move load, paradt__four3_move store) {
-    const double half[3] = {s->half[0], s->half[1], s->half[2]}, square = s->square, x0 = x[0], x1 = x[1], x2 = x[2];
+                                         const paradt__seen3 *seen) {
+    const double x0 = x[0], x1 = x[1], x2 = x[2];
+    const paradt__frame3 frame = s->frame;
     paradt__seen3 p = *seen, next = s->next;
     paradt__four3 four;
     double(*a)[4] = four.corner[0], (*b)[4] = four.corner[1], (*c)[4] = four.corner[2];
-    int i, lane, best = 0, count = star->count;
+    int i, vertex, axis, lane, best = 0;
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
-    for (i = count; i % 4; i++) {
-        star->base[i] = star->base[count - 1];
-        memcpy(star->corner[i], star->corner[count - 1], sizeof star->corner[i]);
-    }
-    for (i = 0; i < count; i += 4) {
+    paradt__star3_fill(star);
+    for (i = 0; i < star->count; i += 4) {
         const double at = i;
         for (lane = 0; lane < 4; lane++) {
-            const uint16_t *corner = star->corner[i + lane];
-            four.place[0][lane] = s->place[corner[0]];
-            four.place[1][lane] = s->place[corner[1]];
-            four.place[2][lane] = s->place[corner[2]];
+            for (vertex = 0; vertex < 3; vertex++) {
+                const double *place = paradt__around3_at(s, star->corner[i + lane][vertex])->place;
+                for (axis = 0; axis < 3; axis++) four.corner[vertex][axis][lane] = place[axis];
+            }
         }
-        load(&four);
         for (lane = 0; lane < 4; lane++) {
             double nx, ny, nz, d, e;
-            paradt__sphere3_make(sharp, half, square, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2,
-                                 a[0][lane] - x0, a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1,
-                                 c[2][lane] - x2, &nx, &ny, &nz, &d, &e);
+            paradt__sphere3_make(sharp, &frame, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
+                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
+                                 &nx, &ny, &nz, &d, &e);
             four.normal[0][lane] = nx;
             four.normal[1][lane] = ny;
             four.normal[2][lane] = nz;
@@ -6600,11 +6663,12 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt_
         }
         for (lane = 0; lane < 4; lane++) {
             paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            four.to[lane] = s->table + (cell & s->mask);
-            four.to[lane]->error = four.error[lane];
-            four.to[lane]->tag = cell;
+            paradt__sphere3 *to = s->table + (cell & s->mask);
+            for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
+            to->constant = four.constant[lane];
+            to->error = four.error[lane];
+            to->tag = cell;
         }
-        store(&four);
     }
     for (lane = 1; lane < 4; lane++) best = four.least[lane] < four.least[best] ? lane : best;
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
@@ -6612,13 +6676,12 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt_
 
 PARADT__NOINLINE void paradt__bw3_make_sharp_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                                    const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, s, star, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    paradt__bw3_make_any(1, s, star, x, seen);
 }
 
 static void paradt__bw3_make_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                    const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!s->sharp))
-        paradt__bw3_make_any(0, s, star, x, seen, paradt__four3_load_plain, paradt__four3_store_plain);
+    if (PARADT__LIKELY(!s->sharp)) paradt__bw3_make_any(0, s, star, x, seen);
     else paradt__bw3_make_sharp_plain(s, star, x, seen);
 }
 
@@ -6680,14 +6743,22 @@ static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) 
     return status ? status : paradt__bw3_clear(bw, 0);
 }
 
+// Do the numbers that are kept and those of the rim's vertices, 2 + facets / 2 at most, fit the table of edges?
+PARADT__INLINE int paradt__bw3_fits_numbers(const paradt__spheres3 *s, size_t facets) {
+    if (PARADT__LIKELY(facets <= PARADT__COMMON_STAR))
+        return (size_t)s->count + 2 + facets / 2 <= PARADT__COMMON_VERTICES;
+    return s->count <= PARADT__FEW_NUMBERS && facets <= PARADT__LARGE_STAR / 2;
+}
+
 PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
-                                                    paradt__make_spheres3 make, paradt__turn3 turn) {
+                                                    paradt__miss3 miss, paradt__make_spheres3 make,
+                                                    paradt__turn3 turn) {
     paradt__spheres3 *s = bw->spheres;
     const double *x = paradt__bw_record(bw, point);
     paradt__seen3 seen = s->next;
-    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread);
+    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread, miss);
     size_t i;
-    int is_small;
+    int is_common;
     if (status) return status;
     if (bw->inserted + 1 < bw->count)
         s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
@@ -6697,16 +6768,17 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     s->driven_out = 0;
     s->made += bw->rim_count;
     if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) status = paradt__bw3_adapt(bw);
-    is_small = bw->rim_count <= PARADT__SMALL_STAR;
-    if (!PARADT__LIKELY(is_small) && !status) status = paradt__bw3_widen_star(bw);
+    is_common = bw->rim_count <= PARADT__COMMON_STAR;
+    if (!PARADT__LIKELY(is_common) && !status) status = paradt__bw3_widen_star(bw);
     if (status) return status;
-    if (!PARADT__LIKELY(is_small) && bw->rim_count > s->large_star) return paradt__bw3_fill_large(bw, point);
-    // So numbers that are kept and those that come, 48 + 2 + 128 / 2 or 2 + 256 / 2, fit the small table of edges.
-    if (s->count > PARADT__FEW_NUMBERS || bw->rim_count > PARADT__SMALL_STAR / 2) paradt__spheres3_forget_numbers(s);
+    if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__LARGE_STAR && bw->rim_count > s->large_star)
+        return paradt__bw3_fill_large(bw, point);
+    if (!paradt__bw3_fits_numbers(s, bw->rim_count)) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
-    if (PARADT__LIKELY(is_small)) paradt__bw3_link(bw, s->edges, PARADT__SMALL_STAR_ROW, point, turn);
-    else paradt__bw3_link(bw, s->large_edges, s->large_row, point, turn);
+    paradt__bw3_rows(bw, point, turn);
+    if (PARADT__LIKELY(is_common)) paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW);
+    else paradt__bw3_link_large(bw);
     paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
@@ -6717,7 +6789,8 @@ static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const
 }
 
 static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_make_plain, paradt__turn3_plain);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_miss_plain, paradt__bw3_make_plain,
+                                  paradt__turn3_plain);
 }
 
 #if PARADT__BW_AVX2
@@ -6770,14 +6843,15 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         unsigned conflict, fresh, sure;
         PARADT__PREFETCH(bw->cells.vertices + base);
         enum { ERROR = 4 * sizeof(double), TAG = 5 * sizeof(double) };
-        __m128d rest_a = _mm_load_pd((const double *)(const void *)(a + ERROR)),
-                rest_b = _mm_load_pd((const double *)(const void *)(b + ERROR)),
-                rest_c = _mm_load_pd((const double *)(const void *)(c + ERROR)),
-                rest_d = _mm_load_pd((const double *)(const void *)(d + ERROR));
-        __m256d error = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_unpacklo_pd(rest_a, rest_b)),
-                                             _mm_unpacklo_pd(rest_c, rest_d), 1);
-        tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm_unpackhi_pd(rest_a, rest_b)),
-                                               _mm_castpd_ps(_mm_unpackhi_pd(rest_c, rest_d)), 0x88));
+        __m128d error_ab = _mm_loadh_pd(_mm_load_sd((const double *)(const void *)(a + ERROR)),
+                                        (const double *)(const void *)(b + ERROR)),
+                error_cd = _mm_loadh_pd(_mm_load_sd((const double *)(const void *)(c + ERROR)),
+                                        (const double *)(const void *)(d + ERROR));
+        __m256d error = _mm256_insertf128_pd(_mm256_castpd128_pd256(error_ab), error_cd, 1);
+        tags = _mm_cvtsi32_si128(*(const int *)(const void *)(a + TAG));
+        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(b + TAG), 1);
+        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(c + TAG), 2);
+        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(d + TAG), 3);
         sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
                (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others)));
         if (!PARADT__LIKELY(sure == 15)) {
@@ -6814,41 +6888,220 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
     return head;
 }
 
-PARADT__AVX2 static void paradt__four3_load_avx2(paradt__four3 *four) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__abs_avx2(__m256d x) {
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+}
+
+PARADT__AVX2 PARADT__INLINE __m256d paradt__dot_avx2(const __m256d *a, const __m256d *b) {
+    return _mm256_fmadd_pd(a[2], b[2], _mm256_fmadd_pd(a[1], b[1], _mm256_mul_pd(a[0], b[0])));
+}
+
+// a x b, by one axis, or with sign -1 the size of its terms
+PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const __m256d *b, int axis, int sign) {
+    int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    __m256d product = _mm256_mul_pd(a[k], b[j]);
+    return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
+}
+
+// P and sum N_j h_j of paradt__sphere3_make, for four cells
+PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
+                                                    const __m256d *c, const __m256d *squares, __m256d *size,
+                                                    __m256d *sides) {
+    __m256d sa[3], sb[3], sc[3], m[3];
     int i;
     for (i = 0; i < 3; i++) {
-        const double *const *p = four->place[i];
-        __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[0])), _mm_loadu_pd(p[2]), 1);
-        __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[1])), _mm_loadu_pd(p[3]), 1);
-        __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[0] + 2)), _mm_loadu_pd(p[2] + 2), 1);
-        __m256d z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[1] + 2)), _mm_loadu_pd(p[3] + 2), 1);
-        _mm256_storeu_pd(four->corner[i][0], _mm256_unpacklo_pd(xy_02, xy_13));
-        _mm256_storeu_pd(four->corner[i][1], _mm256_unpackhi_pd(xy_02, xy_13));
-        _mm256_storeu_pd(four->corner[i][2], _mm256_unpacklo_pd(z_02, z_13));
+        sa[i] = paradt__abs_avx2(a[i]);
+        sb[i] = paradt__abs_avx2(b[i]);
+        sc[i] = paradt__abs_avx2(c[i]);
+        m[i] = _mm256_add_pd(_mm256_add_pd(sa[i], sb[i]), sc[i]);
+    }
+    if (sharp) {
+        __m256d bc[3];
+        for (i = 0; i < 3; i++) {
+            bc[i] = paradt__cross_avx2(sb, sc, i, -1);
+            m[i] = _mm256_mul_pd(squares[0], bc[i]);
+            m[i] = _mm256_fmadd_pd(squares[1], paradt__cross_avx2(sc, sa, i, -1), m[i]);
+            m[i] = _mm256_fmadd_pd(squares[2], paradt__cross_avx2(sa, sb, i, -1), m[i]);
+        }
+        *size = paradt__dot_avx2(sa, bc);
+        *sides = paradt__dot_avx2(half, m);
+    } else {
+        __m256d sum = _mm256_add_pd(_mm256_add_pd(squares[0], squares[1]), squares[2]);
+        __m256d base = _mm256_mul_pd(m[0], m[1]);
+        __m256d walls = _mm256_fmadd_pd(m[0], half[1], _mm256_mul_pd(m[1], half[0]));
+        *size = _mm256_mul_pd(base, m[2]);
+        *sides = _mm256_mul_pd(sum, _mm256_fmadd_pd(walls, m[2], _mm256_mul_pd(base, half[2])));
     }
 }
 
-PARADT__AVX2 static void paradt__four3_store_avx2(paradt__four3 *four) {
-    __m256d x = _mm256_loadu_pd(four->normal[0]), y = _mm256_loadu_pd(four->normal[1]);
-    __m256d z = _mm256_loadu_pd(four->normal[2]), w = _mm256_loadu_pd(four->constant);
-    __m256d xy_02 = _mm256_unpacklo_pd(x, y), xy_13 = _mm256_unpackhi_pd(x, y);
-    __m256d zw_02 = _mm256_unpacklo_pd(z, w), zw_13 = _mm256_unpackhi_pd(z, w);
-    _mm256_store_pd(four->to[0]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
-    _mm256_store_pd(four->to[1]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
-    _mm256_store_pd(four->to[2]->normal, _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
-    _mm256_store_pd(four->to[3]->normal, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+// The spheres of four cells, as paradt__sphere3_make makes them. p: by axis, and the lift, as the spheres see it
+PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame3 *f, const __m256d *p,
+                                                      const __m256d *a, const __m256d *b, const __m256d *c,
+                                                      __m256d *normal, __m256d *constant, __m256d *error) {
+    const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
+    const __m256d squares[3] = {paradt__dot_avx2(a, a), paradt__dot_avx2(b, b), paradt__dot_avx2(c, c)};
+    __m256d ab[3], v[3], w[3], sizes[3], size, sides, floor, det, inverse, doubt;
+    int i;
+    paradt__four_sizes(sharp, half, a, b, c, squares, &size, &sides);
+    floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
+    floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
+    floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
+    for (i = 0; i < 3; i++) {
+        ab[i] = paradt__cross_avx2(a, b, i, 1);
+        v[i] = _mm256_fmsub_pd(squares[0], b[i], _mm256_mul_pd(squares[1], a[i]));
+    }
+    det = paradt__dot_avx2(ab, c);
+    inverse = _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_max_pd(det, floor));
+    for (i = 0; i < 3; i++) {
+        w[i] = _mm256_fmadd_pd(squares[2], ab[i], paradt__cross_avx2(v, c, i, 1));
+        w[i] = _mm256_mul_pd(w[i], inverse);
+        normal[i] = _mm256_fmsub_pd(_mm256_set1_pd(-2.0), p[i], w[i]);
+        sizes[i] = paradt__abs_avx2(w[i]);
+    }
+    *constant = _mm256_add_pd(paradt__dot_avx2(w, p), p[3]);
+    doubt = _mm256_fmadd_pd(size, paradt__dot_avx2(sizes, half), sides);
+    doubt = _mm256_fmadd_pd(doubt, inverse, _mm256_set1_pd(f->square));
+    *error = _mm256_blendv_pd(_mm256_set1_pd(PARADT__NO_ERROR_BOUND),
+                              _mm256_mul_pd(doubt, _mm256_set1_pd(64.0 * PARADT__UNIT_ERROR)),
+                              _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
+}
+
+// Puts the spheres of four cells into the table.
+PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere3 *table, paradt__tag mask, __m128i cells,
+                                                    const __m256d *normal, __m256d constant, __m256d error) {
+    __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
+    uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
+    double *to[4];
+    __m256d xy_02 = _mm256_unpacklo_pd(normal[0], normal[1]), xy_13 = _mm256_unpackhi_pd(normal[0], normal[1]);
+    __m256d zw_02 = _mm256_unpacklo_pd(normal[2], constant), zw_13 = _mm256_unpackhi_pd(normal[2], constant);
+    __m256d tags = _mm256_castsi256_pd(_mm256_cvtepu32_epi64(cells));
+    __m256d rest_02 = _mm256_unpacklo_pd(error, tags), rest_13 = _mm256_unpackhi_pd(error, tags);
+    to[0] = (double *)(void *)((char *)table + (uint32_t)low);
+    to[1] = (double *)(void *)((char *)table + (low >> 32));
+    to[2] = (double *)(void *)((char *)table + (uint32_t)high);
+    to[3] = (double *)(void *)((char *)table + (high >> 32));
+    _mm256_store_pd(to[0], _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
+    _mm256_store_pd(to[1], _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
+    _mm256_store_pd(to[2], _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
+    _mm256_store_pd(to[3], _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+    _mm_store_pd(to[0] + 4, _mm256_castpd256_pd128(rest_02));
+    _mm_store_pd(to[1] + 4, _mm256_castpd256_pd128(rest_13));
+    _mm_store_pd(to[2] + 4, _mm256_extractf128_pd(rest_02, 1));
+    _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
+}
+
+// Four places, by axis, less a point
+PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const double *b, const double *c, const double *d,
+                                                     const __m256d *point, __m256d *to) {
+    __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
+    __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
+    __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
+    __m256d z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(b + 2)), _mm_load_sd(d + 2), 1);
+    to[0] = _mm256_sub_pd(_mm256_unpacklo_pd(xy_02, xy_13), point[0]);
+    to[1] = _mm256_sub_pd(_mm256_unpackhi_pd(xy_02, xy_13), point[1]);
+    to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
+}
+
+// The same of the vertices that four new cells have in a place
+PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__spheres3 *s, uint16_t (*corner)[4], int place,
+                                                     const __m256d *point, __m256d *to) {
+    paradt__four_places(paradt__around3_at(s, corner[0][place])->place, paradt__around3_at(s, corner[1][place])->place,
+                        paradt__around3_at(s, corner[2][place])->place, paradt__around3_at(s, corner[3][place])->place,
+                        point, to);
+}
+
+// Of four cells that with the least power
+PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m128i cells) {
+    int cell[4];
+    __m256d least = _mm256_min_pd(powers, _mm256_permute2f128_pd(powers, powers, 1));
+    least = _mm256_min_pd(least, _mm256_permute_pd(least, 5));
+    _mm_storeu_si128((__m128i *)(void *)cell, cells);
+    return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
+}
+
+PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, paradt__spheres3 *s, paradt__star3 *star,
+                                                       const double *x, const paradt__seen3 *seen) {
+    const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
+    const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
+                          _mm256_set1_pd(seen->lift)};
+    const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
+    const paradt__frame3 frame = s->frame;
+    paradt__sphere3 *table = s->table;
+    paradt__tag mask = s->mask;
+    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
+    __m128i best = _mm_set1_epi32(star->base[0] >> 2);
+    int i, count = star->count;
+    paradt__star3_fill(star);
+    for (i = 0; i < count; i += 4) {
+        __m256d a[3], b[3], c[3], normal[3], constant, error, power, less;
+        __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
+        paradt__four_around(s, star->corner + i, 1, point, a);
+        paradt__four_around(s, star->corner + i, 0, point, b);
+        paradt__four_around(s, star->corner + i, 2, point, c);
+        paradt__four_spheres(sharp, &frame, p, a, b, c, normal, &constant, &error);
+        paradt__four_store(table, mask, cells, normal, constant, error);
+        power = _mm256_add_pd(constant, paradt__dot_avx2(normal, next)); // less the next point's lift
+        less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
+        least = _mm256_min_pd(power, least);
+        is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
+                                                  _mm_castpd_ps(_mm256_extractf128_pd(less, 1)), 0x88));
+        best = _mm_blendv_epi8(best, cells, is_less);
+    }
+    s->start = paradt__four_least(least, best);
 }
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(paradt__spheres3 *s, paradt__star3 *star,
                                                                const double *x, const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, s, star, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+    paradt__bw3_make_four(1, s, star, x, seen);
 }
 
 PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, paradt__star3 *star, const double *x,
                                                const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!s->sharp))
-        paradt__bw3_make_any(0, s, star, x, seen, paradt__four3_load_avx2, paradt__four3_store_avx2);
+    if (PARADT__LIKELY(!s->sharp)) paradt__bw3_make_four(0, s, star, x, seen);
     else paradt__bw3_make_sharp_avx2(s, star, x, seen);
+}
+
+// The spheres of four cells that are not in the table, none of them a ghost
+PARADT__AVX2 PARADT__INLINE void paradt__bw3_miss_four(const paradt__bw *bw, const int *cells) {
+    const paradt__spheres3 *s = bw->spheres;
+    const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
+                               _mm256_set1_pd(s->centre[2])};
+    __m256d corner[4][3], p[4], normal[3], constant, error;
+    int i, axis;
+    for (i = 0; i < 4; i++) {
+        const paradt_index *vertices = bw->cells.vertices + i;
+        const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
+        paradt__four_places(paradt__bw_record(bw, vertices[4 * (size_t)cells[0]]),
+                            paradt__bw_record(bw, vertices[4 * (size_t)cells[1]]),
+                            paradt__bw_record(bw, vertices[4 * (size_t)cells[2]]),
+                            paradt__bw_record(bw, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+    }
+    for (axis = 0; axis < 3; axis++) {
+        for (i = 0; i < 3; i++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
+        p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
+    }
+    p[3] = paradt__dot_avx2(p, p);
+    paradt__four_spheres(s->sharp, &s->frame, p, corner[1], corner[0], corner[2], normal, &constant, &error);
+    paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), normal, constant,
+                       error);
+}
+
+PARADT__AVX2 static void paradt__bw3_miss_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
+    const paradt__spheres3 *s = bw->spheres;
+    int cells[PARADT__LATE + 3], missing = 0, i;
+    for (i = 0; i < count; i++) {
+        paradt_index cell = bw->cells.neighbors[waiting[i]] >> 2;
+        cells[missing] = cell;
+        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
+                   paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
+    }
+    for (i = 0; i < missing; i++) paradt__bw3_drive_out(bw, cells[i]);
+    for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
+    for (i = 0; i < missing; i += 4) paradt__bw3_miss_four(bw, cells + i);
+    for (i = 0; i < missing; i++) {
+        paradt__sphere3 *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
+        if (bw->conflict[cells[i]] && sphere->tag == (paradt__tag)cells[i]) sphere->tag |= PARADT__KNOWN;
+    }
 }
 
 // The shuffles for paradt__facet3; the last place is left empty.
@@ -6867,7 +7120,8 @@ PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_inde
 }
 
 PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_make_avx2, paradt__turn3_avx2);
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_miss_avx2, paradt__bw3_make_avx2,
+                                  paradt__turn3_avx2);
 }
 #endif
 
@@ -6889,9 +7143,10 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
+    while (size < bw->count / 16 && size < PARADT__MOST_SPHERES) size *= 2;
     s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
     if (!s) return PARADT_ERROR_MEMORY;
-    memset(s, 0, offsetof(paradt__spheres3, vertex)); // what follows is written before it is read
+    memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
     if (!paradt__bw3_more_numbers(bw, bw->count + 1)) return PARADT_ERROR_MEMORY;
@@ -6900,12 +7155,12 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
         double high = paradt__from_ordered_bits(bw->space.high[axis]);
         s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->half[axis] = (high - low) * 0.5000001;
-        s->square += s->half[axis] * s->half[axis];
+        s->frame.half[axis] = (high - low) * 0.5000001;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
-    s->steep = sqrt(s->square) * paradt__power(60);
-    s->nil = bw->space.insphere[3].quantum / (64.0 * s->half[0] * s->half[1] * s->half[2]);
-    for (i = 0; i < PARADT__STAR_VERTICES; i++) s->vertex[i] = PARADT__DEAD;
+    s->steep = sqrt(s->frame.square) * paradt__power(60);
+    s->nil = bw->space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    for (i = 0; i < PARADT__STAR_VERTICES; i++) s->around[i].is.vertex = PARADT__DEAD;
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, 4)));
     return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, 64);
 }
@@ -6983,11 +7238,19 @@ PARADT__INLINE int paradt__bw_number(paradt__bw *bw, size_t place, size_t corner
     paradt_index *vertices = bw->cells.vertices + place * corners, *neighbors = bw->cells.neighbors + place * corners;
     paradt_index any = 0;
     size_t j;
-    for (j = 0; j < corners; j++) {
-        paradt_index handle = neighbors[j];
-        any |= handle;
-        neighbors[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners);
-    }
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)neighbors), open = _mm_srai_epi32(handles, 31);
+        any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
+        handles = _mm_or_si128(_mm_and_si128(open, handles), _mm_andnot_si128(open, _mm_srli_epi32(handles, 2)));
+        _mm_storeu_si128((__m128i *)(void *)neighbors, handles);
+    } else
+#endif
+        for (j = 0; j < corners; j++) {
+            paradt_index handle = neighbors[j];
+            any |= handle;
+            neighbors[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners);
+        }
     for (j = 0; origin && j < corners; j++) vertices[j] = origin[vertices[j]];
     return any < 0;
 }
@@ -7096,7 +7359,7 @@ static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index poi
 // The i-th of the cells that the last insertion made, of bw->rim_count.
 PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
     const paradt__spheres3 *s = bw->spheres;
-    if (s && (bw->rim_count <= PARADT__SMALL_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
+    if (s && (bw->rim_count <= PARADT__LARGE_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
     return paradt__bw_cell(bw, bw->rim[i]);
 }
 

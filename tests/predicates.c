@@ -1071,16 +1071,57 @@ static void take_near_a_sphere(sample *s, int shortness) {
     }
 }
 
-// A power larger than the bound on its error has the sign of the in-sphere determinant, by either bound; and the sharp
-// one is not larger.
+// The sphere through four of a sample's points, and the bound on the errors of its powers
+typedef struct sphere {
+    double normal[3], constant, error;
+} sphere;
+
+static const paradt__frame3 unit_cube = {{1, 1, 1}, 3};
+
+static sphere plain_sphere(const sample *s, int sharp) {
+    const double *a = s->points[1], *b = s->points[0], *c = s->points[2], *p = s->points[3];
+    const paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+    sphere made;
+    paradt__sphere3_make(sharp, &unit_cube, &at, a[0] - p[0], a[1] - p[1], a[2] - p[2], b[0] - p[0], b[1] - p[1],
+                         b[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], made.normal, made.normal + 1,
+                         made.normal + 2, &made.constant, &made.error);
+    return made;
+}
+
+#if PARADT__BW_AVX2
+// The same by the copy for AVX2, which makes four at a time: all of them the same here.
+PARADT__AVX2 static sphere avx2_sphere(const sample *s, int sharp) {
+    __m256d corner[4][3], at[4], normal[3], constant, error;
+    sphere made;
+    for (int axis = 0; axis < 3; axis++) {
+        at[axis] = _mm256_set1_pd(s->points[3][axis]);
+        for (int i = 0; i < 3; i++)
+            corner[i][axis] = _mm256_set1_pd(s->points[i][axis] - s->points[3][axis]);
+    }
+    at[3] = paradt__dot_avx2(at, at);
+    paradt__four_spheres(sharp, &unit_cube, at, corner[1], corner[0], corner[2], normal, &constant, &error);
+    for (int axis = 0; axis < 3; axis++)
+        made.normal[axis] = _mm256_cvtsd_f64(normal[axis]);
+    made.constant = _mm256_cvtsd_f64(constant);
+    made.error = _mm256_cvtsd_f64(error);
+    return made;
+}
+
+static int has_avx2(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+#else
+static sphere avx2_sphere(const sample *s, int sharp) { return plain_sphere(s, sharp); }
+
+static int has_avx2(void) { return 0; }
+#endif
+
+// A power larger than the bound on its error has the sign of the in-sphere determinant, by either bound and either copy
+// of the code; and the sharp bound is not larger.
 static void powers_are_as_exact_as_they_claim(void **state) {
-    const double half[3] = {1, 1, 1};
     uint64_t settled[2] = {0, 0}, doubtful = 0;
     (void)state;
     start_oracle();
     for (int round = 0; round < 60000; round++) {
         sample s = {3, 3, 0, {{0}}, {0}};
-        double normal[3], constant, error[2];
         take_near_a_sphere(&s, round % 25);
         if (oracle_orient(s.points, 3) < 0) {
             const double *first = s.points[0];
@@ -1088,27 +1129,29 @@ static void powers_are_as_exact_as_they_claim(void **state) {
         }
         if (oracle_orient(s.points, 3) == 0)
             continue;
-        const double *a = s.points[1], *b = s.points[0], *c = s.points[2], *p = s.points[3], *x = s.points[4];
-        paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+        const double *x = s.points[4];
         int sign = oracle_insphere(s.points, 3, 3, 0);
-        for (int sharp = 0; sharp < 2; sharp++) {
-            paradt__sphere3_make(sharp, half, 3, &at, a[0] - p[0], a[1] - p[1], a[2] - p[2], b[0] - p[0], b[1] - p[1],
-                                 b[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], normal, normal + 1, normal + 2,
-                                 &constant, error + sharp);
-            double power = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + constant +
-                           (normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2]);
-            if (!(fabs(power) > error[sharp])) {
-                doubtful++;
-                continue;
+        for (int copy = 0; copy < 1 + has_avx2(); copy++) {
+            double error[2];
+            for (int sharp = 0; sharp < 2; sharp++) {
+                sphere made = copy ? avx2_sphere(&s, sharp) : plain_sphere(&s, sharp);
+                double power = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + made.constant +
+                               (made.normal[0] * x[0] + made.normal[1] * x[1] + made.normal[2] * x[2]);
+                error[sharp] = made.error;
+                if (!(fabs(power) > made.error)) {
+                    doubtful++;
+                    continue;
+                }
+                settled[sharp]++;
+                expect(power < 0 ? 1 : -1, sign, sharp ? "power, sharp bound" : "power", &s, "near a sphere");
             }
-            settled[sharp]++;
-            expect(power < 0 ? 1 : -1, sign, sharp ? "power, sharp bound" : "power", &s, "near a sphere");
+            assert_true(error[1] <= error[0] * (1 + 1e-9));
         }
-        assert_true(error[1] <= error[0] * (1 + 1e-9));
     }
     stop_oracle();
-    print_message("%llu and %llu powers settled, %llu not\n", (unsigned long long)settled[0],
-                  (unsigned long long)settled[1], (unsigned long long)doubtful);
+    print_message("%llu and %llu powers settled, %llu not, %s\n", (unsigned long long)settled[0],
+                  (unsigned long long)settled[1], (unsigned long long)doubtful,
+                  has_avx2() ? "with AVX2 and without" : "without AVX2");
     assert_true(settled[0] > 0 && settled[1] > settled[0] && doubtful > 0);
 }
 
