@@ -6818,28 +6818,34 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
 
+// The place of the sphere across a facet, by its handle there: so it is known sooner than by way of vectors.
+PARADT__INLINE char *paradt__place3(const paradt__dig3 *dig, paradt_index handle) {
+    return (char *)(dig->table + ((paradt__tag)handle >> 2 & dig->mask));
+}
+
+// The terms of a point's power
+PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query, __m256d lift) {
+    return _mm256_fmadd_pd(_mm256_load_pd((const double *)(const void *)sphere), query, lift);
+}
+
 PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at,
                                                    const double *x, size_t head) {
     size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig3 dig = *work;
-    const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0), lift = _mm256_set1_pd(at->lift);
+    const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0),
+                  lift = _mm256_setr_pd(0.0, 0.0, 0.0, at->lift);
     const __m256d sign = _mm256_set1_pd(-0.0);
-    const __m128i mask = _mm_set1_epi32((int)dig.mask), order = _mm_setr_epi32(0, 1, 2, 3);
-    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN);
-    char *table = (char *)dig.table;
+    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
     for (; head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index base = dig.cavity[head] & ~(paradt_index)3;
-        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)(dig.neighbors + base));
-        __m128i others = _mm_srli_epi32(handles, 2), places = _mm_slli_epi32(_mm_and_si128(others, mask), 6), tags;
-        uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
-        char *a = table + (uint32_t)low, *b = table + (low >> 32), *c = table + (uint32_t)high,
-             *d = table + (high >> 32);
-        __m256d ab = _mm256_hadd_pd(_mm256_mul_pd(_mm256_load_pd((const double *)(const void *)a), query),
-                                    _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)b), query));
-        __m256d cd = _mm256_hadd_pd(_mm256_mul_pd(_mm256_load_pd((const double *)(const void *)c), query),
-                                    _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)d), query));
-        __m256d power = _mm256_add_pd(_mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), lift),
-                                      _mm256_permute2f128_pd(ab, cd, 0x31));
+        const paradt_index *row = dig.neighbors + base;
+        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)row);
+        __m128i others = _mm_srli_epi32(handles, 2), tags;
+        char *a = paradt__place3(&dig, row[0]), *b = paradt__place3(&dig, row[1]);
+        char *c = paradt__place3(&dig, row[2]), *d = paradt__place3(&dig, row[3]);
+        __m256d ab = _mm256_hadd_pd(paradt__terms3(a, query, lift), paradt__terms3(b, query, lift));
+        __m256d cd = _mm256_hadd_pd(paradt__terms3(c, query, lift), paradt__terms3(d, query, lift));
+        __m256d power = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
         unsigned conflict, fresh, sure;
         PARADT__PREFETCH(bw->cells.vertices + base);
         enum { ERROR = 4 * sizeof(double), TAG = 5 * sizeof(double) };
@@ -6861,10 +6867,10 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         }
         conflict = (unsigned)_mm256_movemask_pd(power);
         // what the next rounds of this loop and the new cells' links will touch
-        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_cvtsi128_si32(others));
-        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 1));
-        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 2));
-        PARADT__PREFETCH(dig.neighbors + 4 * (size_t)(uint32_t)_mm_extract_epi32(others, 3));
+        PARADT__PREFETCH(dig.neighbors + row[0]);
+        PARADT__PREFETCH(dig.neighbors + row[1]);
+        PARADT__PREFETCH(dig.neighbors + row[2]);
+        PARADT__PREFETCH(dig.neighbors + row[3]);
         fresh = conflict & ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(tags));
         // conflicts become marks: the powers' signs, narrowed to the cells' 32 bits
         tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
