@@ -5651,10 +5651,10 @@ enum {
     PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
     PARADT__COMMON_STAR = 60,     // new cells that a point has as a rule at most: their edges fit into the first cache
     PARADT__COMMON_VERTICES = 64, // numbers then, those that are kept included
-    PARADT__LARGE_STAR = 256,     // new cells for whose edges there is room to begin with
-    PARADT__LARGE_VERTICES = 130,
+    PARADT__WIDE_STAR = 256,      // new cells for whose edges there is room to begin with
+    PARADT__WIDE_VERTICES = 130,
     PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
-    PARADT__LARGE_ROWS = 5,              // so many of these
+    PARADT__WIDE_ROWS = 5,               // so many of these
     PARADT__FEW_NUMBERS = 48,            // more than these are forgotten before the next point
     PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
     PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
@@ -5725,7 +5725,7 @@ typedef struct paradt__spheres3 {
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
     // large_edges.
     paradt_index common_edges[PARADT__COMMON_VERTICES * PARADT__COMMON_VERTICES];
-    paradt_index edges[PARADT__LARGE_VERTICES * PARADT__LARGE_ROWS * PARADT__EDGE_ROW];
+    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_ROWS * PARADT__EDGE_ROW];
 
     paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
@@ -5901,11 +5901,12 @@ PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corn
         __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
         return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
     }
-#endif
+#else
     if (corners == 4) {
         return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
                ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
     }
+#endif
     for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
     return among;
 }
@@ -6286,8 +6287,7 @@ PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, 
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&bw->space, p));
 }
 
-// Is the cell in conflict with the point? Where its sphere is not in the table, or the power does not tell. Marks of
-// cells whose spheres are driven out of the table while the cavity is dug are kept in bw.conflict.
+// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
 PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
                                              const double *x) {
     const paradt__spheres3 *s = bw->spheres;
@@ -6348,24 +6348,25 @@ PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const pa
     paradt__bw3_judge(dig, inner, sphere, conflict);
 }
 
-// Makes the spheres that are not in the table of the cells across facets that wait. It may leave some out.
-typedef void (*paradt__miss3)(const paradt__bw *bw, const paradt_index *waiting, int count);
+// Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
+// with the same place one drives out the other.
+typedef void (*paradt__remake3)(const paradt__bw *bw, const paradt_index *waiting, int count);
 
-static void paradt__bw3_miss_plain(const paradt__bw *bw, const paradt_index *waiting, int count) {
+static void paradt__bw3_remake_plain(const paradt__bw *bw, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__bw3_sphere_of(bw, bw->cells.neighbors[waiting[i]] >> 2);
 }
 
 // Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
 PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen,
-                                            const double *x, paradt__miss3 miss) {
+                                            const double *x, paradt__remake3 remake) {
     const paradt_index *waiting = bw->spheres->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
         paradt_index opposite = bw->cells.vertices[dig->neighbors[waiting[i]]];
         PARADT__PREFETCH(paradt__bw_record(bw, opposite >= 0 ? opposite : 0));
     }
-    miss(bw, waiting, count);
+    remake(bw, waiting, count);
     for (i = 0; i < count; i++) {
         paradt__tag other = (paradt__tag)dig->neighbors[waiting[i]] >> 2;
         paradt__bw3_judge(dig, waiting[i], dig->table + (other & dig->mask),
@@ -6406,7 +6407,7 @@ typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, paradt__star3 *star, 
                                       const paradt__seen3 *seen);
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
-                                             const double *x, paradt__spread3 spread, paradt__miss3 miss) {
+                                             const double *x, paradt__spread3 spread, paradt__remake3 remake) {
     size_t head = 0;
     paradt__dig3 dig;
     dig.cavity = bw->cavity;
@@ -6424,7 +6425,7 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
         paradt_status status;
         head = spread(bw, &dig, seen, x, head);
         if (head == dig.cavity_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, miss);
+        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, remake);
         status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
                                  dig.cavity_count + PARADT__DIG_ROOM);
         if (!status)
@@ -6468,8 +6469,8 @@ PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
 // largest, which few stars need, at most an eighth.
 PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
-    size_t star = PARADT__LARGE_STAR, vertices, rows;
-    if (bw->rim_count <= PARADT__LARGE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR)
+    size_t star = PARADT__WIDE_STAR, vertices, rows;
+    if (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR)
         return PARADT_OK;
     while (star < bw->rim_count) star *= 2;
     vertices = 2 + star / 2;
@@ -6592,9 +6593,9 @@ PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t
 }
 
 // The same for more new cells than a point has as a rule
-PARADT__NOINLINE void paradt__bw3_link_large(paradt__bw *bw) {
+PARADT__NOINLINE void paradt__bw3_link_uncommon(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
-    if (bw->rim_count <= PARADT__LARGE_STAR) paradt__bw3_link(bw, s->edges, PARADT__LARGE_ROWS);
+    if (bw->rim_count <= PARADT__WIDE_STAR) paradt__bw3_link(bw, s->wide_edges, PARADT__WIDE_ROWS);
     else paradt__bw3_link(bw, s->large_edges, s->large_rows);
 }
 
@@ -6747,16 +6748,16 @@ static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) 
 PARADT__INLINE int paradt__bw3_fits_numbers(const paradt__spheres3 *s, size_t facets) {
     if (PARADT__LIKELY(facets <= PARADT__COMMON_STAR))
         return (size_t)s->count + 2 + facets / 2 <= PARADT__COMMON_VERTICES;
-    return s->count <= PARADT__FEW_NUMBERS && facets <= PARADT__LARGE_STAR / 2;
+    return s->count <= PARADT__FEW_NUMBERS && facets <= PARADT__WIDE_STAR / 2;
 }
 
 PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
-                                                    paradt__miss3 miss, paradt__make_spheres3 make,
+                                                    paradt__remake3 remake, paradt__make_spheres3 make,
                                                     paradt__turn3 turn) {
     paradt__spheres3 *s = bw->spheres;
     const double *x = paradt__bw_record(bw, point);
     paradt__seen3 seen = s->next;
-    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread, miss);
+    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread, remake);
     size_t i;
     int is_common;
     if (status) return status;
@@ -6771,14 +6772,14 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     is_common = bw->rim_count <= PARADT__COMMON_STAR;
     if (!PARADT__LIKELY(is_common) && !status) status = paradt__bw3_widen_star(bw);
     if (status) return status;
-    if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__LARGE_STAR && bw->rim_count > s->large_star)
+    if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__WIDE_STAR && bw->rim_count > s->large_star)
         return paradt__bw3_fill_large(bw, point);
     if (!paradt__bw3_fits_numbers(s, bw->rim_count)) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
     paradt__bw3_rows(bw, point, turn);
     if (PARADT__LIKELY(is_common)) paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW);
-    else paradt__bw3_link_large(bw);
+    else paradt__bw3_link_uncommon(bw);
     paradt__bw3_spheres(bw, x, &seen, make);
     return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
@@ -6789,7 +6790,7 @@ static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const
 }
 
 static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_miss_plain, paradt__bw3_make_plain,
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_remake_plain, paradt__bw3_make_plain,
                                   paradt__turn3_plain);
 }
 
@@ -6902,7 +6903,7 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__dot_avx2(const __m256d *a, const __m
     return _mm256_fmadd_pd(a[2], b[2], _mm256_fmadd_pd(a[1], b[1], _mm256_mul_pd(a[0], b[0])));
 }
 
-// a x b, by one axis, or with sign -1 the size of its terms
+// a x b along an axis; with sign -1 the sum of its two terms instead: of sizes, their size
 PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const __m256d *b, int axis, int sign) {
     int j = (axis + 1) % 3, k = (axis + 2) % 3;
     __m256d product = _mm256_mul_pd(a[k], b[j]);
@@ -6913,7 +6914,7 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, const __m256d *squares, __m256d *size,
                                                     __m256d *sides) {
-    __m256d sa[3], sb[3], sc[3], m[3];
+    __m256d sa[3], sb[3], sc[3], m[3], n[3];
     int i;
     for (i = 0; i < 3; i++) {
         sa[i] = paradt__abs_avx2(a[i]);
@@ -6925,12 +6926,12 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
         __m256d bc[3];
         for (i = 0; i < 3; i++) {
             bc[i] = paradt__cross_avx2(sb, sc, i, -1);
-            m[i] = _mm256_mul_pd(squares[0], bc[i]);
-            m[i] = _mm256_fmadd_pd(squares[1], paradt__cross_avx2(sc, sa, i, -1), m[i]);
-            m[i] = _mm256_fmadd_pd(squares[2], paradt__cross_avx2(sa, sb, i, -1), m[i]);
+            n[i] = _mm256_mul_pd(squares[0], bc[i]);
+            n[i] = _mm256_fmadd_pd(squares[1], paradt__cross_avx2(sc, sa, i, -1), n[i]);
+            n[i] = _mm256_fmadd_pd(squares[2], paradt__cross_avx2(sa, sb, i, -1), n[i]);
         }
         *size = paradt__dot_avx2(sa, bc);
-        *sides = paradt__dot_avx2(half, m);
+        *sides = paradt__dot_avx2(half, n);
     } else {
         __m256d sum = _mm256_add_pd(_mm256_add_pd(squares[0], squares[1]), squares[2]);
         __m256d base = _mm256_mul_pd(m[0], m[1]);
@@ -7068,7 +7069,7 @@ PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, paradt__star
 }
 
 // The spheres of four cells that are not in the table, none of them a ghost
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_miss_four(const paradt__bw *bw, const int *cells) {
+PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, const int *cells) {
     const paradt__spheres3 *s = bw->spheres;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
@@ -7092,7 +7093,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_miss_four(const paradt__bw *bw, con
                        error);
 }
 
-PARADT__AVX2 static void paradt__bw3_miss_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
+PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
     const paradt__spheres3 *s = bw->spheres;
     int cells[PARADT__LATE + 3], missing = 0, i;
     for (i = 0; i < count; i++) {
@@ -7103,7 +7104,7 @@ PARADT__AVX2 static void paradt__bw3_miss_avx2(const paradt__bw *bw, const parad
     }
     for (i = 0; i < missing; i++) paradt__bw3_drive_out(bw, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
-    for (i = 0; i < missing; i += 4) paradt__bw3_miss_four(bw, cells + i);
+    for (i = 0; i < missing; i += 4) paradt__bw3_remake_four(bw, cells + i);
     for (i = 0; i < missing; i++) {
         paradt__sphere3 *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (bw->conflict[cells[i]] && sphere->tag == (paradt__tag)cells[i]) sphere->tag |= PARADT__KNOWN;
@@ -7126,7 +7127,7 @@ PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_inde
 }
 
 PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_miss_avx2, paradt__bw3_make_avx2,
+    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_remake_avx2, paradt__bw3_make_avx2,
                                   paradt__turn3_avx2);
 }
 #endif
@@ -7365,7 +7366,7 @@ static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index poi
 // The i-th of the cells that the last insertion made, of bw->rim_count.
 PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
     const paradt__spheres3 *s = bw->spheres;
-    if (s && (bw->rim_count <= PARADT__LARGE_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
+    if (s && (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
     return paradt__bw_cell(bw, bw->rim[i]);
 }
 
