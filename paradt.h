@@ -5513,32 +5513,75 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// The round in which the i-th point along the curve is inserted: 0 to rounds. Of 16 neighbours one, at random, comes
-// earlier than in the last round, of 16 such one before that: so a round's points are spread more evenly than by
-// chance, and 2 % fewer cells are made.
-static int paradt__round_of(size_t i, int rounds) {
-    const size_t mask = ((size_t)1 << PARADT__ROUND_SHIFT) - 1;
-    int back = 0;
-    for (; back < rounds; back++, i >>= PARADT__ROUND_SHIFT) {
-        uint64_t draw = paradt__mix((uint64_t)(i >> PARADT__ROUND_SHIFT) + ((uint64_t)back << 58) + 1);
-        if ((i & mask) != (size_t)(draw >> 32 & mask)) break;
+// Of `16` neighbours, those numbered from 16 * group on, the one that comes earlier than in the last round; of 16 such
+// ones, at the next level, the one that comes earlier still.
+PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
+    uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
+    return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
+}
+
+// The round of the point along the curve that comes earlier than those of its group: 0 to rounds - 1. One of 16
+// neighbours, at random, and one of 16 such ones: so a round's points are spread more evenly than by chance, and 2 %
+// fewer cells are made.
+static int paradt__earlier_round(size_t group, int rounds) {
+    int level = 1;
+    for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
+        group >>= PARADT__ROUND_SHIFT;
+    return rounds - level;
+}
+
+// Points that are dealt to the rounds of an insertion as they come along the curve
+typedef struct paradt__rounds {
+    paradt_index *order; // [count]
+    int rounds;          // after the first
+    size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
+    size_t next, earlier;                  // the number of the next point, and that of its group that comes earlier
+} paradt__rounds;
+
+static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
+    size_t group, groups = 0, before = 0;
+    int round;
+    memset(r, 0, sizeof *r);
+    r->order = (paradt_index *)paradt__alloc(memory, count, sizeof *r->order);
+    if (!r->order) return PARADT_ERROR_MEMORY;
+    r->rounds = paradt__round_count(count);
+    for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
+        if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
     }
-    return rounds - back;
+    for (round = 0; round < r->rounds; round++) {
+        size_t size = r->place[round];
+        r->place[round] = before;
+        before += size;
+    }
+    r->place[r->rounds] = groups;
+    return PARADT_OK;
+}
+
+// The next point along the curve
+PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
+    size_t group = r->next >> PARADT__ROUND_SHIFT;
+    int round = r->rounds;
+    if (r->next == group << PARADT__ROUND_SHIFT) r->earlier = r->rounds ? paradt__earlier_one(group, 0) : SIZE_MAX;
+    if (r->next++ == r->earlier) round = paradt__earlier_round(group, r->rounds);
+    r->order[r->place[round]++] = point;
 }
 
 // Positions on the curve by rounds, and in each in their order: a new block, or NULL when there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
-    paradt_index *order = (paradt_index *)paradt__alloc(memory, count, sizeof *order);
-    size_t place[PARADT__MOST_ROUNDS + 2] = {0}, i;
-    int rounds = paradt__round_count(count), r;
-    if (!order) return NULL;
-    for (i = 0; i < count; i++) place[paradt__round_of(i, rounds) + 1]++;
-    for (r = 0; r < rounds; r++) place[r + 1] += place[r];
-    for (i = 0; i < count; i++) order[place[paradt__round_of(i, rounds)]++] = (paradt_index)i;
-    return order;
+    paradt__rounds r;
+    size_t i;
+    if (paradt__rounds_begin(&r, count, memory)) return NULL;
+    for (i = 0; i < count; i++) paradt__rounds_put(&r, (paradt_index)i);
+    return r.order;
 }
 
-// Where the curve comes by next to a point: the key of the nearest place in the box.
+// A curve, by the box of its lattice and how many points are along it
+typedef struct paradt__curve {
+    const int64_t *low, *high;
+    size_t along;
+} paradt__curve;
+
+// Where the curve comes by next to a point: the key of the nearest place in a box, its corners as ordered bits.
 static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__lattice *lattice, const double *x,
                                  const int64_t *low, const int64_t *high) {
     double inside[PARADT_MAX_DIM];
@@ -5551,27 +5594,17 @@ static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__l
     return paradt__curve_key(hilbert, lattice, inside);
 }
 
-// Positions in the set: the first `own` of `count` are along a curve, that of `along` points: of these, in their box,
-// or of more, in the box of the whole set. The others come where it passes them, within a few own ones. sorted, other:
-// room for count - own.
-static void paradt__merge_others(const paradt__set *set, size_t own, size_t count, size_t along, paradt__keyed *sorted,
-                                 paradt__keyed *other, paradt_index *merged) {
+// The first `own` points of the set are along a curve, in the box of low and high. The others come where it passes
+// them, within a few own ones. sorted, other: room for set->count - own.
+static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
+                                 const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
     enum { FEW = 8 };
     paradt__hilbert hilbert;
     paradt__lattice lattice;
-    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int ambient = set->space.ambient, levels = paradt__levels_for(along, ambient), axis;
-    size_t others = count - own, i, few, end, at = 0, next = 0;
-    for (i = 0; i < own; i++) {
-        for (axis = 0; axis < ambient; axis++) {
-            int64_t x = paradt__ordered_bits(set->records[i * set->width + (size_t)axis]);
-            low[axis] = i && low[axis] < x ? low[axis] : x;
-            high[axis] = i && high[axis] > x ? high[axis] : x;
-        }
-    }
+    int ambient = set->space.ambient, levels = paradt__levels_for(curve->along, ambient);
+    size_t others = set->count - own, i, few, end, next = 0;
     paradt__hilbert_begin(&hilbert, ambient, others + own / FEW);
-    paradt__lattice_begin(&lattice, ambient, levels, 0, along == own ? low : set->space.low,
-                          along == own ? high : set->space.high);
+    paradt__lattice_begin(&lattice, ambient, levels, 0, curve->low, curve->high);
     for (i = 0; i < others; i++) {
         sorted[i].point = (paradt_index)(own + i);
         sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
@@ -5579,34 +5612,27 @@ static void paradt__merge_others(const paradt__set *set, size_t own, size_t coun
     paradt__keyed_sort(sorted, other, others, paradt__key_shift(ambient * levels), 0);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(&hilbert, &lattice, set->records + i * set->width);
-        while (next < others && sorted[next].key < key) merged[at++] = sorted[next++].point;
-        for (end = i + FEW < own ? i + FEW : own, few = i; few < end; few++) merged[at++] = (paradt_index)few;
+        while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].point);
+        for (end = i + FEW < own ? i + FEW : own, few = i; few < end; few++) paradt__rounds_put(r, (paradt_index)few);
     }
-    while (next < others) merged[at++] = sorted[next++].point;
+    while (next < others) paradt__rounds_put(r, sorted[next++].point);
 }
 
-// The positions of `count` points by rounds, and in each along the curve that the first `own` are along, as above: a
+// The positions of the set's points by rounds, and in each along the curve that the first `own` are along, as above: a
 // new block, or NULL when there is no memory.
-static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, size_t count, size_t along,
-                                          paradt__memory *memory) {
-    size_t others = count - own, i;
-    paradt_index *order = paradt__round_order(count, memory), *merged;
+static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
+                                          const int64_t *low, const int64_t *high, paradt__memory *memory) {
+    size_t others = set->count - own;
+    paradt__rounds r;
     paradt__keyed *sorted, *other;
-    if (!own || !others || !order) return order;
-    merged = (paradt_index *)paradt__alloc(memory, count, sizeof *merged);
+    if (!own || !others) return paradt__round_order(set->count, memory);
     sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
     other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
-    if (merged && sorted && other) {
-        paradt__merge_others(set, own, count, along, sorted, other, merged);
-        for (i = 0; i < count; i++) order[i] = merged[order[i]];
-    } else {
-        paradt__release(memory, order);
-        order = NULL;
-    }
+    if (!sorted || !other || paradt__rounds_begin(&r, set->count, memory)) r.order = NULL;
+    else paradt__merge_others(set, own, curve, low, high, sorted, other, &r);
     paradt__release(memory, other);
     paradt__release(memory, sorted);
-    paradt__release(memory, merged);
-    return order;
+    return r.order;
 }
 
 // --- spheres in three dimensions
@@ -7928,9 +7954,19 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 
 // The order of insertion: points in the margin along with the region's
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count;
+    const paradt__field *own = patch->fields + patch->own;
     paradt__set known = paradt__patch_known(patch);
-    patch->order = paradt__merged_order(&known, own, known.count, patch->set->count, patch->memory);
+    paradt__curve curve;
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int axis;
+    curve.low = patch->set->space.low;
+    curve.high = patch->set->space.high;
+    curve.along = patch->set->count;
+    for (axis = 0; axis < patch->set->space.ambient; axis++) {
+        low[axis] = paradt__ordered_bits(own->low[axis]);
+        high[axis] = paradt__ordered_bits(own->high[axis]);
+    }
+    patch->order = paradt__merged_order(&known, own->set.count, &curve, low, high, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
     patch->bw.order = patch->order;
     paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
@@ -9895,13 +9931,31 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
     memset(engine, 0, sizeof *engine);
 }
 
+// The box of the first `count` points of the set, as ordered bits
+static void paradt__remote_box(const paradt__set *set, size_t count, int64_t *low, int64_t *high) {
+    int axis;
+    size_t i;
+    for (i = 0; i < count; i++) {
+        for (axis = 0; axis < set->space.ambient; axis++) {
+            int64_t x = paradt__ordered_bits(set->records[i * set->width + (size_t)axis]);
+            low[axis] = i && low[axis] < x ? low[axis] : x;
+            high[axis] = i && high[axis] > x ? high[axis] : x;
+        }
+    }
+}
+
 // Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
 // with all points that are to come, spans them, and has no sagittas.
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
                                                  paradt__memory *memory, const paradt__progress *progress) {
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    paradt__curve curve;
     memset(engine, 0, sizeof *engine);
-    engine->order =
-        own == set->count ? paradt__round_order(own, memory) : paradt__merged_order(set, own, set->count, own, memory);
+    paradt__remote_box(set, own, low, high);
+    curve.low = low;
+    curve.high = high;
+    curve.along = own;
+    engine->order = paradt__merged_order(set, own, &curve, low, high, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
