@@ -2511,6 +2511,14 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t p
     return (const char *)points->data + point * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
+// Fetches a point ahead of its use: it may lie across the border of two of the cache's lines.
+PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t point) {
+    size_t size = (points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double)) * (size_t)points->dim;
+    const char *address = paradt__address(points, point);
+    PARADT__PREFETCH(address);
+    PARADT__PREFETCH(address + (size - 1));
+}
+
 // The coordinates of a point, -0.0 as 0.0.
 PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t point, double *x) {
     const char *address = paradt__address(points, point);
@@ -2601,6 +2609,9 @@ typedef struct paradt__loader {
     size_t place[PARADT__MOST_TASKS][PARADT__DIGITS]; // by a key's first digit, where the task's next such point goes
 } paradt__loader;
 
+// Passes over all points ask for them so far ahead of their use: a processor does that itself, but anew for each page.
+enum { PARADT__POINTS_AHEAD = 64 };
+
 static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__team *team) {
     memset(loader, 0, offsetof(paradt__loader, hilbert));
     loader->set = set;
@@ -2625,6 +2636,7 @@ PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim
     loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
         int exponent = paradt__read_record(&source, i, record);
+        PARADT__PREFETCH(paradt__address(&source.points, i + PARADT__POINTS_AHEAD));
         if (exponent == 2047) {
             loader->bad[index] = i;
             return;
@@ -2856,6 +2868,7 @@ static void paradt__key_task(void *context, size_t index) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
         paradt__coordinates(&loader->source->points, i, x);
+        PARADT__PREFETCH(paradt__address(&loader->source->points, i + PARADT__POINTS_AHEAD));
         key = paradt__curve_key(&loader->hilbert, &loader->lattice, x);
         if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
         loader->keyed[i].key = key;
@@ -2868,7 +2881,10 @@ static void paradt__scatter_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i),
               *place = loader->place[index];
-    for (; i < end; i++) loader->other[place[paradt__first_digit(loader, loader->keyed[i].key)]++] = loader->keyed[i];
+    for (; i < end; i++) {
+        PARADT__PREFETCH(loader->keyed + i + PARADT__POINTS_AHEAD);
+        loader->other[place[paradt__first_digit(loader, loader->keyed[i].key)]++] = loader->keyed[i];
+    }
 }
 
 // Sorts the points with the first digits that end in the task's share.
@@ -2907,13 +2923,14 @@ static void paradt__loader_sort(paradt__loader *loader) {
 }
 
 static void paradt__gather_task(void *context, size_t index) {
-    enum { AHEAD = 16 };
+    enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
     paradt__set *set = loader->set;
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        PARADT__PREFETCH(paradt__address(&loader->source->points, (size_t)loader->keyed[soon].point));
+        PARADT__PREFETCH(loader->keyed + i + PARADT__POINTS_AHEAD);
+        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].point);
         paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
         set->origin[i] = loader->keyed[i].point;
         repeating += (size_t)loader->keyed[i].key;
@@ -5532,8 +5549,8 @@ static int paradt__earlier_round(size_t group, int rounds) {
 
 // Points that are dealt to the rounds of an insertion as they come along the curve
 typedef struct paradt__rounds {
-    paradt_index *order; // [count]
-    int rounds;          // after the first
+    paradt_index *order;                   // [count]
+    int rounds;                            // after the first
     size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
     size_t next, earlier;                  // the number of the next point, and that of its group that comes earlier
 } paradt__rounds;
@@ -7265,26 +7282,43 @@ PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, s
     }
 }
 
-// The cell at a place is where it stays: its neighbours become numbers, its vertices are translated (origin NULL: not).
-// Has it a facet without a neighbour?
-PARADT__INLINE int paradt__bw_number(paradt__bw *bw, size_t place, size_t corners, const paradt_index *origin) {
-    paradt_index *vertices = bw->cells.vertices + place * corners, *neighbors = bw->cells.neighbors + place * corners;
-    paradt_index any = 0;
+// Passes over all cells ask for rows so far ahead of their use: a processor does that itself, but anew for each page.
+enum { PARADT__ROWS_AHEAD = 128 };
+
+PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *neighbors, size_t row,
+                                      size_t corners) {
+    PARADT__PREFETCH(vertices + row * corners);
+    PARADT__PREFETCH(neighbors + row * corners);
+}
+
+// Where cells go: the rows of the first, and its number
+typedef struct paradt__rows {
+    paradt_index *vertices, *neighbors, offset;
+} paradt__rows;
+
+// Writes the cell at a place into the same row of `to`: its neighbours, that were handles, become numbers, its vertices
+// are translated (origin NULL: not). Has it a facet without a neighbour?
+PARADT__INLINE int paradt__bw_number(const paradt__cells *cells, size_t place, size_t corners,
+                                     const paradt_index *origin, const paradt__rows *to) {
+    const paradt_index *vertices = cells->vertices + place * corners, *neighbors = cells->neighbors + place * corners;
+    paradt_index *new_vertices = to->vertices + place * corners, *numbers = to->neighbors + place * corners, any = 0;
     size_t j;
+    paradt__fetch_row(cells->vertices, cells->neighbors, place + PARADT__ROWS_AHEAD, corners);
 #if PARADT__FOUR_AT_ONCE
     if (corners == 4) {
         __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)neighbors), open = _mm_srai_epi32(handles, 31);
+        __m128i number = _mm_add_epi32(_mm_srli_epi32(handles, 2), _mm_set1_epi32(to->offset));
         any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
-        handles = _mm_or_si128(_mm_and_si128(open, handles), _mm_andnot_si128(open, _mm_srli_epi32(handles, 2)));
-        _mm_storeu_si128((__m128i *)(void *)neighbors, handles);
+        handles = _mm_or_si128(_mm_and_si128(open, handles), _mm_andnot_si128(open, number));
+        _mm_storeu_si128((__m128i *)(void *)numbers, handles);
     } else
 #endif
         for (j = 0; j < corners; j++) {
             paradt_index handle = neighbors[j];
             any |= handle;
-            neighbors[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners);
+            numbers[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners) + to->offset;
         }
-    for (j = 0; origin && j < corners; j++) vertices[j] = origin[vertices[j]];
+    for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
     return any < 0;
 }
 
@@ -7293,6 +7327,10 @@ PARADT__INLINE int paradt__bw_number(paradt__bw *bw, size_t place, size_t corner
 PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
     size_t end = bw->cells.count, i;
     uint64_t ghosts = 0;
+    paradt__rows to;
+    to.vertices = bw->cells.vertices;
+    to.neighbors = bw->cells.neighbors;
+    to.offset = 0;
     paradt__bw_mark_free(bw);
     for (i = 0; i < end; i++) {
         if (!paradt__bw_keep(bw, i, corners, &ghosts)) {
@@ -7300,7 +7338,7 @@ PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_inde
             if (end == i) break;
             paradt__bw_move(bw, i, end, corners, i);
         }
-        paradt__bw_number(bw, i, corners, origin);
+        paradt__bw_number(&bw->cells, i, corners, origin, &to);
     }
     bw->cells.count = end;
     return ghosts;
@@ -7715,8 +7753,8 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_trim,
-// paradt__patch_close, paradt__patch_emit_vertices, paradt__patch_emit_neighbors, paradt__patch_take_all,
+// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_judge,
+// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all,
 // paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
@@ -7735,8 +7773,9 @@ typedef struct paradt__field {
 // What is known of a cell
 enum {
     PARADT__UNKNOWN,
-    PARADT__WAITING, // it is in the list of cells to be asked about, or of wrong ones
-    PARADT__ASKED    // it is one of T(P)
+    PARADT__WAITING,  // it is in the list of cells to be asked about, or of wrong ones
+    PARADT__ASKED,    // it is one of T(P)
+    PARADT__GHOST = 4 // a bit beside, in the first region: it is a ghost in the fringe
 };
 
 typedef struct paradt__patch {
@@ -7758,8 +7797,11 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
     size_t list_count, list_capacity;
-    int trusts;           // it is the first region, has its own points alone, and asks about nothing
-    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
+    paradt_index *fringe; // [fringe_capacity] places of all cells and ghosts with a vertex that is not the region's,
+    size_t fringe_count, fringe_capacity; // once or more, and some places where such ones have been
+    size_t dropped;                       // places given up at the end
+    int trusts;                           // it is the first region, has its own points alone, and asks about nothing
+    paradt_index *border;                 // [border_capacity] cells that were on the seam when they were asked about
     size_t border_count, border_capacity;
     paradt_index *seam; // [seam_capacity] see paradt__field
     size_t seam_count, seam_capacity;
@@ -8063,14 +8105,16 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
     return vertices[0] != PARADT__DEAD && (share == 1 || (share && outer));
 }
 
-// Lists the cells that could be wrong.
+// Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
     const paradt_index *vertices = patch->bw.cells.vertices;
     paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
     size_t cell, count = patch->bw.cells.count;
     paradt_status status = PARADT_OK;
     for (cell = 0; cell < count; cell++, vertices += corners) {
+        PARADT__PREFETCH(vertices + 4 * PARADT__ROWS_AHEAD * corners);
         if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own_count))) continue;
+        if (!status) status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
         if (!status && paradt__patch_is_suspect(patch, vertices))
             status = paradt__patch_wait(patch, (paradt_index)cell);
     }
@@ -8204,7 +8248,8 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
         paradt_index made = paradt__bw_made(bw, i);
         patch->state[made] = PARADT__UNKNOWN;
         if (patch->around) paradt__patch_note_around(patch, made);
-        if (paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
+        status = PARADT__PATCH_LIST(patch, fringe, made);
+        if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
     }
     return status;
 }
@@ -8332,6 +8377,7 @@ static void paradt__patch_rest(paradt__patch *patch) {
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
     paradt__release(patch->memory, patch->list);
+    paradt__release(patch->memory, patch->fringe);
     paradt__release(patch->memory, patch->seam);
     paradt__bw_end(&patch->bw);
     paradt__release(patch->memory, patch->origin);
@@ -8359,93 +8405,110 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     }
 }
 
-// What is on the other side of a facet is dropped. In the first `numbered` cells, which stay where they are, a facet
-// that becomes open is listed at once, elsewhere when its cell is numbered.
-static paradt_status paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes,
-                                       size_t numbered) {
-    if (handle < 0) return PARADT_OK; // its cell was dropped before
-    patch->bw.cells.neighbors[handle] = becomes;
-    if (becomes == PARADT__HULL || (size_t)handle >= numbered * (size_t)patch->bw.cells.corners) return PARADT_OK;
-    return PARADT__PATCH_LIST(patch, list, handle);
+// What is on the other side of a facet is dropped.
+PARADT__INLINE void paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes) {
+    if (handle >= 0) patch->bw.cells.neighbors[handle] = becomes; // else its cell was dropped before
 }
 
-// Drops a ghost, or a cell of another region, or a free place. The links to what is dropped: a facet of S's hull that
-// has a vertex of the region is one of T(P)'s hull; the others are open.
-static paradt_status paradt__patch_drop(paradt__patch *patch, size_t cell, int share, size_t numbered) {
+// Drops a ghost, or a cell of another region. share: how many vertices are the region's; 0 too if it is wrong. The
+// links to what is dropped: a facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are
+// open.
+static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
     int corners = patch->bw.cells.corners, ghost, j;
     paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
     const paradt_index *links = patch->bw.cells.neighbors + cell * (size_t)corners;
-    paradt_status status = PARADT_OK;
-    if (vertices[0] == PARADT__DEAD) return PARADT_OK;
     ghost = paradt__bw_ghost(vertices, corners);
     if (ghost >= 0) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
-        status = paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN, numbered);
+        paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
     } else {
         patch->made++;
-        for (j = 0; j < corners && !status; j++) status = paradt__patch_cut(patch, links[j], PARADT__OPEN, numbered);
+        for (j = 0; j < corners; j++) paradt__patch_cut(patch, links[j], PARADT__OPEN);
     }
     vertices[0] = PARADT__DEAD;
-    return status;
+    patch->dropped++;
 }
 
-// Is at a place a cell of the region? What else is there is dropped. Not for cells that have only own vertices.
-static int paradt__patch_keep(paradt__patch *patch, size_t place, size_t numbered, paradt_status *status) {
-    int corners = patch->bw.cells.corners, share = paradt__patch_share(patch, (paradt_index)place);
-    const paradt_index *vertices = paradt__patch_cell(patch, (paradt_index)place);
-    if (share && paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE) &&
-        paradt__patch_owns(patch, (paradt_index)place))
-        return 1;
-    if (!*status) *status = paradt__patch_drop(patch, place, share, numbered);
-    return 0;
+// Drops what the region does not own, all of it in the fringe.
+static void paradt__patch_drop_fringe(paradt__patch *patch) {
+    enum { AHEAD = 8 };
+    size_t corners = (size_t)patch->bw.cells.corners, i;
+    for (i = 0; i < patch->fringe_count; i++) {
+        paradt_index cell = patch->fringe[i];
+        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+        size_t soon = (size_t)patch->fringe[i + AHEAD < patch->fringe_count ? i + AHEAD : i] * corners;
+        int share;
+        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
+        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        if (vertices[0] == PARADT__DEAD) continue;
+        share = paradt__patch_share(patch, cell);
+        if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
+            !paradt__patch_owns(patch, cell))
+            paradt__patch_drop(patch, (size_t)cell, share);
+    }
 }
 
-// Lists the open facets of a cell.
-static paradt_status paradt__patch_open_cell(paradt__patch *patch, size_t cell) {
+// Fills those of the places that are free, and below the number of cells that there are, with the last cells. *end:
+// where these end.
+static void paradt__patch_fill(paradt__patch *patch, const paradt_index *places, size_t count, size_t *end) {
+    paradt__cells *cells = &patch->bw.cells;
+    size_t corners = (size_t)cells->corners, i;
+    for (i = 0; i < count; i++) {
+        size_t place = (size_t)places[i];
+        if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
+        while (cells->vertices[--*end * corners] == PARADT__DEAD) {
+        }
+        paradt__bw_move(&patch->bw, place, *end, corners, 0);
+    }
+}
+
+// Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
+// of them is not the region's.
+static void paradt__patch_compact(paradt__patch *patch) {
+    const paradt__field *own = patch->fields + patch->own;
+    paradt__bw *bw = &patch->bw;
+    paradt_index after = (paradt_index)(own->begin + own->set.count);
+    size_t end = bw->cells.count, i;
+    for (i = 0; i < bw->count; i++)
+        patch->origin[i] = patch->origin[i] < after ? patch->set->origin[patch->origin[i]] : -1;
+    paradt__bw_mark_free(bw);
+    for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
+    paradt__patch_drop_fringe(patch);
+    bw->cells.count -= bw->spare_count + patch->dropped;
+    paradt__patch_fill(patch, bw->spare, bw->spare_count, &end);
+    paradt__patch_fill(patch, patch->list, patch->list_count, &end);
+    paradt__patch_fill(patch, patch->fringe, patch->fringe_count, &end);
+    patch->list_count = 0;
+    patch->made += bw->cells.count;
+}
+
+// Lists the open facets of the cell with that number.
+static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell) {
     size_t corners = (size_t)patch->bw.cells.corners, j;
     paradt_status status = PARADT_OK;
-    for (j = cell * corners; j < (cell + 1) * corners && !status; j++) {
-        if (patch->bw.cells.neighbors[j] == PARADT__OPEN) status = PARADT__PATCH_LIST(patch, list, (paradt_index)j);
+    for (j = 0; j < corners && !status; j++) {
+        if (to->neighbors[cell * corners + j] == PARADT__OPEN)
+            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(((size_t)to->offset + cell) * corners + j));
     }
     return status;
 }
 
-// Drops all but the cells of the region, which are the first then, with the caller's vertices and neighbours that are
-// numbered among them; lists the facets that are open. All at once, as in paradt__bw_close_cells.
-PARADT__INLINE paradt_status paradt__patch_close_cells(paradt__patch *patch, size_t corners) {
-    paradt__bw *bw = &patch->bw;
-    const paradt_index *vertices = bw->cells.vertices;
-    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
-    size_t end = bw->cells.count, i;
-    int bare; // has the cell a facet without a neighbour?
-    paradt_status status = PARADT_OK;
-    paradt__bw_mark_free(bw);
-    for (i = 0; i < end && !status; i++) {
-        if (!PARADT__LIKELY(paradt__vertices_among(vertices + i * corners, (int)corners, 0, own_count)) &&
-            !paradt__patch_keep(patch, i, i, &status)) {
-            for (end--; end > i && !paradt__vertices_among(vertices + end * corners, (int)corners, 0, own_count) &&
-                        !paradt__patch_keep(patch, end, i, &status);)
-                end--;
-            if (end == i) break;
-            paradt__bw_move(bw, i, end, corners, i);
-        }
-        bare = paradt__bw_number(bw, i, corners, patch->origin);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, i);
-    }
-    bw->cells.count = end;
-    patch->made += end;
-    return status;
-}
-
-// Points of later regions have no index then: a cell with one of them is not the region's.
-static paradt_status paradt__patch_close(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
-    paradt_index end = (paradt_index)(own->begin + own->set.count);
+// Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
+// That may be where they are, or before it. Lists the facets that are open.
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *to, size_t corners) {
     size_t i;
-    for (i = 0; i < patch->bw.count; i++)
-        patch->origin[i] = patch->origin[i] < end ? patch->set->origin[patch->origin[i]] : -1;
-    if (patch->bw.cells.corners == 4) return paradt__patch_close_cells(patch, 4);
-    return paradt__patch_close_cells(patch, (size_t)patch->bw.cells.corners);
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < patch->bw.cells.count; i++) {
+        int bare = paradt__bw_number(&patch->bw.cells, i, corners, patch->origin, to);
+        paradt__fetch_row(to->vertices, to->neighbors, i + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, to, i);
+    }
+    return status;
+}
+
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to) {
+    if (patch->bw.cells.corners == 4) return paradt__patch_emit_cells(patch, to, 4);
+    return paradt__patch_emit_cells(patch, to, (size_t)patch->bw.cells.corners);
 }
 
 // Looks for answers so far
@@ -8694,15 +8757,56 @@ static void paradt__patch_reuse_marks(paradt__patch *patch) {
     patch->bw.conflict = NULL;
 }
 
-// Drops the cells and ghosts of the first region that are not of T(P).
-static paradt_status paradt__patch_trim(paradt__patch *patch) {
+// Lists the ghosts that are reached from those in the fringe, through facets.
+static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
+    enum { AHEAD = 8 };
+    paradt_index corners = (paradt_index)patch->bw.cells.corners, i;
+    size_t next;
+    paradt_status status = PARADT_OK;
+    for (next = 0; next < patch->fringe_count && !status; next++) {
+        paradt_index base = patch->fringe[next] * corners;
+        paradt_index soon = patch->fringe[next + AHEAD < patch->fringe_count ? next + AHEAD : next] * corners;
+        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
+        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        for (i = base; i < base + corners && !status; i++) {
+            paradt_index other = patch->bw.cells.neighbors[i] / corners;
+            if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->state[other] & PARADT__GHOST) continue;
+            patch->state[other] |= PARADT__GHOST;
+            status = PARADT__PATCH_LIST(patch, fringe, other);
+        }
+    }
+    return status;
+}
+
+// The fringe of the first region are the ghosts. If any is wrong, so is the first that was listed. Else they are looked
+// for everywhere.
+static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
+    int corners = patch->bw.cells.corners;
+    size_t cell;
+    paradt_status status = PARADT_OK;
+    if (patch->list_count && paradt__bw_ghost(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
+        patch->state[patch->list[0]] |= PARADT__GHOST;
+        status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
+        return status ? status : paradt__patch_spread_ghosts(patch);
+    }
+    paradt__bw_mark_free(&patch->bw);
+    for (cell = 0; cell < patch->bw.cells.count && !status; cell++) {
+        const paradt_index *vertices = paradt__patch_cell(patch, (paradt_index)cell);
+        if (!PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE)) &&
+            vertices[0] != PARADT__DEAD)
+            status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+    }
+    return status;
+}
+
+// Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
+static paradt_status paradt__patch_judge(paradt__patch *patch) {
     paradt__seam seam;
-    size_t i;
-    paradt_status status = paradt__seam_begin(&seam, patch);
+    paradt_status status;
     paradt__patch_reuse_marks(patch);
+    status = paradt__seam_begin(&seam, patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
-    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_drop(patch, (size_t)patch->list[i], 0, 0);
-    patch->list_count = 0;
+    if (!status) status = paradt__patch_list_ghosts(patch);
     paradt__seam_free(&seam, patch->memory);
     return status;
 }
@@ -8751,25 +8855,6 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
     for (i = 0; i < bw->count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
     patch->hull_facets = paradt__bw_close(bw, patch->origin);
     return PARADT_OK;
-}
-
-// Puts the vertices of the region's cells where they are to be. They may be there already, or behind.
-static void paradt__patch_emit_vertices(const paradt__patch *patch, paradt_index *vertices) {
-    const paradt__cells *cells = &patch->bw.cells;
-    if (vertices == cells->vertices) return;
-    memmove(vertices, cells->vertices, cells->count * (size_t)cells->corners * sizeof *vertices);
-}
-
-// The same of the neighbours, with the cells numbered from `offset` on, and so are the facets that are open.
-static void paradt__patch_emit_neighbors(paradt__patch *patch, paradt_index *neighbors, size_t offset) {
-    const paradt__cells *cells = &patch->bw.cells;
-    size_t count = cells->count * (size_t)cells->corners, i;
-    for (i = 0; i < patch->list_count; i++) patch->list[i] += (paradt_index)offset * cells->corners;
-    if (neighbors == cells->neighbors && !offset) return;
-    for (i = 0; i < count; i++) {
-        paradt_index link = cells->neighbors[i];
-        neighbors[i] = link < 0 ? link : link + (paradt_index)offset;
-    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9080,12 +9165,12 @@ static void paradt__patch_task(void *context, size_t index) {
 }
 
 // Fourth step: leaves only the region's cells.
-static void paradt__close_task(void *context, size_t index) {
+static void paradt__compact_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
     paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_trim(patch) : PARADT_OK;
+    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
     paradt__count_patch(region);
-    if (!region->status) region->status = paradt__patch_close(patch);
+    if (!region->status) paradt__patch_compact(patch);
     region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
@@ -9113,26 +9198,23 @@ static void paradt__complete_task(void *context, size_t index) {
     if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
 
-// Are the cells of the region in a slice of the result that they are not moved from yet? The first two slices' cells
-// can go to their places while they are written: there is nothing between them that anyone reads.
+// Are the cells of the region in a slice of the result that they are not moved from yet? The second slice's cells can
+// go to their places while they are written: nobody reads what is between them and the first's.
 static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
     return index > 1 && work->cells.vertices == work->slices.vertices;
 }
 
-// By insertion, last step: into the result, or together at the begin of the region's slice. Region 0 is in place as a
-// rule, so of the first two each task takes the one's neighbours and the other's vertices.
+// By insertion, last step: into the result, or numbered at the begin of the region's slice.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index, *other = index < 2 ? work->region + 1 - index : region;
-    size_t corners = (size_t)work->cells.corners;
-    paradt_index *vertices = work->cells.vertices + other->offset * corners;
-    paradt_index *neighbors = work->cells.neighbors + region->offset * corners;
-    if (paradt__stays_in_slice(work, index)) {
-        vertices = region->patch.bw.cells.vertices;
-        neighbors = region->patch.bw.cells.neighbors;
-    }
-    paradt__patch_emit_vertices(&other->patch, vertices);
-    paradt__patch_emit_neighbors(&region->patch, neighbors, region->offset);
+    paradt__region *region = work->region + index;
+    size_t first = region->offset * (size_t)work->cells.corners;
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__rows to;
+    to.vertices = stays ? region->patch.bw.cells.vertices : work->cells.vertices + first;
+    to.neighbors = stays ? region->patch.bw.cells.neighbors : work->cells.neighbors + first;
+    to.offset = (paradt_index)region->offset;
+    region->status = paradt__patch_emit(&region->patch, &to);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -9361,7 +9443,7 @@ static paradt_status paradt__build_together(paradt__work *work) {
     paradt__share_memory(work);
     if (!status && open) status = paradt__complete_together(work);
     paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__close_task);
+    if (!status) status = paradt__run_regions(work, paradt__compact_task);
     for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
         if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
     }
@@ -9392,6 +9474,7 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     paradt__patch *patch = &work->region[index].patch;
     paradt__cells *cells = &work->cells, *own = &patch->bw.cells, *lent = &work->slices;
     size_t corners = (size_t)cells->corners, capacity, rest;
+    paradt__rows to;
     paradt_status status;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
     status = paradt__patch_points(patch, work->basis);
@@ -9404,13 +9487,15 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     status = paradt__bw_lend(&patch->bw, cells->vertices + cells->count * corners, lent->neighbors, capacity);
     if (!status) {
         paradt__patch_task(work, index);
-        if (!work->region[index].status) paradt__close_task(work, index);
+        if (!work->region[index].status) paradt__compact_task(work, index);
         status = work->region[index].status;
     }
     if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
+    to.vertices = cells->vertices + cells->count * corners;
+    to.neighbors = own->neighbors;
+    to.offset = 0;
+    if (!status) status = paradt__patch_emit(patch, &to);
     if (status) return status;
-    if (!own->lent)
-        memcpy(cells->vertices + cells->count * corners, own->vertices, own->count * corners * sizeof *own->vertices);
     cells->count += own->count;
     paradt__patch_end(patch);
     memset(patch, 0, sizeof *patch);
@@ -10110,6 +10195,10 @@ PARADT__INLINE uint64_t paradt__remote_engine_close(paradt__remote_engine *engin
     const paradt_index *vertices = bw->cells.vertices;
     size_t end = bw->cells.count, i, j;
     uint64_t others = 0;
+    paradt__rows to;
+    to.vertices = bw->cells.vertices;
+    to.neighbors = bw->cells.neighbors;
+    to.offset = 0;
     for (i = 0; i < end; i++) {
         if (!PARADT__LIKELY(paradt__remote_engine_keep(engine, set, i, corners, mark, &others))) {
             for (end--; end > i && !paradt__remote_engine_keep(engine, set, end, corners, mark, &others);) end--;
@@ -10117,7 +10206,7 @@ PARADT__INLINE uint64_t paradt__remote_engine_close(paradt__remote_engine *engin
             paradt__bw_move(bw, i, end, corners, i);
         }
         for (j = i * corners; j < (i + 1) * corners; j++) mark[vertices[j]] = PARADT__VERTEX_OF_OWN_CELL;
-        paradt__bw_number(bw, i, corners, NULL);
+        paradt__bw_number(&bw->cells, i, corners, NULL, &to);
     }
     bw->cells.count = end;
     return others;
