@@ -2602,11 +2602,12 @@ typedef struct paradt__loader {
     paradt__cuts *cuts; // where there is more than one box; or NULL
     double *sample;     // [sampled][dim] points that tell where to cut, in the set's records
     size_t sampled;
-    int key_bits; // of a key: the box, and below it the place on the curve
+    int shift; // of a key's first digit. A key: the box, below it the place on the curve. With boxes it has a bit more
     paradt__hilbert hilbert;
     paradt__lattice lattice;
-    paradt__keyed *keyed, *other;                     // [points.count], the other in the set's records
-    size_t place[PARADT__MOST_TASKS][PARADT__DIGITS]; // by a key's first digit, where the task's next such point goes
+    paradt__keyed *keyed, *other; // [points.count], the other in the set's records
+    size_t place[PARADT__MOST_TASKS]
+                [2 * PARADT__DIGITS]; // by a key's first digit, where the task's next such point goes
 } paradt__loader;
 
 // Passes over all points ask for them so far ahead of their use: a processor does that itself, but anew for each page.
@@ -2805,7 +2806,7 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
     for (i = 0; i < count && margin > 0.0; i++)
         beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
-    extra = 1.85 * (double)beside / (double)WIDTH;
+    extra = 2.5 * (double)beside / (double)WIDTH;
     most = (double)count / 4.0 / (double)loader->cuts->boxes;
     return (size_t)(extra < most ? extra : most);
 }
@@ -2855,7 +2856,7 @@ static void paradt__loader_bound(paradt__loader *loader) {
 // --- sorted by keys
 
 PARADT__INLINE size_t paradt__first_digit(const paradt__loader *loader, uint64_t key) {
-    return (size_t)(key >> paradt__key_shift(loader->key_bits));
+    return (size_t)(key >> loader->shift);
 }
 
 static void paradt__key_task(void *context, size_t index) {
@@ -2892,11 +2893,10 @@ static void paradt__sort_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
     size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
-    int shift = paradt__key_shift(loader->key_bits);
-    for (digit = 0; digit < PARADT__DIGITS; begin = ends[digit++]) {
+    for (digit = 0; digit < 2 * PARADT__DIGITS; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, paradt__key_shift(shift), 1);
+        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, paradt__key_shift(loader->shift), 1);
         paradt__refine(loader, loader->keyed + begin, loader->other + begin, count);
     }
 }
@@ -2907,11 +2907,11 @@ static void paradt__loader_sort(paradt__loader *loader) {
     int dim = loader->set->space.ambient, levels = paradt__levels_for(count, dim), step = PARADT__STEP_BITS / dim;
     int box_bits = loader->cuts ? paradt__bit_length(loader->cuts->boxes - 1) : 0;
     while (dim * levels + box_bits > 64) levels -= step > 1 ? step : 1;
-    loader->key_bits = dim * levels + box_bits;
+    loader->shift = paradt__key_shift(dim * levels + box_bits - (box_bits > 0));
     paradt__hilbert_begin(&loader->hilbert, dim, count);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
-    for (digit = 0; digit < PARADT__DIGITS; digit++) {
+    for (digit = 0; digit < 2 * PARADT__DIGITS; digit++) {
         for (i = 0; i < tasks; i++) {
             size_t here = loader->place[i][digit];
             loader->place[i][digit] = before;
@@ -10098,10 +10098,12 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
     return 1;
 }
 
-// Is at the place a ghost or a cell of whose vertices some, but not all, have positions in the set below `own`?
+// For a pass over all places: is at the place a ghost or a cell of whose vertices some, but not all, have positions in
+// the set below `own`?
 PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
     int corners = engine->bw.cells.corners, i, inside = 0;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
+    PARADT__PREFETCH(vertices + 4 * PARADT__ROWS_AHEAD * corners);
     if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
     for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
     return inside;

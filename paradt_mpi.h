@@ -744,6 +744,12 @@ typedef struct paradt_mpi__cutter {
     int64_t *bounds;  // [ranks][2 * dim]
 } paradt_mpi__cutter;
 
+// Fetches a point ahead of its use, by its first and last coordinate: they may be in two of the cache's lines.
+PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t point) {
+    PARADT__PREFETCH(c->rows + point * c->width);
+    PARADT__PREFETCH(c->rows + (point + 1) * c->width - 1);
+}
+
 // Puts the points into the halves of their boxes, and bounds them there, if that is wanted. Which half cannot be
 // foreseen, so there is no branch. Not collective.
 static void paradt_mpi__deal(const paradt_mpi__work *w, paradt_mpi__cutter *c, int bounds) {
@@ -753,6 +759,7 @@ static void paradt_mpi__deal(const paradt_mpi__work *w, paradt_mpi__cutter *c, i
         const double *row = c->rows + i * c->width;
         const paradt_mpi__box *box = c->boxes + c->inside[i];
         int64_t *bound;
+        paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
         c->inside[i] = box->sides[paradt__ordered_bits(row[box->axis]) >= box->cut];
         bound = c->bounds + c->inside[i] * 2 * dim;
         for (j = 0; bounds && j < dim; j++) {
@@ -807,6 +814,7 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uin
 // Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. Points
 // that do not have them are open no more.
 static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
     size_t i, kept = 0;
     int b;
@@ -815,8 +823,10 @@ static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
         size_t point = c->open[i];
         const paradt_mpi__box *box = c->boxes + c->inside[point];
         int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
-        uint64_t offset = (uint64_t)paradt__ordered_bits(c->rows[point * c->width + (size_t)box->axis]) -
-                          (uint64_t)box->low[box->axis];
+        uint64_t offset;
+        paradt_mpi__fetch_row(c, c->open[i + AHEAD < c->open_count ? i + AHEAD : i]);
+        offset = (uint64_t)paradt__ordered_bits(c->rows[point * c->width + (size_t)box->axis]) -
+                 (uint64_t)box->low[box->axis];
         if (!box->bits || (box->bits < 64 && offset >> box->bits != box->offset)) continue;
         c->open[kept++] = point;
         c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))] +=
@@ -895,6 +905,7 @@ static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter 
     paradt_mpi__begin_sorting(w);
     for (i = 0; i < c->count; i++) {
         size_t place = w->next[c->boxes[c->inside[i]].first]++;
+        paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
         memcpy(sorted + place * c->width, c->rows + i * c->width, c->width * sizeof *sorted);
     }
 }
@@ -2522,6 +2533,7 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
     size_t end = w->local.cell_count, c, j;
     const paradt_index *cells = w->local.cells;
     for (c = 0; c < end; c++) {
+        paradt__fetch_row(cells, w->local.neighbors, c + PARADT__ROWS_AHEAD, k);
         if (!PARADT__LIKELY(paradt_mpi__owns(w, (int)k, cells + c * k))) {
             paradt_mpi__drop_cell(w, k, c, mark);
             for (end--; end > c && !paradt_mpi__owns(w, (int)k, cells + end * k); end--)
@@ -2581,6 +2593,8 @@ PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t 
     paradt_index *vertices = w->out->cells + c * k;
     const paradt_index *neighbors = w->out->neighbors;
     size_t j;
+    PARADT__PREFETCH(vertices + PARADT__ROWS_AHEAD * k);
+    if (neighbors) PARADT__PREFETCH(neighbors + (c + PARADT__ROWS_AHEAD) * k);
     for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
     if (!neighbors || PARADT__LIKELY(paradt__vertices_among(neighbors + c * k, (int)k, 0, PARADT__NOWHERE)))
         return PARADT_OK;
