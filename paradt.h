@@ -8974,6 +8974,7 @@ typedef struct paradt__work {
     paradt__field *fields;                  // [regions] with insertion
     struct paradt__region *region;          // [regions]
     paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
+    paradt__active seam;                    // with insertion: open facets of regions, in the end
     int translated;                         // the cells have the caller's indices already
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
@@ -9204,7 +9205,23 @@ static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
     return index > 1 && work->cells.vertices == work->slices.vertices;
 }
 
-// By insertion, last step: into the result, or numbered at the begin of the region's slice.
+// Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
+static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    enum { AHEAD = 8 };
+    const paradt__patch *patch = &work->region[index].patch;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < patch->list_count && !status; i++) {
+        paradt_index soon = patch->list[i + AHEAD < patch->list_count ? i + AHEAD : i];
+        PARADT__PREFETCH(work->cells.vertices + soon);
+        PARADT__PREFETCH(work->cells.neighbors + soon);
+        status = paradt__join_facet(&work->seam, &work->cells, patch->list[i], memory);
+    }
+    return status;
+}
+
+// By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
+// are where they are to be then, so its open facets can wait for others'.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -9215,6 +9232,9 @@ static void paradt__emit_task(void *context, size_t index) {
     to.neighbors = stays ? region->patch.bw.cells.neighbors : work->cells.neighbors + first;
     to.offset = (paradt_index)region->offset;
     region->status = paradt__patch_emit(&region->patch, &to);
+    if (index || region->status) return;
+    region->status = paradt__active_begin(&work->seam, region->patch.list_count, &region->memory);
+    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -9254,31 +9274,19 @@ static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *
     return status;
 }
 
-// Links the open facets that the patches have listed. What finds no partner is the hull.
+// Links the open facets that the patches have listed, when the first region's wait for theirs. What finds no partner is
+// the hull.
 static paradt_status paradt__join_patches(paradt__work *work) {
-    enum { AHEAD = 8 };
-    paradt__active active;
-    size_t facets = 0, i, j;
-    paradt_status status;
-    for (i = 0; i < work->regions; i++) facets += work->region[i].patch.list_count;
-    status = paradt__active_begin(&active, facets / 2, &work->memory);
-    for (i = 0; i < work->regions && !status; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count && !status; j++) {
-            paradt_index soon = patch->list[j + AHEAD < patch->list_count ? j + AHEAD : j];
-            PARADT__PREFETCH(work->cells.vertices + soon);
-            PARADT__PREFETCH(work->cells.neighbors + soon);
-            status = paradt__join_facet(&active, &work->cells, patch->list[j], &work->memory);
-        }
-    }
-    for (i = 0; i < work->regions && !status; i++) {
+    size_t i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
+    for (i = 0; i < work->regions && !status && work->seam.count; i++) {
         const paradt__patch *patch = &work->region[i].patch;
         for (j = 0; j < patch->list_count; j++) {
             paradt_index *link = work->cells.neighbors + patch->list[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
-    paradt__active_free(&active, &work->memory);
     return status;
 }
 
@@ -9582,6 +9590,7 @@ static paradt_status paradt__build_patches(paradt__work *work) {
         paradt__release(&work->memory, work->fields[i].seam);
     }
     paradt__cells_free(&work->slices, &work->memory);
+    paradt__active_free(&work->seam, &work->memory);
     if (taken) work->regions = 1;
     return status;
 }
