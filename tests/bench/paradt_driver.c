@@ -1,42 +1,76 @@
 // ParaDT: --method NAME, --regions K, --jobs J threads of a parallel_for, --no-neighbors; the statistics are in the
 // line.
 #include <pthread.h>
+#include <stdatomic.h>
 
 #include "bench.h"
 
-// --- a parallel_for over threads made for the call -------------------------------------------------------------------
+// --- a parallel_for over standing threads, as host programs have them ------------------------------------------------
+//
+// They are made by the first call, which is in its time. Between calls they look for work for a while, less than a
+// millisecond or a few, as those of OpenMP do, and then sleep.
 
-typedef struct team {
+enum { MAX_JOBS = 256, LOOKS = 20000 };
+
+static struct {
     pthread_mutex_t lock;
-    size_t next, count;
+    pthread_cond_t wake;
+    pthread_t thread[MAX_JOBS];
+    size_t workers, count;
     void (*task)(void *context, size_t index);
     void *context;
-} team;
+    atomic_size_t next, busy; // the next task; workers that have not ended theirs
+    atomic_uint call;         // goes up with each call
+} team = {.lock = PTHREAD_MUTEX_INITIALIZER, .wake = PTHREAD_COND_INITIALIZER};
 
-static void *team_member(void *argument) {
-    team *t = argument;
-    for (;;) {
-        pthread_mutex_lock(&t->lock);
-        size_t index = t->next++;
-        pthread_mutex_unlock(&t->lock);
-        if (index >= t->count)
-            return NULL;
-        t->task(t->context, index);
-    }
+static void relax(void) {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
 }
 
-enum { MAX_JOBS = 256 };
+static void team_work(void) {
+    for (size_t index; (index = atomic_fetch_add(&team.next, 1)) < team.count;)
+        team.task(team.context, index);
+}
+
+static void team_await(unsigned call) {
+    for (int look = 0; look < LOOKS; look++) {
+        if (atomic_load(&team.call) != call)
+            return;
+        relax();
+    }
+    pthread_mutex_lock(&team.lock);
+    while (atomic_load(&team.call) == call)
+        pthread_cond_wait(&team.wake, &team.lock);
+    pthread_mutex_unlock(&team.lock);
+}
+
+static void *team_member(void *unused) {
+    for (unsigned call = 0;; call++) {
+        team_await(call);
+        team_work();
+        atomic_fetch_sub(&team.busy, 1);
+    }
+    return unused;
+}
 
 static void team_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    size_t jobs = *(const size_t *)user, started = 0;
-    pthread_t threads[MAX_JOBS];
-    team t = {PTHREAD_MUTEX_INITIALIZER, 0, count, task, context};
-    while (started + 1 < jobs && started + 1 < count && !pthread_create(&threads[started], NULL, team_member, &t))
-        started++;
-    team_member(&t);
-    while (started)
-        pthread_join(threads[--started], NULL);
-    pthread_mutex_destroy(&t.lock);
+    size_t jobs = *(const size_t *)user;
+    while (team.workers + 1 < jobs && !pthread_create(&team.thread[team.workers], NULL, team_member, NULL))
+        team.workers++;
+    team.count = count;
+    team.task = task;
+    team.context = context;
+    atomic_store(&team.next, 0);
+    atomic_store(&team.busy, team.workers);
+    pthread_mutex_lock(&team.lock);
+    atomic_fetch_add(&team.call, 1);
+    pthread_cond_broadcast(&team.wake);
+    pthread_mutex_unlock(&team.lock);
+    team_work();
+    while (atomic_load(&team.busy))
+        relax();
 }
 
 // --- the measurement -------------------------------------------------------------------------------------------------
