@@ -594,6 +594,10 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
+// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number.
+#define PARADT__FETCH(array, index)                                                                                    \
+    PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
 //
@@ -2511,12 +2515,15 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t p
     return (const char *)points->data + point * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Fetches a point ahead of its use: it may lie across the border of two of the cache's lines.
+// Passes over all points ask for them so far ahead of their use: a processor does that itself, but anew for each page.
+enum { PARADT__POINTS_AHEAD = 64 };
+
+// Fetches a point, if there is one of that number. It may lie across the border of two of the cache's lines.
 PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t point) {
     size_t size = (points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double)) * (size_t)points->dim;
-    const char *address = paradt__address(points, point);
-    PARADT__PREFETCH(address);
-    PARADT__PREFETCH(address + (size - 1));
+    size_t begin = point * (points->stride ? points->stride : size);
+    PARADT__FETCH((const char *)points->data, begin);
+    PARADT__FETCH((const char *)points->data, begin + size - 1);
 }
 
 // The coordinates of a point, -0.0 as 0.0.
@@ -2590,6 +2597,8 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t poin
     return paradt__is_finite(record[dim]) ? largest : 2047;
 }
 
+enum { PARADT__FIRST_DIGITS = 2 * PARADT__DIGITS };
+
 typedef struct paradt__loader {
     const paradt__team *team;
     const paradt__source *source;
@@ -2602,16 +2611,13 @@ typedef struct paradt__loader {
     paradt__cuts *cuts; // where there is more than one box; or NULL
     double *sample;     // [sampled][dim] points that tell where to cut, in the set's records
     size_t sampled;
-    int shift; // of a key's first digit. A key: the box, below it the place on the curve. With boxes it has a bit more
+    int shift; // of a key's first digit, which has a bit more where there are boxes: that is a key's upper part then
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     paradt__keyed *keyed, *other; // [points.count], the other in the set's records
-    size_t place[PARADT__MOST_TASKS]
-                [2 * PARADT__DIGITS]; // by a key's first digit, where the task's next such point goes
+    // By a key's first digit, where the task's next such point goes
+    size_t place[PARADT__MOST_TASKS][PARADT__FIRST_DIGITS];
 } paradt__loader;
-
-// Passes over all points ask for them so far ahead of their use: a processor does that itself, but anew for each page.
-enum { PARADT__POINTS_AHEAD = 64 };
 
 static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__team *team) {
     memset(loader, 0, offsetof(paradt__loader, hilbert));
@@ -2637,7 +2643,7 @@ PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim
     loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
         int exponent = paradt__read_record(&source, i, record);
-        PARADT__PREFETCH(paradt__address(&source.points, i + PARADT__POINTS_AHEAD));
+        paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
         if (exponent == 2047) {
             loader->bad[index] = i;
             return;
@@ -2650,10 +2656,23 @@ PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim
     loader->exponent[index] = largest;
 }
 
+// A point of each of as many equal shares of all, at random: a regular choice might meet a pattern of the points.
+static void paradt__sample(paradt__loader *loader, size_t index) {
+    const paradt_points *points = &loader->source->points;
+    double step = (double)points->count / (double)loader->sampled;
+    size_t i, end = paradt__loader_share(loader, loader->sampled, index, &i);
+    for (; i < end; i++) {
+        size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
+        size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
+        paradt__coordinates(points, point, loader->sample + i * (size_t)points->dim);
+    }
+}
+
 static void paradt__survey_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     if (loader->source->points.dim == 3) paradt__survey(loader, index, 3);
     else paradt__survey(loader, index, loader->source->points.dim);
+    paradt__sample(loader, index);
 }
 
 // Measures the set. *bad is the first point with a coordinate or weight that is no number.
@@ -2748,19 +2767,6 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
 
 // --- cuts by a sample
 
-// A point of each of as many equal shares of all, at random: a regular choice might meet a pattern of the points.
-static void paradt__sample_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    const paradt_points *points = &loader->source->points;
-    double step = (double)points->count / (double)loader->sampled;
-    size_t i, end = paradt__loader_share(loader, loader->sampled, index, &i);
-    for (; i < end; i++) {
-        size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
-        size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
-        paradt__coordinates(points, point, loader->sample + i * (size_t)points->dim);
-    }
-}
-
 // How far points of the set are from their neighbours: 2^k times as far are those of one in 2^(k dim) points, such as
 // are put along a curve here, where they are spread in all dimensions.
 static double paradt__sample_spacing(const paradt__loader *loader) {
@@ -2811,17 +2817,13 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     return (size_t)(extra < most ? extra : most);
 }
 
-// Finds the cuts, in memory that is filled later.
+// Finds the cuts by the sample, in memory that is filled later.
 static void paradt__loader_cut(paradt__loader *loader) {
-    enum { SAMPLE = 1 << 16 };
     const paradt__set *set = loader->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = set->space.ambient, axis;
-    size_t count = loader->source->points.count, i;
+    size_t i;
     paradt__cutter cutter;
-    loader->sampled = count < SAMPLE ? count : (size_t)SAMPLE;
-    loader->sample = set->records;
-    paradt__team_run(loader->team, paradt__sample_task, loader);
     for (axis = 0; axis < dim; axis++) {
         low[axis] = paradt__from_ordered_bits(set->space.low[axis]);
         high[axis] = paradt__from_ordered_bits(set->space.high[axis]);
@@ -2869,7 +2871,7 @@ static void paradt__key_task(void *context, size_t index) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
         paradt__coordinates(&loader->source->points, i, x);
-        PARADT__PREFETCH(paradt__address(&loader->source->points, i + PARADT__POINTS_AHEAD));
+        paradt__fetch_point(&loader->source->points, i + PARADT__POINTS_AHEAD);
         key = paradt__curve_key(&loader->hilbert, &loader->lattice, x);
         if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
         loader->keyed[i].key = key;
@@ -2883,7 +2885,7 @@ static void paradt__scatter_task(void *context, size_t index) {
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i),
               *place = loader->place[index];
     for (; i < end; i++) {
-        PARADT__PREFETCH(loader->keyed + i + PARADT__POINTS_AHEAD);
+        PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
         loader->other[place[paradt__first_digit(loader, loader->keyed[i].key)]++] = loader->keyed[i];
     }
 }
@@ -2893,7 +2895,7 @@ static void paradt__sort_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
     size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
-    for (digit = 0; digit < 2 * PARADT__DIGITS; begin = ends[digit++]) {
+    for (digit = 0; digit < PARADT__FIRST_DIGITS; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
         paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, paradt__key_shift(loader->shift), 1);
@@ -2911,7 +2913,7 @@ static void paradt__loader_sort(paradt__loader *loader) {
     paradt__hilbert_begin(&loader->hilbert, dim, count);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
-    for (digit = 0; digit < 2 * PARADT__DIGITS; digit++) {
+    for (digit = 0; digit < PARADT__FIRST_DIGITS; digit++) {
         for (i = 0; i < tasks; i++) {
             size_t here = loader->place[i][digit];
             loader->place[i][digit] = before;
@@ -2929,7 +2931,7 @@ static void paradt__gather_task(void *context, size_t index) {
     size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        PARADT__PREFETCH(loader->keyed + i + PARADT__POINTS_AHEAD);
+        PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
         paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].point);
         paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
         set->origin[i] = loader->keyed[i].point;
@@ -2964,6 +2966,7 @@ static void paradt__loader_merge(paradt__loader *loader) {
 // The records, of two doubles at least, are what the keys are sorted by way of, until they are filled: new pages take
 // time.
 static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory *memory) {
+    enum { SAMPLE = 1 << 16 };
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
     set->capacity = count + loader->source->spare;
@@ -2973,6 +2976,8 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
     if (loader->cuts) {
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
+        loader->sampled = count < SAMPLE ? count : (size_t)SAMPLE;
+        loader->sample = set->records;
     }
     if (!loader->keyed || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
     // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
@@ -2998,9 +3003,8 @@ static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *
     set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
     set->width = (size_t)points->dim + (points->weights != NULL);
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    status = paradt__set_survey(&loader, bad);
-    if (status) return status;
     status = paradt__loader_room(&loader, memory);
+    if (!status) status = paradt__set_survey(&loader, bad);
     if (!status) {
         if (loader.cuts) paradt__loader_cut(&loader);
         paradt__loader_sort(&loader);
@@ -5530,16 +5534,16 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// Of `16` neighbours, those numbered from 16 * group on, the one that comes earlier than in the last round; of 16 such
+// Of 16 neighbours, those numbered from 16 * group on, the one that comes earlier than in the last round; of 16 such
 // ones, at the next level, the one that comes earlier still.
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round of the point along the curve that comes earlier than those of its group: 0 to rounds - 1. One of 16
-// neighbours, at random, and one of 16 such ones: so a round's points are spread more evenly than by chance, and 2 %
-// fewer cells are made.
+// The round of the one that comes earlier than the others of its group: 0 to rounds - 1. One of 16 neighbours, at
+// random, and one of 16 such ones: so a round's points are spread more evenly than by chance, and 2 % fewer cells are
+// made.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -7287,14 +7291,30 @@ enum { PARADT__ROWS_AHEAD = 128 };
 
 PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *neighbors, size_t row,
                                       size_t corners) {
-    PARADT__PREFETCH(vertices + row * corners);
-    PARADT__PREFETCH(neighbors + row * corners);
+    PARADT__FETCH(vertices, row * corners);
+    PARADT__FETCH(neighbors, row * corners);
+}
+
+// Fetches the row of a place that comes soon in a list.
+PARADT__INLINE void paradt__fetch_listed(const paradt__cells *cells, const paradt_index *list, size_t count,
+                                         size_t at) {
+    enum { AHEAD = 8 };
+    if (at + AHEAD < count)
+        paradt__fetch_row(cells->vertices, cells->neighbors, (size_t)list[at + AHEAD], (size_t)cells->corners);
 }
 
 // Where cells go: the rows of the first, and its number
 typedef struct paradt__rows {
     paradt_index *vertices, *neighbors, offset;
 } paradt__rows;
+
+static paradt__rows paradt__rows_in_place(const paradt__cells *cells) {
+    paradt__rows to;
+    to.vertices = cells->vertices;
+    to.neighbors = cells->neighbors;
+    to.offset = 0;
+    return to;
+}
 
 // Writes the cell at a place into the same row of `to`: its neighbours, that were handles, become numbers, its vertices
 // are translated (origin NULL: not). Has it a facet without a neighbour?
@@ -7327,10 +7347,7 @@ PARADT__INLINE int paradt__bw_number(const paradt__cells *cells, size_t place, s
 PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
     size_t end = bw->cells.count, i;
     uint64_t ghosts = 0;
-    paradt__rows to;
-    to.vertices = bw->cells.vertices;
-    to.neighbors = bw->cells.neighbors;
-    to.offset = 0;
+    const paradt__rows to = paradt__rows_in_place(&bw->cells);
     paradt__bw_mark_free(bw);
     for (i = 0; i < end; i++) {
         if (!paradt__bw_keep(bw, i, corners, &ghosts)) {
@@ -7754,8 +7771,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
 // paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_judge,
-// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all,
-// paradt__patch_end.
+// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
 // a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
@@ -7797,11 +7813,13 @@ typedef struct paradt__patch {
     size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
     size_t list_count, list_capacity;
-    paradt_index *fringe; // [fringe_capacity] places of all cells and ghosts with a vertex that is not the region's,
-    size_t fringe_count, fringe_capacity; // once or more, and some places where such ones have been
-    size_t dropped;                       // places given up at the end
-    int trusts;                           // it is the first region, has its own points alone, and asks about nothing
-    paradt_index *border;                 // [border_capacity] cells that were on the seam when they were asked about
+    // [fringe_capacity] places of all cells and ghosts that have not only vertices of the region; some more than once,
+    // and some where such ones have been
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
+    size_t dropped;       // cells and ghosts, at the end
+    int trusts;           // it is the first region, has its own points alone, and asks about nothing
+    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
     size_t border_count, border_capacity;
     paradt_index *seam; // [seam_capacity] see paradt__field
     size_t seam_count, seam_capacity;
@@ -8112,7 +8130,7 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
     size_t cell, count = patch->bw.cells.count;
     paradt_status status = PARADT_OK;
     for (cell = 0; cell < count; cell++, vertices += corners) {
-        PARADT__PREFETCH(vertices + 4 * PARADT__ROWS_AHEAD * corners);
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
         if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own_count))) continue;
         if (!status) status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
         if (!status && paradt__patch_is_suspect(patch, vertices))
@@ -8431,18 +8449,15 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 
 // Drops what the region does not own, all of it in the fringe.
 static void paradt__patch_drop_fringe(paradt__patch *patch) {
-    enum { AHEAD = 8 };
-    size_t corners = (size_t)patch->bw.cells.corners, i;
+    size_t i;
     for (i = 0; i < patch->fringe_count; i++) {
         paradt_index cell = patch->fringe[i];
         const paradt_index *vertices = paradt__patch_cell(patch, cell);
-        size_t soon = (size_t)patch->fringe[i + AHEAD < patch->fringe_count ? i + AHEAD : i] * corners;
         int share;
-        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
-        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         share = paradt__patch_share(patch, cell);
-        if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
+        if (!share || !paradt__vertices_among(vertices, patch->bw.cells.corners, 0, PARADT__NOWHERE) ||
             !paradt__patch_owns(patch, cell))
             paradt__patch_drop(patch, (size_t)cell, share);
     }
@@ -8456,8 +8471,8 @@ static void paradt__patch_fill(paradt__patch *patch, const paradt_index *places,
     for (i = 0; i < count; i++) {
         size_t place = (size_t)places[i];
         if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
-        while (cells->vertices[--*end * corners] == PARADT__DEAD) {
-        }
+        do --*end;
+        while (cells->vertices[*end * corners] == PARADT__DEAD);
         paradt__bw_move(&patch->bw, place, *end, corners, 0);
     }
 }
@@ -8479,6 +8494,8 @@ static void paradt__patch_compact(paradt__patch *patch) {
     paradt__patch_fill(patch, patch->list, patch->list_count, &end);
     paradt__patch_fill(patch, patch->fringe, patch->fringe_count, &end);
     patch->list_count = 0;
+    paradt__release(patch->memory, patch->fringe);
+    patch->fringe = NULL;
     patch->made += bw->cells.count;
 }
 
@@ -8702,15 +8719,12 @@ PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt__pa
 
 // Lists a wrong cell, and those that are reached from it without passing the seam.
 static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    enum { AHEAD = 8 };
     paradt_index corners = (paradt_index)patch->bw.cells.corners, handle;
     size_t next = patch->list_count;
     paradt_status status = paradt__patch_wait(patch, first);
     for (; next < patch->list_count && !status; next++) {
         paradt_index base = patch->list[next] * corners;
-        paradt_index soon = patch->list[next + AHEAD < patch->list_count ? next + AHEAD : next] * corners;
-        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
-        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        paradt__fetch_listed(&patch->bw.cells, patch->list, patch->list_count, next);
         for (handle = base; handle < base + corners && !status; handle++) {
             paradt_index other = patch->bw.cells.neighbors[handle] / corners;
             if (patch->state[other] == PARADT__UNKNOWN && !paradt__seam_meets(seam, patch, handle))
@@ -8759,15 +8773,12 @@ static void paradt__patch_reuse_marks(paradt__patch *patch) {
 
 // Lists the ghosts that are reached from those in the fringe, through facets.
 static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
-    enum { AHEAD = 8 };
     paradt_index corners = (paradt_index)patch->bw.cells.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
     for (next = 0; next < patch->fringe_count && !status; next++) {
         paradt_index base = patch->fringe[next] * corners;
-        paradt_index soon = patch->fringe[next + AHEAD < patch->fringe_count ? next + AHEAD : next] * corners;
-        PARADT__PREFETCH(patch->bw.cells.vertices + soon);
-        PARADT__PREFETCH(patch->bw.cells.neighbors + soon);
+        paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, next);
         for (i = base; i < base + corners && !status; i++) {
             paradt_index other = patch->bw.cells.neighbors[i] / corners;
             if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->state[other] & PARADT__GHOST) continue;
@@ -10042,10 +10053,10 @@ static void paradt__remote_box(const paradt__set *set, size_t count, int64_t *lo
 // with all points that are to come, spans them, and has no sagittas.
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
                                                  paradt__memory *memory, const paradt__progress *progress) {
-    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int64_t low[PARADT_MAX_DIM] = {0}, high[PARADT_MAX_DIM] = {0};
     paradt__curve curve;
     memset(engine, 0, sizeof *engine);
-    paradt__remote_box(set, own, low, high);
+    if (own < set->count) paradt__remote_box(set, own, low, high);
     curve.low = low;
     curve.high = high;
     curve.along = own;
@@ -10112,7 +10123,7 @@ static int paradt__remote_engine_place(const paradt__remote_engine *engine, size
 PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
     int corners = engine->bw.cells.corners, i, inside = 0;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    PARADT__PREFETCH(vertices + 4 * PARADT__ROWS_AHEAD * corners);
+    PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
     if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
     for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
     return inside;
@@ -10206,10 +10217,7 @@ PARADT__INLINE uint64_t paradt__remote_engine_close(paradt__remote_engine *engin
     const paradt_index *vertices = bw->cells.vertices;
     size_t end = bw->cells.count, i, j;
     uint64_t others = 0;
-    paradt__rows to;
-    to.vertices = bw->cells.vertices;
-    to.neighbors = bw->cells.neighbors;
-    to.offset = 0;
+    const paradt__rows to = paradt__rows_in_place(&bw->cells);
     for (i = 0; i < end; i++) {
         if (!PARADT__LIKELY(paradt__remote_engine_keep(engine, set, i, corners, mark, &others))) {
             for (end--; end > i && !paradt__remote_engine_keep(engine, set, end, corners, mark, &others);) end--;

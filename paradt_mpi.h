@@ -746,8 +746,8 @@ typedef struct paradt_mpi__cutter {
 
 // Fetches a point ahead of its use, by its first and last coordinate: they may be in two of the cache's lines.
 PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t point) {
-    PARADT__PREFETCH(c->rows + point * c->width);
-    PARADT__PREFETCH(c->rows + (point + 1) * c->width - 1);
+    PARADT__FETCH(c->rows, point * c->width);
+    PARADT__FETCH(c->rows, (point + 1) * c->width - 1);
 }
 
 // Puts the points into the halves of their boxes, and bounds them there, if that is wanted. Which half cannot be
@@ -2593,8 +2593,8 @@ PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t 
     paradt_index *vertices = w->out->cells + c * k;
     const paradt_index *neighbors = w->out->neighbors;
     size_t j;
-    PARADT__PREFETCH(vertices + PARADT__ROWS_AHEAD * k);
-    if (neighbors) PARADT__PREFETCH(neighbors + (c + PARADT__ROWS_AHEAD) * k);
+    PARADT__FETCH(vertices, PARADT__ROWS_AHEAD * k);
+    if (neighbors) PARADT__FETCH(neighbors, (c + PARADT__ROWS_AHEAD) * k);
     for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
     if (!neighbors || PARADT__LIKELY(paradt__vertices_among(neighbors + c * k, (int)k, 0, PARADT__NOWHERE)))
         return PARADT_OK;
