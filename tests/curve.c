@@ -245,10 +245,11 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
         unsigned char *seen = (unsigned char *)need(count + 1, 1);
         assert_non_null(order);
         memset(seen, 0, count + 1);
-        for (size_t i = 0; i < count; i++) early += paradt__round_of(i, rounds) < rounds;
+        for (size_t i = 0; rounds && i < count; i += 16) early += paradt__earlier_one(i / 16, 0) < count;
         for (size_t i = 0; i < count; i++) {
             assert_false(seen[order[i]]);
             seen[order[i]] = 1;
+            if (i < early) assert_int_equal(order[i], paradt__earlier_one((size_t)order[i] / 16, 0));
             if (i > early) assert_true(order[i - 1] < order[i]); // the last round is along the curve
         }
         if (rounds) assert_true(early >= count / 16 && early <= count / 16 + 1);
@@ -260,17 +261,22 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
 
 enum { OWN = 4000, TWINS = 200, OUTSIDE = 100, OTHERS = TWINS + OUTSIDE, NEAR = 16 };
 
-// To `own` points of the set, along the curve of `along`, come others: at the places of own ones, and all around. Those
-// at their places must come with at most NEAR own ones between them and their twins.
-static void merge_and_compare(paradt__set *set, size_t own, size_t along) {
+// To `own` points of the set, in a box, along the curve of OWN, come others: at the places of own ones, and all around.
+// Those at their places must come with at most NEAR own ones between them and their twins.
+static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, const int64_t *high) {
     static paradt__keyed sorted[OTHERS], other[OTHERS];
     static paradt_index merged[OWN + OTHERS];
     static size_t place[OWN + OTHERS];
-    size_t all = own + OTHERS;
+    size_t all = set->count = own + OTHERS;
+    paradt__curve curve = {set->space.low, set->space.high, OWN};
+    paradt__rounds one; // and no more
+    memset(&one, 0, sizeof one);
+    one.order = merged;
     for (size_t i = 0; i < TWINS; i++)
         memcpy(set->records + 3 * (own + i), set->records + 3 * (own / TWINS * i), 3 * sizeof(double));
     for (size_t i = 3 * (own + TWINS); i < 3 * all; i++) set->records[i] = (double)(paradt__mix(i) >> 11) * 0x1p-50 - 4;
-    paradt__merge_others(set, own, all, along, sorted, other, merged);
+    paradt__merge_others(set, own, &curve, low, high, sorted, other, &one);
+    assert_int_equal(one.next, all);
     for (size_t i = 0; i < all; i++) place[i] = all;
     for (size_t i = 0; i < all; i++) {
         assert_in_range(merged[i], 0, all - 1);
@@ -291,8 +297,11 @@ static void others_come_where_the_curve_passes_them(void **state) {
     paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
     paradt__memory memory;
     paradt__set set;
+    int64_t low[3] = {paradt__ordered_bits(0.37), paradt__ordered_bits(0.21), paradt__ordered_bits(-PARADT__FAR)};
+    int64_t high[3];
     size_t bad, own = 0;
     (void)state;
+    for (size_t axis = 0; axis < 3; axis++) high[axis] = paradt__ordered_bits(PARADT__FAR);
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
     for (size_t i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(i + 7) >> 11) * 0x1p-53;
@@ -300,11 +309,11 @@ static void others_come_where_the_curve_passes_them(void **state) {
     memcpy(x, set.records, OWN * 3 * sizeof *x);
     paradt__set_free(&set, &memory);
     set.records = x;
-    merge_and_compare(&set, OWN, OWN);
+    merge_and_compare(&set, OWN, set.space.low, set.space.high);
     for (size_t i = 0; i < OWN; i++) { // those of a region, with the curve of all
         if (x[3 * i] > 0.37 && x[3 * i + 1] > 0.21) memmove(x + 3 * own++, x + 3 * i, 3 * sizeof *x);
     }
-    merge_and_compare(&set, own, OWN);
+    merge_and_compare(&set, own, low, high);
 }
 
 int main(void) {

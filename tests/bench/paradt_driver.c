@@ -7,8 +7,8 @@
 
 // --- a parallel_for over standing threads, as host programs have them ------------------------------------------------
 //
-// They are made by the first call, which is in its time. Between calls they look for work for a while, less than a
-// millisecond or a few, as those of OpenMP do, and then sleep.
+// They are made by the first call, which is in its time. Between calls they look for work for a moment, as those of
+// OpenMP do, and then sleep.
 
 enum { MAX_JOBS = 256, LOOKS = 20000 };
 
@@ -46,18 +46,20 @@ static void team_await(unsigned call) {
     pthread_mutex_unlock(&team.lock);
 }
 
-static void *team_member(void *unused) {
-    for (unsigned call = 0;; call++) {
+// seen: the call that was the last when the thread was made
+static void *team_member(void *seen) {
+    for (unsigned call = (unsigned)(uintptr_t)seen;; call++) {
         team_await(call);
         team_work();
         atomic_fetch_sub(&team.busy, 1);
     }
-    return unused;
+    return NULL;
 }
 
 static void team_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     size_t jobs = *(const size_t *)user;
-    while (team.workers + 1 < jobs && !pthread_create(&team.thread[team.workers], NULL, team_member, NULL))
+    void *seen = (void *)(uintptr_t)atomic_load(&team.call);
+    while (team.workers + 1 < jobs && !pthread_create(&team.thread[team.workers], NULL, team_member, seen))
         team.workers++;
     team.count = count;
     team.task = task;
