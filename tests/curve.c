@@ -297,11 +297,9 @@ static void others_come_where_the_curve_passes_them(void **state) {
     paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
     paradt__memory memory;
     paradt__set set;
-    int64_t low[3] = {paradt__ordered_bits(0.37), paradt__ordered_bits(0.21), paradt__ordered_bits(-PARADT__FAR)};
-    int64_t high[3];
+    int64_t low[3];
     size_t bad, own = 0;
     (void)state;
-    for (size_t axis = 0; axis < 3; axis++) high[axis] = paradt__ordered_bits(PARADT__FAR);
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
     for (size_t i = 0; i < OWN * 3; i++) x[i] = (double)(paradt__mix(i + 7) >> 11) * 0x1p-53;
@@ -313,7 +311,10 @@ static void others_come_where_the_curve_passes_them(void **state) {
     for (size_t i = 0; i < OWN; i++) { // those of a region, with the curve of all
         if (x[3 * i] > 0.37 && x[3 * i + 1] > 0.21) memmove(x + 3 * own++, x + 3 * i, 3 * sizeof *x);
     }
-    merge_and_compare(&set, own, low, high);
+    memcpy(low, set.space.low, sizeof low);
+    low[0] = paradt__ordered_bits(0.37);
+    low[1] = paradt__ordered_bits(0.21);
+    merge_and_compare(&set, own, low, set.space.high);
 }
 
 int main(void) {
