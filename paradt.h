@@ -2515,7 +2515,7 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t p
     return (const char *)points->data + point * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points ask for them so far ahead of their use: a processor does that itself, but anew for each page.
+// Passes over all points ask for them so far ahead of their use: processors do that themselves, but only within a page.
 enum { PARADT__POINTS_AHEAD = 64 };
 
 // Fetches a point, if there is one of that number. It may lie across the border of two of the cache's lines.
@@ -2797,8 +2797,7 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
 }
 
 // Points of the sample that box 0 gets more than others, since by insertion its region takes in none of theirs and asks
-// about no cell: somewhat more than there are in a margin beside a cut through all. Measured on uniform points, a
-// Gaussian and Plummer's cluster.
+// about no cell: so many times what there is in a margin beside a cut through all. Measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
     int64_t keys[SOME];
@@ -7286,7 +7285,7 @@ PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, s
     }
 }
 
-// Passes over all cells ask for rows so far ahead of their use: a processor does that itself, but anew for each page.
+// Passes over all cells ask for rows so far ahead, for the same reason as passes over all points.
 enum { PARADT__ROWS_AHEAD = 128 };
 
 PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *neighbors, size_t row,
