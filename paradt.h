@@ -204,7 +204,8 @@
 // keeps a copy of it for paradt_free.
 //
 // Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
-// has them ready, and adds a third on a virtual machine whose host has to provide them anew.
+// has them ready, and adds a third on a virtual machine whose host has to provide them anew. On Linux from 5.14 on
+// small pages are made some ahead of their use, by madvise; that takes 3 to 5 hundredths off.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
 // Arrays may have room for a third more at their ends, where regions made that much in vain.
@@ -542,6 +543,9 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#if defined(__linux__)
+#include <sys/mman.h> // for pages made ahead
+#endif
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -604,7 +608,8 @@ extern "C" {
 // Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
 // its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
-// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
+// paradt__make_pages.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -707,6 +712,21 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
     paradt__release(memory, *array);
     *array = larger;
     return 1;
+}
+
+// The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
+// are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
+// be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
+// it is, and where pages are larger than is thought here the system refuses.
+static void paradt__make_pages(const void *array, size_t first, size_t end) {
+#if defined(__linux__) && defined(MADV_NORMAL)              // else madvise is not declared
+    enum { PAGE = 4096, FEWEST = 16, POPULATE_WRITE = 23 }; // the latter for headers older than Linux 5.14, too
+    uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
+    if (from < begin) from += PAGE;
+    if (to > from && to - from >= FEWEST * PAGE) (void)madvise((void *)from, (size_t)(to - from), POPULATE_WRITE);
+#else
+    (void)array, (void)first, (void)end;
+#endif
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -2668,8 +2688,19 @@ static void paradt__sample(paradt__loader *loader, size_t index) {
     }
 }
 
+// Makes the pages of a task's part of the arrays that are filled from now on.
+static void paradt__loader_pages(const paradt__loader *loader, size_t index) {
+    size_t record = loader->set->width * sizeof(double), first;
+    size_t end = paradt__loader_share(loader, loader->source->points.count, index, &first);
+    paradt__make_pages(loader->keyed, first * sizeof *loader->keyed, end * sizeof *loader->keyed);
+    paradt__make_pages(loader->set->records, first * record, end * record);
+    paradt__make_pages(loader->set->origin, first * sizeof(paradt_index), end * sizeof(paradt_index));
+    paradt__make_pages(loader->representative, first * sizeof(paradt_index), end * sizeof(paradt_index));
+}
+
 static void paradt__survey_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
+    paradt__loader_pages(loader, index);
     if (loader->source->points.dim == 3) paradt__survey(loader, index, 3);
     else paradt__survey(loader, index, loader->source->points.dim);
     paradt__sample(loader, index);
@@ -5564,6 +5595,7 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     memset(r, 0, sizeof *r);
     r->order = (paradt_index *)paradt__alloc(memory, count, sizeof *r->order);
     if (!r->order) return PARADT_ERROR_MEMORY;
+    paradt__make_pages(r->order, 0, count * sizeof *r->order);
     r->rounds = paradt__round_count(count);
     for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
         if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
@@ -5819,6 +5851,7 @@ typedef struct paradt__bw {
     size_t later;            // points that may come after these, as far as can be foreseen: for the room
     double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
     paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
+    size_t paged;            // so many cells have pages for their rows already
     unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
     paradt_index *spare;     // [spare_capacity] places that are free
     size_t spare_count, spare_capacity;
@@ -5864,8 +5897,10 @@ static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
     if (capacity <= before) return PARADT_OK;
     status = paradt__cells_reserve(&bw->cells, capacity, bw->memory);
     if (status) return status;
+    bw->paged = bw->cells.count;
     if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
     bw->conflict = (unsigned char *)array;
+    paradt__make_pages(bw->conflict, before, bw->cells.capacity);
     memset(bw->conflict + before, 0, bw->cells.capacity - before);
     return PARADT_OK;
 }
@@ -5924,11 +5959,24 @@ static size_t paradt__bw_first_points(const paradt__bw *bw) {
     return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
+// Makes pages for some more cells than are needed.
+static void paradt__bw_make_pages(paradt__bw *bw, size_t needed) {
+    enum { AHEAD = 1 << 17 }; // bytes
+    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + AHEAD / row;
+    if (end > bw->cells.capacity) end = bw->cells.capacity;
+    paradt__make_pages(bw->cells.vertices, bw->paged * row, end * row);
+    paradt__make_pages(bw->cells.neighbors, bw->paged * row, end * row);
+    bw->paged = end;
+}
+
 // Makes sure of `count` free places.
 static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
     size_t needed = bw->cells.count + count - (bw->spare_count < count ? bw->spare_count : count);
-    if (PARADT__LIKELY(needed <= bw->cells.capacity)) return PARADT_OK;
-    return paradt__bw_reserve(bw, paradt__bw_expected(bw, needed));
+    paradt_status status = PARADT_OK;
+    if (PARADT__LIKELY(needed <= bw->paged)) return PARADT_OK;
+    if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, paradt__bw_expected(bw, needed));
+    if (!status) paradt__bw_make_pages(bw, needed);
+    return status;
 }
 
 PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
@@ -7199,6 +7247,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     while (size < bw->count / 16 && size < PARADT__MOST_SPHERES) size *= 2;
     s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
     if (!s) return PARADT_ERROR_MEMORY;
+    paradt__make_pages(s, 0, sizeof *s + (size + 1) * sizeof *s->table);
     memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
