@@ -720,7 +720,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
 // it is, and where pages are larger than is thought here the system refuses.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #if defined(__linux__) && defined(MADV_NORMAL)              // else madvise is not declared
-    enum { PAGE = 4096, FEWEST = 16, POPULATE_WRITE = 23 }; // the latter for headers older than Linux 5.14, too
+    enum { PAGE = 4096, FEWEST = 8, POPULATE_WRITE = 23 }; // the latter for headers older than Linux 5.14, too
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
     if (from < begin) from += PAGE;
     if (to > from && to - from >= FEWEST * PAGE) (void)madvise((void *)from, (size_t)(to - from), POPULATE_WRITE);
@@ -5722,7 +5722,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 16 of them;
+    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 4 of them (16 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
@@ -7240,11 +7240,11 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
-    size_t size = PARADT__LEAST_SPHERES, i;
+    size_t size = PARADT__LEAST_SPHERES, points = bw->cells.lent ? 16 : 4, i;
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
-    while (size < bw->count / 16 && size < PARADT__MOST_SPHERES) size *= 2;
+    while (size < bw->count / points && size < PARADT__MOST_SPHERES) size *= 2;
     s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
     if (!s) return PARADT_ERROR_MEMORY;
     paradt__make_pages(s, 0, sizeof *s + (size + 1) * sizeof *s->table);
@@ -8600,6 +8600,8 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
     if (!status) status = paradt__bw_build(&patch->bw, progress);
+    paradt__release(patch->memory, patch->order);
+    patch->bw.order = patch->order = NULL;
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
 
