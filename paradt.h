@@ -609,7 +609,7 @@ extern "C" {
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
 // its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
 // Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
-// paradt__make_pages.
+// paradt__make_pages, paradt__alloc_filled.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -719,14 +719,22 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
 // be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
 // it is, and where pages are larger than is thought here the system refuses.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
-#if defined(__linux__) && defined(MADV_NORMAL)              // else madvise is not declared
-    enum { PAGE = 4096, FEWEST = 8, POPULATE_WRITE = 23 }; // the latter for headers older than Linux 5.14, too
+#if defined(__linux__) && defined(MADV_NORMAL) // else madvise is not declared
+    enum { PAGE = 4096, FEWEST = 8 };
+    enum { POPULATE_WRITE = 23 }; // not in all headers
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
     if (from < begin) from += PAGE;
     if (to > from && to - from >= FEWEST * PAGE) (void)madvise((void *)from, (size_t)(to - from), POPULATE_WRITE);
 #else
     (void)array, (void)first, (void)end;
 #endif
+}
+
+// paradt__alloc for a block that one thread is about to fill.
+static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t size) {
+    void *block = paradt__alloc(memory, count, size);
+    if (block) paradt__make_pages(block, 0, count * size);
+    return block;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5593,9 +5601,8 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     size_t group, groups = 0, before = 0;
     int round;
     memset(r, 0, sizeof *r);
-    r->order = (paradt_index *)paradt__alloc(memory, count, sizeof *r->order);
+    r->order = (paradt_index *)paradt__alloc_filled(memory, count, sizeof *r->order);
     if (!r->order) return PARADT_ERROR_MEMORY;
-    paradt__make_pages(r->order, 0, count * sizeof *r->order);
     r->rounds = paradt__round_count(count);
     for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
         if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
@@ -7245,9 +7252,9 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
     while (size < bw->count / points && size < PARADT__MOST_SPHERES) size *= 2;
-    s = bw->spheres = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
+    s = (paradt__spheres3 *)paradt__alloc_filled(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
+    bw->spheres = s;
     if (!s) return PARADT_ERROR_MEMORY;
-    paradt__make_pages(s, 0, sizeof *s + (size + 1) * sizeof *s->table);
     memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);

@@ -503,7 +503,7 @@ static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status sta
         if (r != w->rank) pieces += paradt_mpi__pieces(w->to[r] * size) + paradt_mpi__pieces(w->from[r] * size);
     }
     if (!status) {
-        *receive = paradt__alloc(&w->memory, total, size);
+        *receive = paradt__alloc_filled(&w->memory, total, size);
         requests = (MPI_Request *)paradt__alloc(&w->memory, pieces, sizeof *requests);
         if (!*receive || !requests) status = PARADT_ERROR_MEMORY;
     }
@@ -695,7 +695,7 @@ static void paradt_mpi__number(paradt_mpi__work *w, size_t count) {
 static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *local, double **rows) {
     paradt__source source = paradt__source_of(local);
     size_t width = (size_t)w->dim + (size_t)w->weighted, i;
-    *rows = (double *)paradt__alloc(&w->memory, local->count, (width + 1) * sizeof **rows);
+    *rows = (double *)paradt__alloc_filled(&w->memory, local->count, (width + 1) * sizeof **rows);
     if (!*rows) return PARADT_ERROR_MEMORY;
     for (i = 0; i < local->count; i++) {
         double *row = *rows + i * (width + 1);
@@ -936,12 +936,12 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.weight = weight;
     c.box_count = 1;
-    c.inside = (uint32_t *)paradt__alloc(&w->memory, c.count, sizeof *c.inside);
+    c.inside = (uint32_t *)paradt__alloc_filled(&w->memory, c.count, sizeof *c.inside);
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks << PARADT_MPI__DIGIT, sizeof *c.counts);
     c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
-    sorted = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *sorted);
+    sorted = (double *)paradt__alloc_filled(&w->memory, c.count, c.width * sizeof *sorted);
     if (!c.inside || !c.open || !c.boxes || !c.counts || !c.bounds || !sorted) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
@@ -1064,8 +1064,8 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     size_t i, width = (size_t)w->dim + (size_t)w->weighted, bad;
     paradt__source source;
     if (count > (size_t)INT32_MAX / 2 && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
-    w->received = (uint64_t *)paradt__alloc(&w->memory, count, sizeof *w->received);
-    w->twin = (paradt_index *)paradt__alloc(&w->memory, count, sizeof *w->twin);
+    w->received = (uint64_t *)paradt__alloc_filled(&w->memory, count, sizeof *w->received);
+    w->twin = (paradt_index *)paradt__alloc_filled(&w->memory, count, sizeof *w->twin);
     if (!w->received || !w->twin) return PARADT_ERROR_MEMORY;
     for (i = 0; i < count; i++) w->received[i] = paradt_mpi__bits_at(rows + i * (width + 1) + width);
     w->received_count = count;
@@ -1257,7 +1257,7 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     size_t i;
     paradt_status status;
     w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, w->room, sizeof *w->home);
-    w->audience = (int *)paradt__alloc(&w->memory, set->count, sizeof *w->audience);
+    w->audience = (int *)paradt__alloc_filled(&w->memory, set->count, sizeof *w->audience);
     if (!w->home || !w->audience) return PARADT_ERROR_MEMORY;
     w->known = set->count;
     w->ready = w->ranks > 1 && set->count && set->space.dim > 0;
@@ -2750,7 +2750,7 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
         if (i + 1 == w->set.count) out->vertex_own = count;
     }
     out->vertex_count = count;
-    out->vertices = (int64_t *)paradt__alloc(&w->memory, count, sizeof *out->vertices);
+    out->vertices = (int64_t *)paradt__alloc_filled(&w->memory, count, sizeof *out->vertices);
     status = out->vertices ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
     for (i = 0; i < w->known && !status; i++) {
         double *to = out->coordinates + (size_t)number[i] * ambient, x[PARADT_MAX_DIM];
@@ -2860,8 +2860,8 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
     paradt_status status = PARADT_ERROR_MEMORY;
     memset(&facets, 0, sizeof facets);
     paradt_mpi__unsettle_questions(w);
-    number = (paradt_index *)paradt__alloc(&w->memory, w->known, sizeof *number);
-    out->representative = (int64_t *)paradt__alloc(&w->memory, out->point_count, sizeof *out->representative);
+    number = (paradt_index *)paradt__alloc_filled(&w->memory, w->known, sizeof *number);
+    out->representative = (int64_t *)paradt__alloc_filled(&w->memory, out->point_count, sizeof *out->representative);
     if (number && out->representative) status = PARADT_OK;
     status = paradt_mpi__agree(w, status);
     if (!status) {
