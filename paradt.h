@@ -545,6 +545,12 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <time.h>
 #if defined(__linux__)
 #include <sys/mman.h> // for pages made ahead
+#if defined(MADV_NORMAL)
+#define PARADT__MADVISE 1
+#elif !defined(__cplusplus)
+#define PARADT__MADVISE 1 // it is there, too, where the compiler is asked for a standard without it
+int madvise(void *address, size_t length, int advice);
+#endif
 #endif
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -719,7 +725,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
 // be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
 // it is, and where pages are larger than is thought here the system refuses.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
-#if defined(__linux__) && defined(MADV_NORMAL) // else madvise is not declared
+#ifdef PARADT__MADVISE
     enum { PAGE = 4096, FEWEST = 8 };
     enum { POPULATE_WRITE = 23 }; // not in all headers
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
