@@ -750,10 +750,11 @@ PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t po
     PARADT__FETCH(c->rows, (point + 1) * c->width - 1);
 }
 
-// Puts the points into the halves of their boxes, and bounds them there, if that is wanted. Which half cannot be
-// foreseen, so there is no branch. Not collective.
-static void paradt_mpi__deal(const paradt_mpi__work *w, paradt_mpi__cutter *c, int bounds) {
-    size_t dim = (size_t)w->dim, i, j;
+// Puts the points into the halves of their boxes, and bounds and weighs them there, if that is wanted. Which half
+// cannot be foreseen, so there is no branch. Not collective.
+PARADT__INLINE void paradt_mpi__deal(paradt_mpi__cutter *c, size_t dim, int bounds) {
+    size_t i, j;
+    memset(c->counts, 0, (size_t)c->box_count * sizeof *c->counts);
     for (i = 0; i < (size_t)c->box_count * 2 * dim; i++) c->bounds[i] = INT64_MAX;
     for (i = 0; i < c->count; i++) {
         const double *row = c->rows + i * c->width;
@@ -762,6 +763,7 @@ static void paradt_mpi__deal(const paradt_mpi__work *w, paradt_mpi__cutter *c, i
         paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
         c->inside[i] = box->sides[paradt__ordered_bits(row[box->axis]) >= box->cut];
         bound = c->bounds + c->inside[i] * 2 * dim;
+        c->counts[c->inside[i]] += c->weight;
         for (j = 0; bounds && j < dim; j++) {
             int64_t x = paradt__ordered_bits(row[j]);
             if (x < bound[2 * j]) bound[2 * j] = x;
@@ -781,14 +783,6 @@ static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
             c->boxes[b].high[j] = ~c->bounds[((size_t)b * dim + j) * 2 + 1];
         }
     }
-}
-
-// What the points of each box weigh.
-static void paradt_mpi__count_boxes(paradt_mpi__work *w, paradt_mpi__cutter *c, uint64_t *totals) {
-    size_t i;
-    memset(totals, 0, (size_t)c->box_count * sizeof *totals);
-    for (i = 0; i < c->count; i++) totals[c->inside[i]] += c->weight;
-    MPI_Allreduce(MPI_IN_PLACE, totals, c->box_count, MPI_UINT64_T, MPI_SUM, w->comm);
 }
 
 // Chooses the axis and what is wanted below the cut.
@@ -812,23 +806,23 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uin
 }
 
 // Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. Points
-// that do not have them are open no more.
-static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+// that do not have them are open no more; those that are are listed from the second digit on.
+static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c, int number) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
-    size_t i, kept = 0;
+    size_t count = number < 2 ? c->count : c->open_count, i, kept = 0;
     int b;
     memset(c->counts, 0, (size_t)c->box_count * values * sizeof *c->counts);
-    for (i = 0; i < c->open_count; i++) {
-        size_t point = c->open[i];
+    for (i = 0; i < count; i++) {
+        size_t point = number < 2 ? i : c->open[i], soon = i + AHEAD < count ? i + AHEAD : i;
         const paradt_mpi__box *box = c->boxes + c->inside[point];
         int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
         uint64_t offset;
-        paradt_mpi__fetch_row(c, c->open[i + AHEAD < c->open_count ? i + AHEAD : i]);
+        paradt_mpi__fetch_row(c, number < 2 ? soon : c->open[soon]);
         offset = (uint64_t)paradt__ordered_bits(c->rows[point * c->width + (size_t)box->axis]) -
                  (uint64_t)box->low[box->axis];
         if (!box->bits || (box->bits < 64 && offset >> box->bits != box->offset)) continue;
-        c->open[kept++] = point;
+        if (number > 0) c->open[kept++] = point;
         c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))] +=
             c->weight;
     }
@@ -864,23 +858,21 @@ static void paradt_mpi__cut(const paradt_mpi__work *w, paradt_mpi__box *box) {
 
 // Halves all boxes that have several ranks. 0: there are none left.
 static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
-    int b, boxes = c->box_count, several = 0, more = 1;
-    size_t i;
+    int b, boxes = c->box_count, several = 0, more = 1, digit = 0;
     for (b = 0; b < boxes; b++) several |= c->boxes[b].ranks > 1;
-    paradt_mpi__deal(w, c, several);
+    if (w->dim == 3) paradt_mpi__deal(c, 3, several);
+    else paradt_mpi__deal(c, (size_t)w->dim, several);
     if (!several) return 0;
     paradt_mpi__bound(w, c);
-    paradt_mpi__count_boxes(w, c, c->counts);
+    MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < boxes; b++) {
         paradt_mpi__aim(w, c->boxes + b, c->counts[b]);
         if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
     }
-    for (i = 0; i < c->count; i++) c->open[i] = i;
-    c->open_count = c->count;
     while (more) {
         more = 0;
         for (b = 0; b < boxes; b++) more |= c->boxes[b].bits;
-        if (more) paradt_mpi__next_digit(w, c);
+        if (more) paradt_mpi__next_digit(w, c, digit++);
     }
     for (b = 0; b < boxes; b++) {
         paradt_mpi__box *box = c->boxes + b, *upper = c->boxes + c->box_count;
