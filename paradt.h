@@ -5663,7 +5663,7 @@ static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__l
 // them, within a few own ones. sorted, other: room for set->count - own.
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
                                  const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
-    enum { FEW = 8 };
+    enum { FEW = 32 };
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     int ambient = set->space.ambient, levels = paradt__levels_for(curve->along, ambient);
@@ -10099,27 +10099,13 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
     memset(engine, 0, sizeof *engine);
 }
 
-// The box of the first `count` points of the set, as ordered bits
-static void paradt__remote_box(const paradt__set *set, size_t count, int64_t *low, int64_t *high) {
-    int axis;
-    size_t i;
-    for (i = 0; i < count; i++) {
-        for (axis = 0; axis < set->space.ambient; axis++) {
-            int64_t x = paradt__ordered_bits(set->records[i * set->width + (size_t)axis]);
-            low[axis] = i && low[axis] < x ? low[axis] : x;
-            high[axis] = i && high[axis] > x ? high[axis] : x;
-        }
-    }
-}
-
 // Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come, spans them, and has no sagittas.
+// with all points that are to come, spans them, and has no sagittas. low, high: the own points' box, as ordered bits
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 paradt__memory *memory, const paradt__progress *progress) {
-    int64_t low[PARADT_MAX_DIM] = {0}, high[PARADT_MAX_DIM] = {0};
+                                                 const int64_t *low, const int64_t *high, paradt__memory *memory,
+                                                 const paradt__progress *progress) {
     paradt__curve curve;
     memset(engine, 0, sizeof *engine);
-    if (own < set->count) paradt__remote_box(set, own, low, high);
     curve.low = low;
     curve.high = high;
     curve.along = own;

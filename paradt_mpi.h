@@ -401,6 +401,8 @@ typedef struct paradt_mpi__work {
     int shift;                         // the coordinates were multiplied by 2^shift
     paradt__set set;                   // own points along a curve; behind them in records those of others
     paradt__grid grid;                 // of the own points
+    int64_t low[PARADT_MAX_DIM];       // around the own points, as ordered bits
+    int64_t high[PARADT_MAX_DIM];      //
     double inside[2 * PARADT_MAX_DIM]; // low and high of each axis: no point in there is unknown to this rank
     paradt__search search;             // in the grid
     int ready;                         // the grid is there: there are points here, not all equal, and other ranks
@@ -1152,6 +1154,8 @@ static void paradt_mpi__measure(paradt_mpi__work *w, int dim) {
     paradt__range *ranges[2];
     int j;
     paradt__set_measure(&w->set, &paradt__alone, dim);
+    memcpy(w->low, space->low, sizeof w->low);
+    memcpy(w->high, space->high, sizeof w->high);
     ranges[0] = &space->coordinates;
     ranges[1] = &space->weights;
     for (j = 0; j < 2; j++) {
@@ -1852,7 +1856,7 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     progress.begin = 0.0;
     progress.length = 1.0;
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, &w->memory, &progress);
+    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided. It has no use for sagittas.
@@ -2749,7 +2753,8 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
         if (number[i] < 0) continue;
         out->vertices[number[i]] = (int64_t)w->home[i].id;
         memcpy(x, records + i * w->set.width, ambient * sizeof *x);
-        for (axis = 0; axis < w->dim; axis++) to[w->set.axes[axis]] = paradt__scale(x[axis], -w->shift, &exact);
+        for (axis = 0; axis < w->dim; axis++)
+            to[w->set.axes[axis]] = w->shift ? paradt__scale(x[axis], -w->shift, &exact) : x[axis];
     }
     return status;
 }
