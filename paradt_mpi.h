@@ -930,6 +930,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.weight = weight;
     c.box_count = 1;
+    c.open_count = 0;
     c.inside = (uint32_t *)paradt__alloc_filled(&w->memory, c.count, sizeof *c.inside);
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
