@@ -7334,10 +7334,14 @@ PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners,
     return 0;
 }
 
-// Moves a cell to a place. In the first `numbered` cells neighbours are numbers, else handles.
+// Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule those
+// just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
 PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners, size_t numbered) {
+    enum { AHEAD = 8 };
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
+    const paradt_index *soon = neighbors + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
     size_t j;
+    for (j = 0; j < corners; j++) PARADT__FETCH(neighbors, soon[j]);
     memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
     memcpy(neighbors + place * corners, neighbors + from * corners, corners * sizeof *neighbors);
     for (j = 0; j < corners; j++) {
