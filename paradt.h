@@ -5888,9 +5888,9 @@ PARADT__INLINE paradt_index paradt__bw_point(const paradt__bw *bw, size_t i) {
     return bw->order ? bw->order[i] : (paradt_index)i;
 }
 
-// The cell that a handle's facet belongs to
+// The cell that a handle's facet belongs to. Divisions by what is not a constant are slow.
 PARADT__INLINE paradt_index paradt__bw_cell(const paradt__bw *bw, paradt_index handle) {
-    return handle / bw->cells.corners;
+    return bw->cells.corners == 4 ? handle >> 2 : handle / bw->cells.corners;
 }
 
 static void paradt__bw_end(paradt__bw *bw) {
@@ -7334,8 +7334,8 @@ PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners,
     return 0;
 }
 
-// Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule those
-// just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
+// Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule
+// those just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
 PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners, size_t numbered) {
     enum { AHEAD = 8 };
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
@@ -10158,7 +10158,7 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
 
 // Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
 // there; else *facet is -1.
-static int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t *place, int *facet) {
+PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t *place, int *facet) {
     const paradt__cells *cells = &engine->bw.cells;
     size_t corners = (size_t)cells->corners, base = *place * corners;
     int ghost;
@@ -10197,7 +10197,7 @@ static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine,
 }
 
 // The place on the other side of a facet of what is at a place
-static size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
+PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
     size_t corners = (size_t)engine->bw.cells.corners;
     return (size_t)paradt__bw_cell(&engine->bw, engine->bw.cells.neighbors[place * corners + (size_t)facet]);
 }
@@ -10219,8 +10219,8 @@ static void paradt__remote_engine_fetch_points(const paradt__remote_engine *engi
 }
 
 // The vertices of the cell at a place, as positions in the set, and their records.
-static void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t place, paradt_index *vertices,
-                                       const double **records) {
+PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t place,
+                                               paradt_index *vertices, const double **records) {
     int corners = engine->bw.cells.corners, i;
     for (i = 0; i < corners; i++) {
         vertices[i] = engine->bw.cells.vertices[place * (size_t)corners + (size_t)i];

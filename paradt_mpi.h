@@ -2129,17 +2129,19 @@ static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *l
 // Lists the own vertices of what is at a place for the ranks of its other vertices. With weights cells are asked about
 // instead, for the sake of points that are hidden.
 static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__list *list, size_t place) {
-    const double *corners[PARADT_MAX_DIM + 1];
-    paradt_index cell[PARADT_MAX_DIM + 1];
+    const paradt_index *all = w->inserting ? w->engine.bw.cells.vertices : w->local.cells, *cell, *v, *end;
+    paradt_index own = (paradt_index)w->set.count;
+    int rank = w->rank;
     paradt_status status = PARADT_OK;
-    int dim = w->set.space.dim, rank, i, j;
-    if (w->weighted || !(paradt_mpi__topics(w, &place) & PARADT_MPI__SPHERE)) return PARADT_OK;
-    paradt_mpi__cell(w, place, cell, corners);
-    for (i = 0, rank = w->rank; i <= dim; i++) {
-        if ((size_t)cell[i] < w->set.count || w->home[cell[i]].rank == rank) continue; // own, or told already
-        rank = w->home[cell[i]].rank;
-        for (j = 0; j <= dim && !status; j++) {
-            if ((size_t)cell[j] < w->set.count) status = paradt_mpi__list_news(w, list, rank, cell[j]);
+    cell = all + place * ((size_t)w->set.space.dim + 1);
+    end = cell + w->set.space.dim + 1;
+    if (w->weighted || !paradt__vertices_among(cell, w->set.space.dim + 1, 0, PARADT__NOWHERE)) return PARADT_OK;
+    for (v = cell; v < end; v++) {
+        const paradt_index *u;
+        if (*v < own || w->home[*v].rank == rank) continue; // own, or told already
+        rank = w->home[*v].rank;
+        for (u = cell; u < end && !status; u++) {
+            if (*u < own && w->audience[*u] != rank) status = paradt_mpi__list_news(w, list, rank, *u);
         }
     }
     return status;
