@@ -5735,7 +5735,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 4 of them (16 in slices);
+    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (16 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
@@ -7253,7 +7253,7 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
-    size_t size = PARADT__LEAST_SPHERES, points = bw->cells.lent ? 16 : 4, i;
+    size_t size = PARADT__LEAST_SPHERES, points = bw->cells.lent ? 16 : 5, i;
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;

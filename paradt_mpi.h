@@ -409,7 +409,7 @@ typedef struct paradt_mpi__work {
     uint64_t patience;                 // so much work questions are worth: about the number of all ranks' cells
     int stuck;                         // questions or answers would take longer
     size_t known, room;                // points in set.records, and places for them
-    paradt_mpi__home *home;            // [room]
+    paradt_mpi__home *home;            // [room - set.count] of others' points
     paradt_mpi__table others;          // points of others that are known: value is the place in set.records
     int *audience;                     // [set.count] the first rank that was told of each own point, or -1
     paradt_mpi__table told;            // other ranks, and the own points that they were told
@@ -990,7 +990,8 @@ static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
     w->set.records = (double *)array;
     if (w->inserting) w->engine.bw.records = w->set.records;
     array = w->home;
-    if (!paradt__grow(&w->memory, &array, w->known, room, sizeof *w->home)) return PARADT_ERROR_MEMORY;
+    if (!paradt__grow(&w->memory, &array, w->known - w->set.count, room - w->set.count, sizeof *w->home))
+        return PARADT_ERROR_MEMORY;
     w->home = (paradt_mpi__home *)array;
     w->room = room;
     return PARADT_OK;
@@ -998,7 +999,7 @@ static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
 
 // Adds a point of another rank, unless it is known. wire: its row. There is room for it.
 static size_t paradt_mpi__add_other(paradt_mpi__work *w, int rank, const double *wire) {
-    paradt_mpi__home *home = w->home + w->known;
+    paradt_mpi__home *home = w->home + (w->known - w->set.count);
     paradt_index place = (paradt_index)paradt_mpi__bits_at(wire + w->set.width + 1);
     if (paradt_mpi__table_put(&w->others, rank, place, (paradt_index)w->known)) return 0;
     memcpy(w->set.records + w->known * w->set.width, wire, w->set.width * sizeof *wire);
@@ -1009,10 +1010,21 @@ static size_t paradt_mpi__add_other(paradt_mpi__work *w, int rank, const double 
     return 1;
 }
 
+// Where any point that is known is at home
+PARADT__INLINE paradt_mpi__home paradt_mpi__home_of(const paradt_mpi__work *w, paradt_index point) {
+    paradt_mpi__home home;
+    if ((size_t)point >= w->set.count) return w->home[(size_t)point - w->set.count];
+    home.id = w->received[w->set.origin[point]];
+    home.rank = w->rank;
+    home.place = point;
+    return home;
+}
+
 static void paradt_mpi__put_wire(const paradt_mpi__work *w, double *wire, paradt_index point) {
+    paradt_mpi__home home = paradt_mpi__home_of(w, point);
     memcpy(wire, paradt__record(&w->set, point), w->set.width * sizeof *wire);
-    paradt_mpi__put_bits(wire + w->set.width, w->home[point].id);
-    paradt_mpi__put_bits(wire + w->set.width + 1, (uint64_t)w->home[point].place);
+    paradt_mpi__put_bits(wire + w->set.width, home.id);
+    paradt_mpi__put_bits(wire + w->set.width + 1, (uint64_t)home.place);
 }
 
 // Sends the points of the list to their ranks and learns those that come. *news: how many of them were not known.
@@ -1253,7 +1265,7 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     int axis, bounded = w->shift != 0;
     size_t i;
     paradt_status status;
-    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, w->room, sizeof *w->home);
+    w->home = (paradt_mpi__home *)paradt__alloc(&w->memory, w->room - set->count, sizeof *w->home);
     w->audience = (int *)paradt__alloc_filled(&w->memory, set->count, sizeof *w->audience);
     if (!w->home || !w->audience) return PARADT_ERROR_MEMORY;
     w->known = set->count;
@@ -1269,12 +1281,7 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
         }
         paradt__search_begin(&w->search, set, &w->grid);
     }
-    for (i = 0; i < set->count; i++) {
-        w->home[i].id = w->received[set->origin[i]];
-        w->home[i].rank = w->rank;
-        w->home[i].place = (paradt_index)i;
-        w->audience[i] = -1;
-    }
+    for (i = 0; i < set->count; i++) w->audience[i] = -1;
     return PARADT_OK;
 }
 
@@ -1948,7 +1955,7 @@ static int paradt_mpi__is_told(const paradt_mpi__work *w, int rank, const paradt
 static int paradt_mpi__has_vertex_of(const paradt_mpi__work *w, int rank, const paradt_index *cell) {
     int i;
     for (i = 0; i <= w->set.space.dim; i++) {
-        if (w->home[cell[i]].rank == rank) return 1;
+        if (paradt_mpi__home_of(w, cell[i]).rank == rank) return 1;
     }
     return 0;
 }
@@ -2138,8 +2145,8 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
     if (w->weighted || !paradt__vertices_among(cell, w->set.space.dim + 1, 0, PARADT__NOWHERE)) return PARADT_OK;
     for (v = cell; v < end; v++) {
         const paradt_index *u;
-        if (*v < own || w->home[*v].rank == rank) continue; // own, or told already
-        rank = w->home[*v].rank;
+        if (*v < own || w->home[*v - own].rank == rank) continue; // own, or told already
+        rank = w->home[*v - own].rank;
         for (u = cell; u < end && !status; u++) {
             if (*u < own && w->audience[*u] != rank) status = paradt_mpi__list_news(w, list, rank, *u);
         }
@@ -2256,12 +2263,12 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
     for (i = 0; i < count; i++) {
         paradt_mpi__cell(w, (size_t)q[i].cell, cell, corners);
         for (j = 0; j < k; j++) {
-            const paradt_mpi__home *home = w->home + cell[j];
+            const paradt_mpi__home home = paradt_mpi__home_of(w, cell[j]);
             if (place[cell[j]] < 0) {
                 double *wire = points + used * width;
-                int64_t role = home->rank == r         ? (int64_t)home->place
-                               : home->rank == w->rank ? PARADT_MPI__STRANGER - 1 - (int64_t)home->place
-                                                       : (int64_t)PARADT_MPI__STRANGER;
+                int64_t role = home.rank == r         ? (int64_t)home.place
+                               : home.rank == w->rank ? PARADT_MPI__STRANGER - 1 - (int64_t)home.place
+                                                      : (int64_t)PARADT_MPI__STRANGER;
                 paradt_mpi__put_wire(w, wire, cell[j]);
                 paradt_mpi__put_bits(wire + w->set.width + 1, (uint64_t)role);
                 place[cell[j]] = (int32_t)used++;
@@ -2754,7 +2761,7 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     for (i = 0; i < w->known && !status; i++) {
         double *to = out->coordinates + (size_t)number[i] * ambient, x[PARADT_MAX_DIM];
         if (number[i] < 0) continue;
-        out->vertices[number[i]] = (int64_t)w->home[i].id;
+        out->vertices[number[i]] = (int64_t)paradt_mpi__home_of(w, (paradt_index)i).id;
         memcpy(x, records + i * w->set.width, ambient * sizeof *x);
         for (axis = 0; axis < w->dim; axis++)
             to[w->set.axes[axis]] = w->shift ? paradt__scale(x[axis], -w->shift, &exact) : x[axis];
