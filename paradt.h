@@ -544,6 +544,7 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <string.h>
 #include <time.h>
 #if defined(__linux__)
+#include <errno.h>
 #include <sys/mman.h> // for pages made ahead
 #if defined(MADV_NORMAL)
 #define PARADT__MADVISE 1
@@ -729,8 +730,10 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
     enum { PAGE = 4096, FEWEST = 8 };
     enum { POPULATE_WRITE = 23 }; // not in all headers
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
+    int before = errno;
     if (from < begin) from += PAGE;
-    if (to > from && to - from >= FEWEST * PAGE) (void)madvise((void *)from, (size_t)(to - from), POPULATE_WRITE);
+    if (to > from && to - from >= FEWEST * PAGE && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
+        errno = before;
 #else
     (void)array, (void)first, (void)end;
 #endif

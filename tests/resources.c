@@ -11,12 +11,19 @@ static void *counted(void *memory) {
 #define malloc(size) counted(malloc(size))
 #define realloc(memory, size) counted(realloc(memory, size))
 #define calloc(count, size) counted(calloc(count, size))
+// So are the pages that it wants to have made.
+#if defined(__linux__)
+#include <sys/mman.h>
+static int watched_madvise(void *address, size_t length, int advice);
+#define madvise watched_madvise
+#endif
 #define PARADT_IMPLEMENTATION
 #include "paradt.h"
 #undef PARADT_IMPLEMENTATION
 #undef malloc
 #undef realloc
 #undef calloc
+#undef madvise
 #include "harness.h"
 
 #include <errno.h>
@@ -34,12 +41,14 @@ typedef struct books {
     size_t bytes, peak;
     int refused;
     int faults; // a block freed that is none, a size of 0
+    struct header *first; // of the blocks
 } books;
 
-enum { BLOCK_MARK = 0x5ca1ab1e, HEADER = 16 };
+enum { BLOCK_MARK = 0x5ca1ab1e, HEADER = 32 };
 typedef struct header {
     size_t size;
     size_t mark;
+    struct header *before, *next;
 } header;
 
 static void *books_alloc(void *user, size_t size) {
@@ -51,9 +60,15 @@ static void *books_alloc(void *user, size_t size) {
     if (b->fail_at && (b->calls == b->fail_at || (b->fail_after && b->calls > b->fail_at)))
         b->refused++;
     else if ((block = (char *)malloc(size + HEADER)) != NULL) {
-        header h = {size, BLOCK_MARK};
+        header *h = (header *)(void *)block;
         memset(block, 0xcd, size + HEADER); // memory comes with any content
-        memcpy(block, &h, sizeof h);
+        h->size = size;
+        h->mark = BLOCK_MARK;
+        h->before = NULL;
+        h->next = b->first;
+        if (b->first)
+            b->first->before = h;
+        b->first = h;
         b->live++;
         b->bytes += size;
         if (b->bytes > b->peak)
@@ -65,24 +80,29 @@ static void *books_alloc(void *user, size_t size) {
 
 static void books_free(void *user, void *memory) {
     books *b = (books *)user;
-    header h;
+    header *h = (header *)(void *)((char *)memory - HEADER);
     if (!memory)
         return;
     pthread_mutex_lock(&b->lock);
-    memcpy(&h, (char *)memory - HEADER, sizeof h);
-    if (h.mark != BLOCK_MARK)
+    if (h->mark != BLOCK_MARK)
         b->faults++;
     else {
-        memset((char *)memory - HEADER, 0xdd, h.size + HEADER);
         b->live--;
-        b->bytes -= h.size;
-        free((char *)memory - HEADER);
+        b->bytes -= h->size;
+        if (h->next)
+            h->next->before = h->before;
+        if (h->before)
+            h->before->next = h->next;
+        else
+            b->first = h->next;
+        memset(h, 0xdd, h->size + HEADER);
+        free(h);
     }
     pthread_mutex_unlock(&b->lock);
 }
 
 static books books_open(void) {
-    books b = {PTHREAD_MUTEX_INITIALIZER, 0, 0, 0, 0, 0, 0, 0, 0};
+    books b = {PTHREAD_MUTEX_INITIALIZER, 0, 0, 0, 0, 0, 0, 0, 0, NULL};
     return b;
 }
 
@@ -91,6 +111,32 @@ static void keep_books(paradt_options *options, books *b) {
     options->allocator.free = books_free;
     options->allocator.user = b;
 }
+
+// --- pages that are made ahead
+
+// Whose blocks they have to be in; NULL: nobody looks
+static books *watcher;
+static int pages_made, pages_outside;
+
+#if defined(__linux__)
+// As on systems that don't know the advice
+static int watched_madvise(void *address, size_t length, int advice) {
+    const char *begin = (const char *)address;
+    int inside = 0;
+    if (!watcher)
+        return madvise(address, length, advice);
+    pthread_mutex_lock(&watcher->lock);
+    for (const header *h = watcher->first; h && !inside; h = h->next) {
+        const char *block = (const char *)h + HEADER;
+        inside = begin >= block && begin + length <= block + h->size;
+    }
+    pages_made++;
+    pages_outside += !inside;
+    pthread_mutex_unlock(&watcher->lock);
+    errno = EINVAL;
+    return -1;
+}
+#endif
 
 // --- the cases that every test here goes through
 
@@ -380,6 +426,39 @@ static sample points_of_a_shaken_lattice(int side) {
     return s;
 }
 
+// Pages are made ahead in blocks of the allocator alone, and where the system refuses that, nobody is told.
+static void pages_are_made_within_blocks(void **state) {
+    static const size_t regions[] = {0, 1, 2, 3};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, SANITIZED ? 20000 : 100000, 1);
+    paradt_points points = points_of(&s);
+    (void)state;
+    for (size_t i = 0; i < sizeof regions / sizeof regions[0]; i++) {
+        paradt_options options = {0};
+        paradt_triangulation t;
+        books b = books_open();
+        int status, number_after;
+        keep_books(&options, &b);
+        options.regions = regions[i];
+        options.parallel_for = i > 1 ? run_on_threads : NULL;
+        pages_made = pages_outside = 0;
+        watcher = &b;
+        errno = 4321;
+        status = paradt_triangulate(&t, &points, &options);
+        number_after = errno;
+        watcher = NULL;
+        assert_int_equal(status, PARADT_OK);
+        assert_int_equal(number_after, 4321);
+        assert_int_equal(pages_outside, 0);
+#if defined(__linux__)
+        assert_true(pages_made > 10);
+#endif
+        assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
+        paradt_free(&t);
+        assert_int_equal(b.faults, 0);
+    }
+    sample_free(&s);
+}
+
 // Without neighbours there are the links of one region at a time, of five. Eight regions drop a tenth of their cells.
 // A lattice has fewer cells than uniform points, a shaken one more.
 static void large_sets_take_few_bytes_a_point(void **state) {
@@ -394,9 +473,9 @@ static void large_sets_take_few_bytes_a_point(void **state) {
     if (SANITIZED)
         skip(); // minutes for what smaller sets show as well
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const char *family = cases[i].family;
-        sample s = family ? family_make(&families[family_named(family)], NULL, 3, 500000, 1)
-                          : points_of_a_shaken_lattice(60);
+        const char *name = cases[i].family;
+        sample s = name ? family_make(&families[family_named(name)], NULL, 3, 500000, 1)
+                        : points_of_a_shaken_lattice(60);
         paradt_points points = points_of(&s);
         paradt_options options = {0};
         paradt_triangulation t;
@@ -407,7 +486,7 @@ static void large_sets_take_few_bytes_a_point(void **state) {
         assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
         assert_true(t.stats.peak_bytes >= b.peak);
         if (!b.peak || b.peak > cases[i].bytes * points.count)
-            fail_msg("%s, %zu regions: %zu bytes a point", family ? family : "shaken lattice", cases[i].regions,
+            fail_msg("%s, %zu regions: %zu bytes a point", name ? name : "shaken lattice", cases[i].regions,
                      b.peak / points.count);
         paradt_free(&t);
         assert_int_equal(b.live, 0);
@@ -781,6 +860,7 @@ static void auto_gives_up_searching_where_ties_abound(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_memory_is_the_allocators_and_goes_back),
+        cmocka_unit_test(pages_are_made_within_blocks),
         cmocka_unit_test(every_failing_allocation_is_an_error_and_leaks_nothing),
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_progress_call_can_cancel),
