@@ -5666,7 +5666,7 @@ static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__l
 // them, within a few own ones. sorted, other: room for set->count - own.
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
                                  const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
-    enum { FEW = 32 };
+    enum { FEW = 16 };
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     int ambient = set->space.ambient, levels = paradt__levels_for(curve->along, ambient);
