@@ -586,22 +586,25 @@ extern "C" {
 #endif
 
 #if defined(__GNUC__)
-#define PARADT__INLINE            static inline __attribute__((always_inline))
-#define PARADT__NOINLINE          static __attribute__((noinline))
-#define PARADT__LIKELY(condition) __builtin_expect(!!(condition), 1)
-#define PARADT__PREFETCH(address) __builtin_prefetch(address)
-#define PARADT__RESTRICT          __restrict
+#define PARADT__INLINE                     static inline __attribute__((always_inline))
+#define PARADT__NOINLINE                   static __attribute__((noinline))
+#define PARADT__LIKELY(condition)          __builtin_expect(!!(condition), 1)
+#define PARADT__PREFETCH(address)          __builtin_prefetch(address)
+#define PARADT__PREFETCH_TO_WRITE(address) __builtin_prefetch(address, 1)
+#define PARADT__RESTRICT                   __restrict
 #elif defined(_MSC_VER)
-#define PARADT__INLINE            static __forceinline
-#define PARADT__NOINLINE          static __declspec(noinline)
-#define PARADT__LIKELY(condition) (condition)
-#define PARADT__PREFETCH(address) ((void)(address))
-#define PARADT__RESTRICT          __restrict
+#define PARADT__INLINE                     static __forceinline
+#define PARADT__NOINLINE                   static __declspec(noinline)
+#define PARADT__LIKELY(condition)          (condition)
+#define PARADT__PREFETCH(address)          ((void)(address))
+#define PARADT__PREFETCH_TO_WRITE(address) ((void)(address))
+#define PARADT__RESTRICT                   __restrict
 #else
-#define PARADT__INLINE            static inline
-#define PARADT__NOINLINE          static
-#define PARADT__LIKELY(condition) (condition)
-#define PARADT__PREFETCH(address) ((void)(address))
+#define PARADT__INLINE                     static inline
+#define PARADT__NOINLINE                   static
+#define PARADT__LIKELY(condition)          (condition)
+#define PARADT__PREFETCH(address)          ((void)(address))
+#define PARADT__PREFETCH_TO_WRITE(address) ((void)(address))
 #define PARADT__RESTRICT
 #endif
 
@@ -5743,15 +5746,17 @@ enum {
     PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
     PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_STAR = 60,     // new cells that a point has as a rule at most: their edges fit into the first cache
-    PARADT__COMMON_VERTICES = 64, // numbers then, those that are kept included
-    PARADT__WIDE_STAR = 256,      // new cells for whose edges there is room to begin with
+    PARADT__COMMON_STAR = 60,        // new cells that a point has as a rule at most, with
+    PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
+    PARADT__WIDE_STAR = 256,         // new cells for whose edges there is room to begin with
     PARADT__WIDE_VERTICES = 130,
     PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
     PARADT__WIDE_ROWS = 5,               // so many of these
-    PARADT__FEW_NUMBERS = 48,            // more than these are forgotten before the next point
     PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
     PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
+    PARADT__DIG_AT_ONCE = 512,           // cells whose facets are looked at between two looks at the room
+    PARADT__FIRST_DIG = 512,             // cells and facets of the rim that there is room for to begin with
+    PARADT__PLACES_AHEAD = 16,           // cells: then the place of a sphere that is fetched is wanted
     PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
 };
 
@@ -5761,8 +5766,9 @@ typedef uint64_t paradt__tag;
 typedef uint32_t paradt__tag;
 #endif
 
-#define PARADT__KNOWN     (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
-#define PARADT__NO_SPHERE (PARADT__KNOWN - 1)       // a tag that is no cell's
+#define PARADT__LAST_NUMBER 0xfffe0000                // less than all by what a cavity's vertices take
+#define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
+#define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
 
 typedef struct paradt__sphere3 {
     double normal[3], constant;
@@ -5776,14 +5782,12 @@ typedef struct paradt__seen3 {
     double s[3], lift;
 } paradt__seen3;
 
-// A vertex of the cavity's rim
+// A vertex of the cavity: its place
 typedef struct paradt__around3 {
-    double place[3];
-    union {
-        paradt_index vertex; // PARADT__DEAD: none
-        uint64_t unused;     // 32 bytes
-    } is;
+    double place[3], unused; // 32 bytes
 } paradt__around3;
+
+enum { PARADT__NEXT_NUMBER = sizeof(paradt__around3) }; // from number to number
 
 // What bounds the errors: half of the bounding box' sides, rounded up, and H
 typedef struct paradt__frame3 {
@@ -5809,12 +5813,12 @@ typedef struct paradt__spheres3 {
     paradt_index *large_edges;
     size_t large_star, large_rows; // for so many new cells
 
-    // The vertices around have small numbers: that of v is number[v + 1], if around[that] is v. They are kept as
-    // offsets in bytes.
-    uint16_t *number; // [numbers]
+    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes of their
+    // places in `around`. Numbers go on from point to point, so what is less than `first` is none.
+    uint32_t *number; // [numbers]
     size_t numbers;   // points + 1, at least
-    int count;        // numbers given
-    paradt__around3 around[PARADT__STAR_VERTICES];
+    uint32_t first, next_number;
+    paradt__around3 around[PARADT__STAR_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__bw3_limit_numbers
 
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
     // large_edges.
@@ -5824,7 +5828,6 @@ typedef struct paradt__spheres3 {
     paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
     // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    paradt_index base[PARADT__STAR + 3];  // 4 times their places
     uint16_t corner[PARADT__STAR + 3][4]; // the vertices, as offsets
     paradt_index row[PARADT__STAR][4];    // vertices
     paradt_index outer[PARADT__STAR];
@@ -5872,7 +5875,8 @@ typedef struct paradt__bw {
     paradt_index *spare;     // [spare_capacity] places that are free
     size_t spare_count, spare_capacity;
     paradt_index
-        *cavity; // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by
+        *cavity; // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by;
+                 // in three dimensions in the end those of their first facets, and the same of new cells behind them
     size_t cavity_count, cavity_capacity;
     paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
     size_t rim_count, rim_capacity;
@@ -6418,7 +6422,43 @@ typedef struct paradt__dig3 {
     paradt__sphere3 *table;
     paradt__tag mask;
     int waiting_count;
+    const paradt_index *vertices;
+    const double *records;
+    size_t width;
+    uint32_t *numbers, first, next; // of the vertices: as in paradt__spheres3, from vertex 0 on
 } paradt__dig3;
+
+// Begins with the numbers of another cavity's vertices.
+PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3 *dig) {
+    paradt__spheres3 *s = bw->spheres;
+    dig->vertices = bw->cells.vertices;
+    dig->records = bw->records;
+    dig->width = bw->width;
+    if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
+        memset(s->number, 0, s->numbers * sizeof *s->number);
+        s->next_number = PARADT__NEXT_NUMBER;
+    }
+    dig->numbers = s->number + 1;
+    dig->first = dig->next = s->next_number;
+}
+
+// Numbers a vertex of the cavity, if it has no number yet, and keeps its place. There is no branch, as nothing
+// foretells it.
+PARADT__INLINE void paradt__bw3_number(const paradt__bw *bw, paradt__dig3 *dig, paradt_index vertex) {
+    const double *record = dig->records + dig->width * (size_t)(vertex >= 0 ? vertex : 0);
+    uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
+    double *place = paradt__around3_at(bw->spheres, dig->next - dig->first)->place;
+    dig->numbers[vertex] = number + ((dig->next - number) & is_new);
+    memcpy(place, record, 3 * sizeof *place);
+    dig->next += is_new & PARADT__NEXT_NUMBER;
+}
+
+// Of more vertices than a star may have the numbers are not used: they end there, and what a cavity with so many more
+// keeps is overwritten. To be called every PARADT__DIG_AT_ONCE vertices.
+PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
+    uint32_t most = PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+    if (dig->next - dig->first > most) dig->next = dig->first + most;
+}
 
 // What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
 PARADT__INLINE void paradt__bw3_judge(paradt__dig3 *dig, paradt_index inner, paradt__sphere3 *sphere,
@@ -6486,15 +6526,19 @@ PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, c
 }
 
 // Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
-// those that wait.
+// those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
+// the facet between them.
 PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
                                          size_t head) {
     size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig3 dig = *work;
     paradt__seen3 seen = *at;
+    size_t last = head + PARADT__DIG_AT_ONCE;
     if (!head) paradt__bw3_look(bw, &dig, &seen, x, dig.cavity[0]); // the first cell was not entered by that facet
-    for (; head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
+    for (; head < last && head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.cavity[head], base = entry & ~(paradt_index)3;
+        dig.cavity[head] = base;
+        paradt__bw3_number(bw, &dig, dig.vertices[entry]);
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 1) & 3));
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 2) & 3));
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 3) & 3));
@@ -6518,7 +6562,7 @@ typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, paradt__star3 *star, 
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
                                              const double *x, paradt__spread3 spread, paradt__remake3 remake) {
-    size_t head = 0;
+    size_t head = 0, i;
     paradt__dig3 dig;
     dig.cavity = bw->cavity;
     dig.rim = bw->rim;
@@ -6531,9 +6575,12 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     dig.waiting_count = 0;
     paradt__bw3_sphere_of(bw, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
+    paradt__bw3_begin_numbers(bw, &dig);
+    for (i = 1; i < 4; i++) paradt__bw3_number(bw, &dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
         head = spread(bw, &dig, seen, x, head);
+        paradt__bw3_limit_numbers(&dig);
         if (head == dig.cavity_count && !dig.waiting_count) break;
         if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, remake);
         status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
@@ -6546,13 +6593,10 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     }
     bw->cavity_count = dig.cavity_count;
     bw->rim_count = dig.rim_count;
+    bw->spheres->first = dig.first;
+    bw->spheres->next_number = dig.next + PARADT__NEXT_NUMBER;
+    bw->spheres->ghosts = dig.numbers[PARADT__INFINITE] >= dig.first;
     return PARADT_OK;
-}
-
-static void paradt__spheres3_forget_numbers(paradt__spheres3 *s) {
-    int i;
-    for (i = 0; i < s->count; i++) s->around[i].is.vertex = PARADT__DEAD;
-    s->count = 0;
 }
 
 // Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
@@ -6596,26 +6640,6 @@ PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-PARADT__NOINLINE size_t paradt__bw3_number(paradt__bw *bw, paradt_index vertex) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t offset = (size_t)s->count++ * sizeof *s->around;
-    s->number[vertex + 1] = (uint16_t)offset;
-    paradt__around3_at(s, offset)->is.vertex = vertex;
-    PARADT__PREFETCH(paradt__bw_record(bw, vertex >= 0 ? vertex : 0));
-    return offset;
-}
-
-// Keeps the places of the vertices with numbers from `first` on: all are fetched by then.
-PARADT__INLINE void paradt__bw3_keep_places(paradt__bw *bw, int first) {
-    paradt__spheres3 *s = bw->spheres;
-    int i;
-    for (i = first; i < s->count; i++) {
-        paradt__around3 *around = s->around + i;
-        if (around->is.vertex >= 0)
-            memcpy(around->place, paradt__bw_record(bw, around->is.vertex), sizeof around->place);
-    }
-}
-
 // The vertices of a new cell: those of a cell but for one, and the point.
 typedef void (*paradt__turn3)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
@@ -6626,13 +6650,6 @@ static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int
     row[1] = b;
     row[2] = c;
     row[3] = point;
-}
-
-// The number of a vertex of the rim, as an offset
-PARADT__INLINE size_t paradt__bw3_number_of(paradt__bw *bw, const uint16_t *numbers, paradt_index vertex) {
-    size_t offset = numbers[vertex];
-    if (PARADT__LIKELY(paradt__around3_at(bw->spheres, offset)->is.vertex == vertex)) return offset;
-    return paradt__bw3_number(bw, vertex);
 }
 
 // The place of the edge from one vertex to another, by their offsets, in a table of edges
@@ -6652,19 +6669,15 @@ PARADT__INLINE void paradt__bw3_rows(paradt__bw *bw, paradt_index point, paradt_
     }
 }
 
-// Numbers the vertices of the rim and enters its edges.
+// Enters the rim's edges.
 PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t rows) {
     paradt__spheres3 *s = bw->spheres;
-    const uint16_t *numbers = s->number + 1;
+    const uint32_t *numbers = s->number + 1, first = s->first;
     size_t i, count = bw->rim_count;
-    int known = s->count;
-    paradt__around3 *infinite = paradt__around3_at(s, numbers[PARADT__INFINITE]);
-    if (infinite->is.vertex == PARADT__INFINITE) infinite->is.vertex = PARADT__DEAD;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
-        size_t a = paradt__bw3_number_of(bw, numbers, row[0]), b = paradt__bw3_number_of(bw, numbers, row[1]);
-        size_t c = paradt__bw3_number_of(bw, numbers, row[2]);
-        paradt_index edge = s->base[i];
+        size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
+        paradt_index edge = bw->cavity[i];
         uint16_t *corner = s->corner[i];
         corner[0] = (uint16_t)a;
         corner[1] = (uint16_t)b;
@@ -6673,50 +6686,60 @@ PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, siz
         edges[paradt__edge3(c, a, rows)] = edge + 1;
         edges[paradt__edge3(a, b, rows)] = edge + 2;
     }
-    s->ghosts = paradt__around3_at(s, numbers[PARADT__INFINITE])->is.vertex == PARADT__INFINITE;
-    paradt__bw3_keep_places(bw, known);
+}
+
+// The links of a new cell
+typedef void (*paradt__put3)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d);
+
+static void paradt__put3_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d) {
+    links[0] = a;
+    links[1] = b;
+    links[2] = c;
+    links[3] = d;
 }
 
 // Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t rows) {
+PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t rows, paradt__put3 put) {
     const paradt__spheres3 *s = bw->spheres;
     paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
     size_t i, count = bw->rim_count;
     for (i = 0; i < count; i++) {
-        paradt__tag base = (paradt__tag)s->base[i], outer = (paradt__tag)s->outer[i];
+        paradt__tag base = (paradt__tag)bw->cavity[i], outer = (paradt__tag)s->outer[i];
         size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
-        paradt_index *links = neighbors + base;
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        links[0] = edges[paradt__edge3(c, b, rows)];
-        links[1] = edges[paradt__edge3(a, c, rows)];
-        links[2] = edges[paradt__edge3(b, a, rows)];
-        links[3] = (paradt_index)outer;
+        put(neighbors + base, edges[paradt__edge3(c, b, rows)], edges[paradt__edge3(a, c, rows)],
+            edges[paradt__edge3(b, a, rows)], (paradt_index)outer);
         neighbors[outer] = (paradt_index)(base + 3);
     }
 }
 
 // The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
 // constant it is faster.
-PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t rows) {
+PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t rows, paradt__put3 put) {
     paradt__bw3_outline(bw, edges, rows);
-    paradt__bw3_star(bw, edges, rows);
+    paradt__bw3_star(bw, edges, rows, put);
 }
 
 // The same for more new cells than a point has as a rule
 PARADT__NOINLINE void paradt__bw3_link_uncommon(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
-    if (bw->rim_count <= PARADT__WIDE_STAR) paradt__bw3_link(bw, s->wide_edges, PARADT__WIDE_ROWS);
-    else paradt__bw3_link(bw, s->large_edges, s->large_rows);
+    if (bw->rim_count <= PARADT__WIDE_STAR) paradt__bw3_link(bw, s->wide_edges, PARADT__WIDE_ROWS, paradt__put3_plain);
+    else paradt__bw3_link(bw, s->large_edges, s->large_rows, paradt__put3_plain);
 }
 
-// Where the new cells go: into the places of the cavity, then into free ones. What remains of the cavity becomes free.
+// Where the new cells go: into the places of the cavity, and free ones behind them in its list. If there are fewer,
+// what remains of the cavity becomes free. The spheres of the next new cells have places where nothing has been for
+// long.
 PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
-    size_t count = bw->rim_count, inside = bw->cavity_count < count ? bw->cavity_count : count, i;
-    paradt_status status = paradt__bw_room(bw, count - inside);
+    size_t count = bw->rim_count, i = bw->cavity_count;
+    paradt_status status = i < count ? paradt__bw_room(bw, count - i) : PARADT_OK;
+    if (!status) status = paradt__bw_list(bw, &bw->cavity, i, &bw->cavity_capacity, count + 3);
     if (status) return status;
-    for (i = 0; i < inside; i++) s->base[i] = bw->cavity[i] & ~(paradt_index)3;
-    for (; i < count; i++) s->base[i] = 4 * paradt__bw_place(bw);
+    for (; i < count; i++) {
+        bw->cavity[i] = 4 * paradt__bw_place(bw);
+        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(bw->cells.count + PARADT__PLACES_AHEAD) & s->mask));
+    }
     return PARADT_OK;
 }
 
@@ -6805,10 +6828,10 @@ PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star) {
     star->count = 0;
     for (i = 0; i < bw->rim_count; i++) {
         if ((s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0) {
-            paradt__bw3_sphere(bw, s->base[i] >> 2);
+            paradt__bw3_sphere(bw, bw->cavity[i] >> 2);
             continue;
         }
-        star->base[star->count] = s->base[i];
+        star->base[star->count] = bw->cavity[i];
         memcpy(star->corner[star->count++], s->corner[i], sizeof s->corner[i]);
     }
 }
@@ -6818,10 +6841,10 @@ PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const p
                                         paradt__make_spheres3 make) {
     paradt__spheres3 *s = bw->spheres;
     paradt__star3 star;
-    star.base = s->base;
+    star.base = bw->cavity;
     star.corner = s->corner;
     star.count = (int)bw->rim_count;
-    s->start = s->base[0] >> 2;
+    s->start = bw->cavity[0] >> 2;
     if (!PARADT__LIKELY(!s->ghosts)) paradt__bw3_ghosts(bw, &star);
     if (star.count) make(s, &star, x, seen);
 }
@@ -6854,16 +6877,9 @@ static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) 
     return status ? status : paradt__bw3_clear(bw, 0);
 }
 
-// Do the numbers that are kept and those of the rim's vertices, 2 + facets / 2 at most, fit the table of edges?
-PARADT__INLINE int paradt__bw3_fits_numbers(const paradt__spheres3 *s, size_t facets) {
-    if (PARADT__LIKELY(facets <= PARADT__COMMON_STAR))
-        return (size_t)s->count + 2 + facets / 2 <= PARADT__COMMON_VERTICES;
-    return s->count <= PARADT__FEW_NUMBERS && facets <= PARADT__WIDE_STAR / 2;
-}
-
 PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
                                                     paradt__remake3 remake, paradt__make_spheres3 make,
-                                                    paradt__turn3 turn) {
+                                                    paradt__turn3 turn, paradt__put3 put) {
     paradt__spheres3 *s = bw->spheres;
     const double *x = paradt__bw_record(bw, point);
     paradt__seen3 seen = s->next;
@@ -6884,14 +6900,15 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     if (status) return status;
     if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__WIDE_STAR && bw->rim_count > s->large_star)
         return paradt__bw3_fill_large(bw, point);
-    if (!paradt__bw3_fits_numbers(s, bw->rim_count)) paradt__spheres3_forget_numbers(s);
     status = paradt__bw3_places(bw);
     if (status) return status;
     paradt__bw3_rows(bw, point, turn);
-    if (PARADT__LIKELY(is_common)) paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW);
+    if (PARADT__LIKELY(is_common))
+        paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
     else paradt__bw3_link_uncommon(bw);
+    if (!PARADT__LIKELY(bw->rim_count >= bw->cavity_count)) status = paradt__bw3_clear(bw, bw->rim_count);
     paradt__bw3_spheres(bw, x, &seen, make);
-    return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
+    return status;
 }
 
 static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
@@ -6901,7 +6918,7 @@ static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const
 
 static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
     return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_remake_plain, paradt__bw3_make_plain,
-                                  paradt__turn3_plain);
+                                  paradt__turn3_plain, paradt__put3_plain);
 }
 
 #if PARADT__BW_AVX2
@@ -6929,80 +6946,136 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
 
-// The place of the sphere across a facet, by its handle there: so it is known sooner than by way of vectors.
-PARADT__INLINE char *paradt__place3(const paradt__dig3 *dig, paradt_index handle) {
-    return (char *)(dig->table + ((paradt__tag)handle >> 2 & dig->mask));
+// The elements of which the mask has bits, first
+PARADT__AVX2 PARADT__INLINE __m128i paradt__packed3(__m128i elements, unsigned mask) {
+    return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
-// The terms of a point's power
+// Where the spheres of four cells are, or others that have their places
+typedef struct paradt__four_at {
+    char *a, *b, *c, *d;
+} paradt__four_at;
+
+enum { PARADT__ERROR_AT = 4 * sizeof(double), PARADT__TAG_AT = 5 * sizeof(double) }; // in a sphere
+
+// Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
+PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, const paradt_index *row) {
+    const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
+    char *table = (char *)dig->table;
+    paradt__four_at at;
+    at.a = table + 16 * (size_t)((paradt__tag)row[0] & places);
+    at.b = table + 16 * (size_t)((paradt__tag)row[1] & places);
+    at.c = table + 16 * (size_t)((paradt__tag)row[2] & places);
+    at.d = table + 16 * (size_t)((paradt__tag)row[3] & places);
+    return at;
+}
+
 PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query, __m256d lift) {
     return _mm256_fmadd_pd(_mm256_load_pd((const double *)(const void *)sphere), query, lift);
 }
 
-PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at,
+// A point's powers. query: its place and 1; lift: 0 and its lift
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
+    __m256d ab = _mm256_hadd_pd(paradt__terms3(at.a, query, lift), paradt__terms3(at.b, query, lift));
+    __m256d cd = _mm256_hadd_pd(paradt__terms3(at.c, query, lift), paradt__terms3(at.d, query, lift));
+    return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
+}
+
+PARADT__AVX2 PARADT__INLINE __m128d paradt__two_errors(const char *a, const char *b) {
+    __m128d error = _mm_load_sd((const double *)(const void *)(a + PARADT__ERROR_AT));
+    return _mm_loadh_pd(error, (const double *)(const void *)(b + PARADT__ERROR_AT));
+}
+
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_at at) {
+    __m128d ab = paradt__two_errors(at.a, at.b), cd = paradt__two_errors(at.c, at.d);
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(ab), cd, 1);
+}
+
+PARADT__INLINE int *paradt__tag_at(char *sphere) {
+    return (int *)(void *)(sphere + PARADT__TAG_AT);
+}
+
+PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_at at) {
+    __m128i tags = _mm_cvtsi32_si128(*paradt__tag_at(at.a));
+    tags = _mm_insert_epi32(tags, *paradt__tag_at(at.b), 1);
+    tags = _mm_insert_epi32(tags, *paradt__tag_at(at.c), 2);
+    return _mm_insert_epi32(tags, *paradt__tag_at(at.d), 3);
+}
+
+// The cells become the tags, with a mark where the power is negative: its sign, narrowed to 32 bits.
+PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_at at, __m128i cells, __m256d power) {
+    __m128i tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
+                                                   _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
+    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__KNOWN)));
+    *paradt__tag_at(at.a) = _mm_cvtsi128_si32(tags);
+    *paradt__tag_at(at.b) = _mm_extract_epi32(tags, 1);
+    *paradt__tag_at(at.c) = _mm_extract_epi32(tags, 2);
+    *paradt__tag_at(at.d) = _mm_extract_epi32(tags, 3);
+}
+
+PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
+    return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
+}
+
+// Facets wait behind which a sphere is missing or the power does not tell. (The order of statements counts: 4 %.)
+PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *seen,
                                                    const double *x, size_t head) {
-    size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig3 dig = *work;
-    const __m256d query = _mm256_setr_pd(at->s[0], at->s[1], at->s[2], 1.0),
-                  lift = _mm256_setr_pd(0.0, 0.0, 0.0, at->lift);
-    const __m256d sign = _mm256_set1_pd(-0.0);
+    const size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM - dig.cavity_count;
+    const size_t facets = bw->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
+    const size_t room = (cells < facets ? cells : facets) / 4;
+    const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
+    const __m256d lift = _mm256_setr_pd(0.0, 0.0, 0.0, seen->lift), sign = _mm256_set1_pd(-0.0);
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
-    for (; head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
-        paradt_index base = dig.cavity[head] & ~(paradt_index)3;
-        const paradt_index *row = dig.neighbors + base;
-        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)row);
-        __m128i others = _mm_srli_epi32(handles, 2), tags;
-        char *a = paradt__place3(&dig, row[0]), *b = paradt__place3(&dig, row[1]);
-        char *c = paradt__place3(&dig, row[2]), *d = paradt__place3(&dig, row[3]);
-        __m256d ab = _mm256_hadd_pd(paradt__terms3(a, query, lift), paradt__terms3(b, query, lift));
-        __m256d cd = _mm256_hadd_pd(paradt__terms3(c, query, lift), paradt__terms3(d, query, lift));
-        __m256d power = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
-        unsigned conflict, fresh, sure;
-        PARADT__PREFETCH(bw->cells.vertices + base);
-        enum { ERROR = 4 * sizeof(double), TAG = 5 * sizeof(double) };
-        __m128d error_ab = _mm_loadh_pd(_mm_load_sd((const double *)(const void *)(a + ERROR)),
-                                        (const double *)(const void *)(b + ERROR)),
-                error_cd = _mm_loadh_pd(_mm_load_sd((const double *)(const void *)(c + ERROR)),
-                                        (const double *)(const void *)(d + ERROR));
-        __m256d error = _mm256_insertf128_pd(_mm256_castpd128_pd256(error_ab), error_cd, 1);
-        tags = _mm_cvtsi32_si128(*(const int *)(const void *)(a + TAG));
-        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(b + TAG), 1);
-        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(c + TAG), 2);
-        tags = _mm_insert_epi32(tags, *(const int *)(const void *)(d + TAG), 3);
+    paradt_index *cell = dig.cavity + head, *end = dig.cavity + dig.cavity_count, *rim = dig.rim + dig.rim_count;
+    paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
+    char nowhere[sizeof(paradt__sphere3)];
+    (void)x;
+    for (; cell < end && cell <= last; cell++) {
+        paradt_index entry = *cell, base = entry & ~(paradt_index)3;
+        const paradt_index *row = dig.neighbors + (paradt__tag)base;
+        __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
+        __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
+        paradt__four_at at = paradt__four_across(&dig, row);
+        __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
+        unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
+        here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
+        *cell = base;
+        paradt__bw3_number(bw, &dig, dig.vertices[entry]);
+        tags = paradt__four_tags(at);
         sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
-               (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others)));
-        if (!PARADT__LIKELY(sure == 15)) {
-            int i;
-            for (i = 0; i < 4; i++) paradt__bw3_look(bw, &dig, at, x, base + i);
-            continue;
-        }
-        conflict = (unsigned)_mm256_movemask_pd(power);
+               paradt__signs_avx2(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others));
+        outside = ~inside & 15;
         // what the next rounds of this loop and the new cells' links will touch
         PARADT__PREFETCH(dig.neighbors + row[0]);
         PARADT__PREFETCH(dig.neighbors + row[1]);
         PARADT__PREFETCH(dig.neighbors + row[2]);
         PARADT__PREFETCH(dig.neighbors + row[3]);
-        fresh = conflict & ~(unsigned)_mm_movemask_ps(_mm_castsi128_ps(tags));
-        // conflicts become marks: the powers' signs, narrowed to the cells' 32 bits
-        tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
-                                               _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
-        tags = _mm_or_si128(others, _mm_and_si128(tags, marks));
-        *(int *)(void *)(a + TAG) = _mm_cvtsi128_si32(tags);
-        *(int *)(void *)(b + TAG) = _mm_extract_epi32(tags, 1);
-        *(int *)(void *)(c + TAG) = _mm_extract_epi32(tags, 2);
-        *(int *)(void *)(d + TAG) = _mm_extract_epi32(tags, 3);
-        _mm_storeu_si128(
-            (__m128i *)(void *)(dig.cavity + dig.cavity_count),
-            _mm_shuffle_epi8(handles, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[fresh])));
-        dig.cavity_count += (unsigned)__builtin_popcount(fresh);
-        _mm_storeu_si128(
-            (__m128i *)(void *)(dig.rim + dig.rim_count),
-            _mm_shuffle_epi8(_mm_add_epi32(_mm_set1_epi32(base), order),
-                             _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[conflict ^ 15])));
-        dig.rim_count += (unsigned)__builtin_popcount(conflict ^ 15);
+        if (!PARADT__LIKELY(sure == 15)) {
+            int i;
+            for (i = 0; i < 4; i++) PARADT__PREFETCH(dig.vertices + row[i]);
+            _mm_storeu_si128((__m128i *)(void *)(bw->spheres->waiting + dig.waiting_count),
+                             paradt__packed3(here, sure ^ 15));
+            dig.waiting_count += __builtin_popcount(sure ^ 15);
+            if (dig.waiting_count > PARADT__LATE - 4) last = cell;
+            at.a = sure & 1 ? at.a : nowhere;
+            at.b = sure & 2 ? at.b : nowhere;
+            at.c = sure & 4 ? at.c : nowhere;
+            at.d = sure & 8 ? at.d : nowhere;
+            inside &= sure;
+            outside &= sure;
+        }
+        fresh = inside & ~paradt__signs_avx2(tags);
+        paradt__four_mark(at, others, power);
+        _mm_storeu_si128((__m128i *)(void *)end, paradt__packed3(across, fresh));
+        end += __builtin_popcount(fresh);
+        _mm_storeu_si128((__m128i *)(void *)rim, paradt__packed3(here, outside));
+        rim += __builtin_popcount(outside);
     }
+    dig.cavity_count = (size_t)(end - dig.cavity);
+    dig.rim_count = (size_t)(rim - dig.rim);
     *work = dig;
-    return head;
+    return (size_t)(cell - dig.cavity);
 }
 
 PARADT__AVX2 PARADT__INLINE __m256d paradt__abs_avx2(__m256d x) {
@@ -7236,9 +7309,15 @@ PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_inde
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
+// One store: what reads all four soon need not wait until they are in the cache.
+PARADT__AVX2 static void paradt__put3_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                           paradt_index d) {
+    _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
+}
+
 PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
     return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_remake_avx2, paradt__bw3_make_avx2,
-                                  paradt__turn3_avx2);
+                                  paradt__turn3_avx2, paradt__put3_avx2);
 }
 #endif
 
@@ -7247,7 +7326,7 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
     paradt__spheres3 *s = bw->spheres;
     void *array = s->number;
     if (!paradt__grow(bw->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
-    s->number = (uint16_t *)array;
+    s->number = (uint32_t *)array;
     memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
     s->numbers = numbers;
     return 1;
@@ -7268,6 +7347,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
     if (!paradt__bw3_more_numbers(bw, bw->count + 1)) return PARADT_ERROR_MEMORY;
+    s->next_number = PARADT__NEXT_NUMBER;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
@@ -7278,9 +7358,8 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     }
     s->steep = sqrt(s->frame.square) * paradt__power(60);
     s->nil = bw->space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
-    for (i = 0; i < PARADT__STAR_VERTICES; i++) s->around[i].is.vertex = PARADT__DEAD;
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, 4)));
-    return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, 64);
+    return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, PARADT__FIRST_DIG);
 }
 
 // --- the first cells, and the end
@@ -7479,7 +7558,7 @@ static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progre
 }
 
 static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
-    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, 64);
+    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, PARADT__FIRST_DIG);
     if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
     if (!status && bw->cells.corners <= 4)
         status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
@@ -7515,7 +7594,7 @@ static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index poi
 // The i-th of the cells that the last insertion made, of bw->rim_count.
 PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
     const paradt__spheres3 *s = bw->spheres;
-    if (s && (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star)) return s->base[i] >> 2;
+    if (s && (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star)) return bw->cavity[i] >> 2;
     return paradt__bw_cell(bw, bw->rim[i]);
 }
 
