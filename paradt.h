@@ -5766,7 +5766,7 @@ typedef uint64_t paradt__tag;
 typedef uint32_t paradt__tag;
 #endif
 
-#define PARADT__LAST_NUMBER 0xfffe0000                // less than all by what a cavity's vertices take
+#define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
 #define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
 #define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
 
@@ -5874,9 +5874,10 @@ typedef struct paradt__bw {
     unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
     paradt_index *spare;     // [spare_capacity] places that are free
     size_t spare_count, spare_capacity;
-    paradt_index
-        *cavity; // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by;
-                 // in three dimensions in the end those of their first facets, and the same of new cells behind them
+    // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by. In three
+    // dimensions each becomes four times the cell's place once its facets are looked at, and the same of the places
+    // that the new cells need besides comes behind them.
+    paradt_index *cavity;
     size_t cavity_count, cavity_capacity;
     paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
     size_t rim_count, rim_capacity;
@@ -6428,7 +6429,7 @@ typedef struct paradt__dig3 {
     uint32_t *numbers, first, next; // of the vertices: as in paradt__spheres3, from vertex 0 on
 } paradt__dig3;
 
-// Begins with the numbers of another cavity's vertices.
+// Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
 PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3 *dig) {
     paradt__spheres3 *s = bw->spheres;
     dig->vertices = bw->cells.vertices;
@@ -6956,7 +6957,7 @@ typedef struct paradt__four_at {
     char *a, *b, *c, *d;
 } paradt__four_at;
 
-enum { PARADT__ERROR_AT = 4 * sizeof(double), PARADT__TAG_AT = 5 * sizeof(double) }; // in a sphere
+enum { PARADT__ERROR_AT = offsetof(paradt__sphere3, error), PARADT__TAG_AT = offsetof(paradt__sphere3, tag) };
 
 // Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
 PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, const paradt_index *row) {
@@ -7029,7 +7030,7 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
     paradt_index *cell = dig.cavity + head, *end = dig.cavity + dig.cavity_count, *rim = dig.rim + dig.rim_count;
     paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    char nowhere[sizeof(paradt__sphere3)];
+    paradt__sphere3 nowhere; // what no cell is marked in
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
@@ -7058,10 +7059,10 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
                              paradt__packed3(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
             if (dig.waiting_count > PARADT__LATE - 4) last = cell;
-            at.a = sure & 1 ? at.a : nowhere;
-            at.b = sure & 2 ? at.b : nowhere;
-            at.c = sure & 4 ? at.c : nowhere;
-            at.d = sure & 8 ? at.d : nowhere;
+            at.a = sure & 1 ? at.a : (char *)&nowhere;
+            at.b = sure & 2 ? at.b : (char *)&nowhere;
+            at.c = sure & 4 ? at.c : (char *)&nowhere;
+            at.d = sure & 8 ? at.d : (char *)&nowhere;
             inside &= sure;
             outside &= sure;
         }
