@@ -6457,7 +6457,7 @@ PARADT__INLINE void paradt__bw3_number(const paradt__bw *bw, paradt__dig3 *dig, 
 // Of more vertices than a star may have the numbers are not used: they end there, and what a cavity with so many more
 // keeps is overwritten. To be called every PARADT__DIG_AT_ONCE vertices.
 PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
-    uint32_t most = PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
