@@ -6454,11 +6454,19 @@ PARADT__INLINE void paradt__bw3_number(const paradt__bw *bw, paradt__dig3 *dig, 
     dig->next += is_new & PARADT__NEXT_NUMBER;
 }
 
-// Of more vertices than a star may have the numbers are not used: they end there, and what a cavity with so many more
-// keeps is overwritten. To be called every PARADT__DIG_AT_ONCE vertices.
+// Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
+// again, and the places kept there with them. To be called every PARADT__DIG_AT_ONCE vertices.
 PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
     uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
+}
+
+// Keeps which numbers these vertices have. The next cavity's are larger than all of them.
+PARADT__INLINE void paradt__bw3_end_numbers(paradt__spheres3 *s, const paradt__dig3 *dig) {
+    int is_star = dig->next - dig->first < (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+    s->first = dig->first;
+    s->next_number = is_star ? dig->next : dig->first + (uint32_t)sizeof s->around;
+    s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
 }
 
 // What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
@@ -6594,9 +6602,7 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     }
     bw->cavity_count = dig.cavity_count;
     bw->rim_count = dig.rim_count;
-    bw->spheres->first = dig.first;
-    bw->spheres->next_number = dig.next + PARADT__NEXT_NUMBER;
-    bw->spheres->ghosts = dig.numbers[PARADT__INFINITE] >= dig.first;
+    paradt__bw3_end_numbers(bw->spheres, &dig);
     return PARADT_OK;
 }
 
@@ -6846,7 +6852,8 @@ PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const p
     star.corner = s->corner;
     star.count = (int)bw->rim_count;
     s->start = bw->cavity[0] >> 2;
-    if (!PARADT__LIKELY(!s->ghosts)) paradt__bw3_ghosts(bw, &star);
+    // what makes spheres fills the list up, in which more of the cavity may follow
+    if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star);
     if (star.count) make(s, &star, x, seen);
 }
 
@@ -6907,9 +6914,8 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     if (PARADT__LIKELY(is_common))
         paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
     else paradt__bw3_link_uncommon(bw);
-    if (!PARADT__LIKELY(bw->rim_count >= bw->cavity_count)) status = paradt__bw3_clear(bw, bw->rim_count);
     paradt__bw3_spheres(bw, x, &seen, make);
-    return status;
+    return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
 }
 
 static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,

@@ -70,25 +70,68 @@ static void numbers_of_vertices_begin_again(void **state) {
     end(&again);
 }
 
+// A point on a sphere, rounded
+static void on_sphere(double *p, uint64_t i) {
+    double length = 0;
+    for (; length < 0.01 || length > 1; i += 1000000007) {
+        length = 0;
+        for (size_t j = 0; j < 3; j++) {
+            p[j] = 2 * random_coordinate(3 * i + j + 7) - 1;
+            length += p[j] * p[j];
+        }
+    }
+    for (size_t j = 0; j < 3; j++) p[j] /= sqrt(length);
+}
+
+// Cells that share a facet must say so of each other, and have its vertices.
+static void check_links(const paradt__bw *bw) {
+    for (size_t c = 0; c < bw->cells.count; c++) {
+        const paradt_index *vertices = bw->cells.vertices + 4 * c;
+        if (vertices[0] == PARADT__DEAD) continue;
+        for (size_t i = 0; i < 4; i++) {
+            paradt_index across = bw->cells.neighbors[4 * c + i];
+            const paradt_index *other = bw->cells.vertices + (across & ~3);
+            int shared = 0;
+            assert_int_equal(bw->cells.neighbors[across], 4 * c + i);
+            for (int j = 0; j < 4; j++) {
+                for (size_t k = 0; k < 4 && j != (across & 3); k++) shared += k != i && vertices[k] == other[j];
+            }
+            assert_int_equal(shared, 3);
+        }
+    }
+}
+
+// After the middle of a sphere, with a cell for each of 49,996 facets, come others, whose stars have some of its
+// vertices.
+static void stars_after_a_very_large_one_are_whole(void **state) {
+    static double x[3 * MOST_POINTS];
+    (void)state;
+    for (size_t i = 0; i < MOST_POINTS; i++) {
+        on_sphere(x + 3 * i, i);
+        if (i >= 25000)
+            for (size_t j = 0; j < 3; j++) x[3 * i + j] *= 0.99 * random_coordinate(i);
+    }
+    memset(x + 3 * 25000, 0, 3 * sizeof *x);
+    building b;
+    begin(&b, x, MOST_POINTS, 1);
+    paradt__bw_mark_free(&b.bw);
+    check_links(&b.bw);
+    end(&b);
+}
+
 // The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
 static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     static const size_t sizes[] = {20, 31, 33, 100, 129, 131, 500, 1025, 1027, 3000, 30000};
     static double x[3 * MOST_POINTS];
     (void)state;
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
-        size_t n = sizes[k], points = 0;
-        for (size_t i = 0; points < n; i++) {
-            double *p = x + 3 * points, length = 0;
-            for (size_t j = 0; j < 3; j++) p[j] = 2 * random_coordinate(3 * i + j + 7) - 1;
-            for (size_t j = 0; j < 3; j++) length += p[j] * p[j];
-            if (length > 1 || length < 0.01) continue;
-            for (size_t j = 0; j < 3; j++) p[j] /= sqrt(length);
-            points++;
-        }
+        size_t n = sizes[k];
+        for (size_t i = 0; i < n; i++) on_sphere(x + 3 * i, i);
         memset(x + 3 * n, 0, 3 * sizeof *x);
         building b;
         begin(&b, x, n + 1, 1);
         paradt__bw_mark_free(&b.bw);
+        check_links(&b.bw);
         size_t facets = 2 * n - 4, cells = 0, ghosts = 0;
         paradt_index middle = b.order[n];
         for (size_t c = 0; c < b.bw.cells.count; c++) {
@@ -109,6 +152,7 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
+        cmocka_unit_test(stars_after_a_very_large_one_are_whole),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
