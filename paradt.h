@@ -7440,6 +7440,20 @@ PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, s
     }
 }
 
+// Fills those of the places that are free, and below the number of cells that there are, with the last cells. *end:
+// where these end.
+static void paradt__bw_fill_gaps(paradt__bw *bw, const paradt_index *places, size_t count, size_t *end) {
+    paradt__cells *cells = &bw->cells;
+    size_t corners = (size_t)cells->corners, i;
+    for (i = 0; i < count; i++) {
+        size_t place = (size_t)places[i];
+        if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
+        do --*end;
+        while (cells->vertices[*end * corners] == PARADT__DEAD);
+        paradt__bw_move(bw, place, *end, corners, 0);
+    }
+}
+
 // Passes over all cells ask for rows so far ahead, for the same reason as passes over all points.
 enum { PARADT__ROWS_AHEAD = 128 };
 
@@ -8617,20 +8631,6 @@ static void paradt__patch_drop_fringe(paradt__patch *patch) {
     }
 }
 
-// Fills those of the places that are free, and below the number of cells that there are, with the last cells. *end:
-// where these end.
-static void paradt__patch_fill(paradt__patch *patch, const paradt_index *places, size_t count, size_t *end) {
-    paradt__cells *cells = &patch->bw.cells;
-    size_t corners = (size_t)cells->corners, i;
-    for (i = 0; i < count; i++) {
-        size_t place = (size_t)places[i];
-        if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
-        do --*end;
-        while (cells->vertices[*end * corners] == PARADT__DEAD);
-        paradt__bw_move(&patch->bw, place, *end, corners, 0);
-    }
-}
-
 // Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
 // of them is not the region's.
 static void paradt__patch_compact(paradt__patch *patch) {
@@ -8644,9 +8644,9 @@ static void paradt__patch_compact(paradt__patch *patch) {
     for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
     paradt__patch_drop_fringe(patch);
     bw->cells.count -= bw->spare_count + patch->dropped;
-    paradt__patch_fill(patch, bw->spare, bw->spare_count, &end);
-    paradt__patch_fill(patch, patch->list, patch->list_count, &end);
-    paradt__patch_fill(patch, patch->fringe, patch->fringe_count, &end);
+    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
+    paradt__bw_fill_gaps(bw, patch->list, patch->list_count, &end);
+    paradt__bw_fill_gaps(bw, patch->fringe, patch->fringe_count, &end);
     patch->list_count = 0;
     paradt__release(patch->memory, patch->fringe);
     patch->fringe = NULL;
@@ -10183,11 +10183,17 @@ static paradt_index paradt__remote_any(paradt__search *s) {
 typedef struct paradt__remote_engine {
     paradt__bw bw;
     paradt_index *order; // of the insertion of the first points
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some more
+    // than once, and some where such ones have been
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
 } paradt__remote_engine;
 
 static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    if (engine->bw.memory) paradt__bw_end(&engine->bw);
+    engine->bw.memory = memory;
+    paradt__bw_end(&engine->bw);
     paradt__cells_free(&engine->bw.cells, memory);
+    paradt__release(memory, engine->fringe);
     paradt__release(memory, engine->order);
     memset(engine, 0, sizeof *engine);
 }
@@ -10237,12 +10243,45 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
     return order;
 }
 
-// Inserts one more point of the set, whose records may have moved.
+// Room for `more` places in the fringe
+static paradt_status paradt__remote_fringe_room(paradt__remote_engine *engine, size_t more) {
+    size_t count = engine->fringe_count;
+    return paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + more);
+}
+
+// Lists the fringe; own: so many positions are the own points'. Free places are marked.
+static paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own) {
+    enum { ROOM = 1024 };
+    const paradt__cells *cells = &engine->bw.cells;
+    size_t corners = (size_t)cells->corners, end = 0, place = 0;
+    paradt_status status = PARADT_OK;
+    paradt__bw_mark_free(&engine->bw);
+    engine->fringe_count = 0;
+    for (; place < cells->count && !status; end += ROOM) {
+        status = paradt__remote_fringe_room(engine, ROOM);
+        for (; place < cells->count && place < end && !status; place++) {
+            const paradt_index *vertices = cells->vertices + place * corners;
+            PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+            if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+            engine->fringe[engine->fringe_count] = (paradt_index)place;
+            engine->fringe_count += vertices[0] != PARADT__DEAD;
+        }
+    }
+    return status;
+}
+
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe.
 static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
                                                   paradt_index position) {
-    engine->bw.records = set->records;
-    engine->bw.count++;
-    return paradt__bw_insert_one_more(&engine->bw, position, -1);
+    paradt__bw *bw = &engine->bw;
+    size_t i;
+    paradt_status status;
+    bw->records = set->records;
+    bw->count++;
+    status = paradt__bw_insert_one_more(bw, position, -1);
+    if (!status) status = paradt__remote_fringe_room(engine, bw->rim_count);
+    for (i = 0; i < bw->rim_count && !status; i++) engine->fringe[engine->fringe_count++] = paradt__bw_made(bw, i);
+    return status;
 }
 
 // Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
@@ -10260,13 +10299,10 @@ PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engi
     return 1;
 }
 
-// For a pass over all places: is at the place a ghost or a cell of whose vertices some, but not all, have positions in
-// the set below `own`?
+// Is at a place of the fringe a ghost or a cell of whose vertices some have positions in the set below `own`?
 PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
     int corners = engine->bw.cells.corners, i, inside = 0;
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, own)) || vertices[0] == PARADT__DEAD) return 0;
     for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
     return inside;
 }
@@ -10317,69 +10353,112 @@ PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engi
     }
 }
 
-// No more points come: gives all memory back but that of what is at the places.
+// No more points come: gives all memory back but that of what is at the places, and the lists of these.
 static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
+    paradt_index *spare = engine->bw.spare;
     paradt__bw_mark_free(&engine->bw);
+    engine->bw.spare = NULL;
     paradt__bw_end(&engine->bw);
-    engine->bw.memory = NULL;
     paradt__release(memory, engine->order);
-    engine->order = NULL;
+    engine->bw.conflict = NULL;
+    engine->bw.cavity = engine->bw.rim = engine->order = NULL;
+    engine->bw.ridges = NULL;
+    engine->bw.spheres = NULL;
+    engine->bw.spare = spare;
 }
 
-// What the cells make of a point; by bits, so that an other's cell leaves an own one's mark
-enum { PARADT__NO_VERTEX = 0, PARADT__VERTEX = 1, PARADT__VERTEX_OF_OWN_CELL = 3 };
+// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
+// that, if it is a vertex at all, it is one of own cells alone.
+enum { PARADT__NO_VERTEX = 0, PARADT__VERTEX = 1, PARADT__OF_OWN_CELL = 2, PARADT__OF_NONE_DROPPED = 4 };
 
-// Is at a place an own cell, one whose smallest vertex is? What else is there is taken out: the facets on its other
-// sides become open. The rest as in paradt__remote_engine_close.
-PARADT__INLINE int paradt__remote_engine_keep(paradt__remote_engine *engine, const paradt__set *set, size_t place,
-                                              size_t corners, paradt_index *mark, uint64_t *others) {
-    paradt_index own = (paradt_index)set->count, *neighbors = engine->bw.cells.neighbors, *links;
-    const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
-    int is_cell, share = 0;
+PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
+                                          paradt_index bits) {
     size_t j;
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) return 1;
-    if (vertices[0] == PARADT__DEAD) return 0;
-    is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-    for (j = 0; j < corners; j++) share |= vertices[j] < own;
-    if (is_cell && share && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own) return 1;
-    links = neighbors + place * corners;
-    for (j = 0; j < corners; j++) {
-        if (is_cell) mark[vertices[j]] |= PARADT__VERTEX;
-        if (links[j] >= 0) neighbors[links[j]] = PARADT__OPEN;
-    }
-    *others += (uint64_t)is_cell;
-    return 0;
+    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// Keeps the own cells, as paradt__bw_close_cells does all. set: of the own points, the first; mark: [positions], gets
-// what the cells make of each. Returns how many cells others own.
-PARADT__INLINE uint64_t paradt__remote_engine_close(paradt__remote_engine *engine, const paradt__set *set,
-                                                    size_t corners, paradt_index *mark) {
-    paradt__bw *bw = &engine->bw;
-    const paradt_index *vertices = bw->cells.vertices;
-    size_t end = bw->cells.count, i, j;
-    uint64_t others = 0;
-    const paradt__rows to = paradt__rows_in_place(&bw->cells);
-    for (i = 0; i < end; i++) {
-        if (!PARADT__LIKELY(paradt__remote_engine_keep(engine, set, i, corners, mark, &others))) {
-            for (end--; end > i && !paradt__remote_engine_keep(engine, set, end, corners, mark, &others);) end--;
-            if (end == i) break;
-            paradt__bw_move(bw, i, end, corners, i);
-        }
-        for (j = i * corners; j < (i + 1) * corners; j++) mark[vertices[j]] = PARADT__VERTEX_OF_OWN_CELL;
-        paradt__bw_number(&bw->cells, i, corners, NULL, &to);
+// Is what is at a place of the fringe an own cell, one whose smallest vertex is?
+PARADT__INLINE int paradt__remote_engine_owns(const paradt__cells *cells, const paradt__set *set,
+                                              const paradt_index *vertices) {
+    paradt_index own = (paradt_index)set->count;
+    int j, share = 0;
+    for (j = 0; j < cells->corners; j++) share |= vertices[j] < own;
+    return share && vertices[paradt__extreme(set, vertices, cells->corners, -1)] < own;
+}
+
+// Takes out what is at a place: what is on its other sides gets open facets.
+PARADT__INLINE void paradt__remote_engine_drop(paradt__cells *cells, size_t place, int is_cell, paradt_index *mark) {
+    size_t corners = (size_t)cells->corners, j;
+    paradt_index *vertices = cells->vertices + place * corners, *links = cells->neighbors + place * corners;
+    for (j = 0; j < corners; j++) {
+        if (is_cell) mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        if (links[j] >= 0) cells->neighbors[links[j]] = PARADT__OPEN;
     }
-    bw->cells.count = end;
+    vertices[0] = PARADT__DEAD;
+}
+
+// Drops the ghosts and others' cells; the fringe becomes the list of their places. Returns how many are cells.
+static uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, const paradt__set *set,
+                                                  paradt_index *mark) {
+    paradt__cells *cells = &engine->bw.cells;
+    size_t corners = (size_t)cells->corners, count = engine->fringe_count, i, dropped = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index place = engine->fringe[i];
+        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
+        int is_cell;
+        paradt__fetch_listed(cells, engine->fringe, count, i);
+        if (vertices[0] == PARADT__DEAD) continue;
+        is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        if (is_cell && paradt__remote_engine_owns(cells, set, vertices)) {
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+            continue;
+        }
+        paradt__remote_engine_drop(cells, (size_t)place, is_cell, mark);
+        engine->fringe[dropped++] = place;
+        others += (uint64_t)is_cell;
+    }
+    engine->fringe_count = dropped;
     return others;
 }
 
-// Ends an insertion that rests: the own cells, all facets without one on the other side open. mark: all NO_VERTEX
-static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__cells *cells,
-                                          paradt_index *mark) {
-    size_t corners = (size_t)engine->bw.cells.corners;
-    uint64_t others = corners == 4 ? paradt__remote_engine_close(engine, set, 4, mark)
-                                   : paradt__remote_engine_close(engine, set, corners, mark);
-    *cells = engine->bw.cells;
+// Marks the vertices of the cells that are left next to those dropped: the cells around a vertex are connected through
+// facets, so if some of them are dropped and some are not, two such have one in common.
+static void paradt__remote_engine_mark_rim(const paradt__remote_engine *engine, paradt_index *mark) {
+    const paradt__cells *cells = &engine->bw.cells;
+    size_t corners = (size_t)cells->corners, i, j;
+    for (i = 0; i < engine->fringe_count; i++) {
+        const paradt_index *links = cells->neighbors + (size_t)engine->fringe[i] * corners;
+        for (j = 0; j < corners; j++) {
+            const paradt_index *vertices = cells->vertices + (size_t)(links[j] < 0 ? 0 : links[j]) / corners * corners;
+            if (links[j] < 0 || vertices[0] == PARADT__DEAD) continue;
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+    }
+}
+
+// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
+// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
+// gets what all cells make of each point. Returns how many cells are dropped since others own them.
+static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
+                                          paradt__cells *cells, paradt_index *mark) {
+    paradt__bw *bw = &engine->bw;
+    size_t end = bw->cells.count, corners = (size_t)bw->cells.corners, i;
+    uint64_t others;
+    // of points without weights none is hidden
+    for (i = 0; i < set->count; i++)
+        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
+    for (; i < bw->count; i++) mark[i] = PARADT__NO_VERTEX;
+    others = paradt__remote_engine_drop_others(engine, set, mark);
+    if (!set->space.weighted) paradt__remote_engine_mark_rim(engine, mark);
+    bw->cells.count -= bw->spare_count + engine->fringe_count;
+    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
+    paradt__bw_fill_gaps(bw, engine->fringe, engine->fringe_count, &end);
+    for (i = 0; i < bw->cells.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, bw->cells.vertices + i * corners, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, bw->spare);
+    paradt__release(memory, engine->fringe);
+    *cells = bw->cells;
     memset(engine, 0, sizeof *engine);
     return others;
 }

@@ -420,6 +420,7 @@ typedef struct paradt_mpi__work {
     paradt_mpi__directory directory;
     paradt__remote_engine engine; // insertion, while it goes on
     int inserting;                // it does
+    int handles;                  // it did, so that neighbours of the local cells are places * (dim + 1) + facet
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
     double progress_begin, progress_length;
@@ -1886,10 +1887,8 @@ static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
 }
 
 // Places of cells, for paradt_mpi__cell.
-static size_t paradt_mpi__place_count(paradt_mpi__work *w) {
-    if (!w->inserting) return w->local.cell_count;
-    paradt__bw_mark_free(&w->engine.bw);
-    return w->engine.bw.cells.count;
+static size_t paradt_mpi__place_count(const paradt_mpi__work *w) {
+    return w->inserting ? w->engine.bw.cells.count : w->local.cell_count;
 }
 
 // What is to be asked for the sake of a place: about a sphere, that of the cell at *place then, and about the facets on
@@ -2190,13 +2189,16 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
-    size_t place, at;
+    size_t at;
     int open, j;
     memset(&list, 0, sizeof list);
     list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
     if (!outer || !list.seen) status = PARADT_ERROR_MEMORY;
     if (!status) memset(list.seen, 0, count);
-    for (place = 0; place < count && !status; place++) {
+    if (!status) status = paradt__remote_engine_list(&w->engine, own);
+    for (at = 0; at < w->engine.fringe_count && !status; at++) {
+        size_t place = (size_t)w->engine.fringe[at];
+        paradt__fetch_listed(&w->engine.bw.cells, w->engine.fringe, w->engine.fringe_count, at);
         if (!paradt__remote_engine_is_seam(&w->engine, place, own)) continue;
         status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
         if (!status && paradt__remote_engine_is_suspect(&w->engine, place, own, outer))
@@ -2469,6 +2471,9 @@ static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
         w->progress_length = 0.9 * (1.0 - w->progress_begin);
         status = paradt_mpi__agree(w, news || w->stuck ? paradt_mpi__triangulate_known(w) : PARADT_OK);
     }
+    if (!status && (w->ranks == 1 || w->stuck)) // else the fringe was listed for the questions
+        status = paradt_mpi__agree(w, w->inserting ? paradt__remote_engine_list(&w->engine, (paradt_index)w->set.count)
+                                                   : PARADT_OK);
     if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
     return status;
 }
@@ -2536,7 +2541,7 @@ PARADT__INLINE void paradt_mpi__move_cell(paradt_mpi__work *w, size_t k, size_t 
 // Drops others' cells of k vertices, and fills the gaps that they leave from the end, so that nearly all cells keep
 // their numbers. mark: [known], gets what the cells make of each point. Returns how many are left.
 PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt_index *mark) {
-    size_t end = w->local.cell_count, c, j;
+    size_t end = w->local.cell_count, c;
     const paradt_index *cells = w->local.cells;
     for (c = 0; c < end; c++) {
         paradt__fetch_row(cells, w->local.neighbors, c + PARADT__ROWS_AHEAD, k);
@@ -2547,7 +2552,7 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
             if (end == c) break;
             paradt_mpi__move_cell(w, k, end, c);
         }
-        for (j = c * k; j < (c + 1) * k; j++) mark[cells[j]] = PARADT__VERTEX_OF_OWN_CELL;
+        paradt__mark_vertices(mark, cells + c * k, k, PARADT__VERTEX | PARADT__OF_OWN_CELL);
     }
     return end;
 }
@@ -2556,14 +2561,15 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
 static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, i;
     paradt__cells cells;
-    for (i = 0; i < w->known; i++) mark[i] = PARADT__NO_VERTEX;
     if (!w->inserting) {
+        for (i = 0; i < w->known; i++) mark[i] = PARADT__NO_VERTEX;
         w->local.cell_count = k == 4 ? paradt_mpi__keep_own(w, 4, mark) : paradt_mpi__keep_own(w, k, mark);
         w->stats.cells_recomputed += made - w->local.cell_count;
         return;
     }
     w->inserting = 0;
-    w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &cells, mark);
+    w->handles = 1;
+    w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &w->memory, &cells, mark);
     w->local.dim = w->set.space.dim;
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
@@ -2593,32 +2599,38 @@ PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_
     return PARADT_OK;
 }
 
-// Numbers the vertices of a cell, and lists its facets whose other side is not known. Not collective.
-PARADT__INLINE paradt_status paradt_mpi__close_cell(paradt_mpi__work *w, size_t k, size_t c, const paradt_index *number,
-                                                    paradt_mpi__facets *f) {
-    paradt_index *vertices = w->out->cells + c * k;
-    const paradt_index *neighbors = w->out->neighbors;
+// Numbers the vertices of a cell, and its neighbours where these are handles. Has it a facet whose other side is not
+// known, or the hull?
+PARADT__INLINE int paradt_mpi__number_cell(const paradt_mpi__work *w, const paradt__cells *cells, size_t k, size_t c,
+                                           const paradt_index *number, const paradt__rows *in_place) {
+    paradt_index *vertices = cells->vertices + c * k;
     size_t j;
-    PARADT__FETCH(vertices, PARADT__ROWS_AHEAD * k);
-    if (neighbors) PARADT__FETCH(neighbors, (c + PARADT__ROWS_AHEAD) * k);
+    if (w->handles) return paradt__bw_number(cells, c, k, number, in_place);
+    paradt__fetch_row(cells->vertices, cells->neighbors, c + PARADT__ROWS_AHEAD, k);
     for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
-    if (!neighbors || PARADT__LIKELY(paradt__vertices_among(neighbors + c * k, (int)k, 0, PARADT__NOWHERE)))
-        return PARADT_OK;
-    return paradt_mpi__close_open(w, k, c, f);
+    return cells->neighbors && !paradt__vertices_among(cells->neighbors + c * k, (int)k, 0, PARADT__NOWHERE);
 }
 
-// The same of all own cells, which become those of the result. Not collective.
+// The same of all own cells, which become those of the result; lists such facets. Not collective.
 static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1, c;
     paradt_status status = PARADT_OK;
-    w->out->cells = w->local.cells;
+    paradt__cells cells;
+    paradt__rows in_place;
+    memset(&cells, 0, sizeof cells);
+    cells.vertices = w->out->cells = w->local.cells;
+    cells.neighbors = w->local.neighbors;
+    in_place = paradt__rows_in_place(&cells);
     w->local.cells = NULL;
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
         w->local.neighbors = NULL;
     }
-    for (c = 0; c < w->out->cell_count && !status; c++)
-        status = k == 4 ? paradt_mpi__close_cell(w, 4, c, number, f) : paradt_mpi__close_cell(w, k, c, number, f);
+    for (c = 0; c < w->out->cell_count && !status; c++) {
+        int open = k == 4 ? paradt_mpi__number_cell(w, &cells, 4, c, number, &in_place)
+                          : paradt_mpi__number_cell(w, &cells, k, c, number, &in_place);
+        if (!PARADT__LIKELY(!open) && w->out->neighbors) status = paradt_mpi__close_open(w, k, c, f);
+    }
     return status;
 }
 
@@ -2752,7 +2764,8 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     int axis, exact = 1;
     paradt_status status;
     for (i = 0; i < w->known; i++) {
-        number[i] = number[i] == PARADT__VERTEX_OF_OWN_CELL ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
+        int used = (number[i] & (PARADT__OF_OWN_CELL | PARADT__OF_NONE_DROPPED)) != 0;
+        number[i] = used ? (paradt_index)count++ : (paradt_index)PARADT__OPEN;
         if (i + 1 == w->set.count) out->vertex_own = count;
     }
     out->vertex_count = count;

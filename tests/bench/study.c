@@ -20,11 +20,18 @@
 
 enum { DIM = 3 };
 
+// One number of ranks
+typedef struct study_row {
+    int ranks;
+    alone_record record;
+    paradt_mpi_stats sum, largest;
+    unsigned long steps; // without those of the check
+} study_row;
+
 static struct {
     paradt_gen_spec spec;
     uint64_t cells, hash; // of the first run; all others must have the same
-    paradt_mpi_stats sum, largest;
-    unsigned long steps; // of the last run, without those of its check
+    study_row *row;       // that is run
 } study;
 
 static void fail(const char *what) {
@@ -49,9 +56,9 @@ static void rank_program(int rank) {
     if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, &options)) fail("it was not triangulated");
     alone_enter();
     if (rank == 0) {
-        study.sum = t.sum;
-        study.largest = t.largest;
-        study.steps = alone.calls;
+        study.row->sum = t.sum;
+        study.row->largest = t.largest;
+        study.row->steps = alone.calls;
     }
     hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
     if (rank == 0 && study.cells && (study.cells != t.cell_total || study.hash != hash))
@@ -74,27 +81,38 @@ static void keep_memory(void) {
 #endif
 }
 
+// one: the time of one rank
+static void print_row(const char *points, const study_row *row, double one) {
+    alone_sum sum = alone_add_up(&row->record, row->steps);
+    double n = (double)study.spec.count, ranks = row->ranks, time = sum.computing + sum.talking;
+    printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", points,
+           row->ranks, sum.all_work, sum.most_work, time, sum.talking, one / (ranks * time),
+           100 * (double)row->sum.points_guessed / n, 100 * (double)row->sum.points_asked / n,
+           100 * (double)row->sum.cells_recomputed / (double)study.cells,
+           (double)row->largest.peak_bytes * ranks / n, (double)row->sum.bytes_sent / n);
+}
+
 int main(int argc, char **argv) {
     const char *wrong = argc < 4 ? "study RUNS gen:KIND:N:SEED RANKS..." : paradt_gen_parse(&study.spec, argv[2]);
-    double one = 0;
+    int count = argc - 3, runs;
+    study_row *rows;
+    alone_sum first;
     if (wrong) fail(wrong);
-    if (atoi(argv[1]) < 1) fail("RUNS is a number from 1 on");
+    if ((runs = atoi(argv[1])) < 1) fail("RUNS is a number from 1 on");
     keep_memory();
-    for (int i = 3; i < argc; i++) {
-        int ranks = atoi(argv[i]);
-        double n = (double)study.spec.count, time;
-        alone_sum sum;
-        if (ranks < 1 || ranks > ALONE_MOST_RANKS) fail("so many ranks can't be");
-        alone_run(ranks, atoi(argv[1]), rank_program);
-        sum = alone_add_up(study.steps);
-        time = sum.computing + sum.talking;
-        one = one > 0 ? one : time * ranks;
-        printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", argv[2],
-               ranks, sum.all_work, sum.most_work, time, sum.talking, one / (ranks * time),
-               100 * (double)study.sum.points_guessed / n, 100 * (double)study.sum.points_asked / n,
-               100 * (double)study.sum.cells_recomputed / (double)study.cells,
-               (double)study.largest.peak_bytes * ranks / n, (double)study.sum.bytes_sent / n);
-        fflush(stdout);
+    if (!(rows = (study_row *)calloc((size_t)count, sizeof *rows))) fail("no memory");
+    for (int i = 0; i < count; i++) {
+        rows[i].ranks = atoi(argv[3 + i]);
+        if (rows[i].ranks < 1 || rows[i].ranks > ALONE_MOST_RANKS) fail("so many ranks can't be");
     }
+    for (int run = 0; run < runs; run++) {
+        for (int i = 0; i < count; i++) {
+            study.row = &rows[i];
+            alone_run(&rows[i].record, rows[i].ranks, rank_program);
+        }
+    }
+    first = alone_add_up(&rows[0].record, rows[0].steps);
+    for (int i = 0; i < count; i++) print_row(argv[2], &rows[i], (first.computing + first.talking) * rows[0].ranks);
+    free(rows);
     return 0;
 }

@@ -65,14 +65,16 @@ typedef struct alone_stretches {
     size_t room;
 } alone_stretches;
 
-// What is known of the steps of all runs; messages are the same in all
-static struct {
-    int runs;
+// What is known of the steps of all runs with a number of ranks; messages are the same in all. All zero at first.
+typedef struct alone_record {
+    int ranks, runs;
     unsigned long steps, room;
     alone_stretches rank[ALONE_MOST_RANKS];
     size_t *ends; // [steps][ranks]: the first stretch after the step
     double *talk; // [steps]
-} alone_times;
+} alone_record;
+
+static alone_record *alone_times; // of the run at hand
 
 static _Thread_local int alone_me;
 static _Thread_local struct {
@@ -96,14 +98,14 @@ static void *alone_room(void *block, size_t count, size_t bytes) {
 // Ends a stretch.
 static alone_rank *alone_enter(void) {
     alone_rank *me = &alone.rank[alone_me];
-    alone_stretches *mine = &alone_times.rank[alone_me];
+    alone_stretches *mine = &alone_times->rank[alone_me];
     double seconds = alone_now() - me->began, *least;
     if (me->stretch == mine->room) {
         mine->room = 2 * mine->room + 64;
         mine->least = (double *)alone_room(mine->least, mine->room, sizeof *mine->least);
     }
     least = &mine->least[me->stretch++];
-    *least = alone_times.runs && *least < seconds ? *least : seconds;
+    *least = alone_times->runs && *least < seconds ? *least : seconds;
     return me;
 }
 
@@ -144,53 +146,53 @@ static void alone_yield(void) {
 static void alone_end_step(double received) {
     double longest = 0, rounds = 0;
     size_t *ends, ranks = (size_t)alone.ranks;
-    if (alone.calls == alone_times.room) {
-        alone_times.room = 2 * alone_times.room + 64;
-        alone_times.ends = (size_t *)alone_room(alone_times.ends, alone_times.room * ranks, sizeof *alone_times.ends);
-        alone_times.talk = (double *)alone_room(alone_times.talk, alone_times.room, sizeof *alone_times.talk);
+    if (alone.calls == alone_times->room) {
+        alone_times->room = 2 * alone_times->room + 64;
+        alone_times->ends = (size_t *)alone_room(alone_times->ends, alone_times->room * ranks, sizeof *alone_times->ends);
+        alone_times->talk = (double *)alone_room(alone_times->talk, alone_times->room, sizeof *alone_times->talk);
     }
-    ends = alone_times.ends + alone.calls * ranks;
+    ends = alone_times->ends + alone.calls * ranks;
     for (int r = 0; r < alone.ranks; r++) {
         alone_rank *rank = &alone.rank[r];
         double talk = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
         longest = talk > longest ? talk : longest;
-        if (alone_times.runs && ends[r] != rank->stretch) abort(); // the runs did not do the same
+        if (alone_times->runs && ends[r] != rank->stretch) abort(); // the runs did not do the same
         ends[r] = rank->stretch;
         rank->messages = rank->bytes = 0;
     }
     for (int reached = 1; reached < alone.ranks; reached *= 2) rounds++;
-    alone_times.talk[alone.calls] =
+    alone_times->talk[alone.calls] =
         longest + rounds * ALONE_LATENCY + (alone.ranks > 1 ? received / ALONE_BANDWIDTH : 0);
 }
 
-// What the first `steps` steps took
+// What the first `steps` steps of a record took
 typedef struct alone_sum {
     double all_work, most_work; // seconds of all ranks, of the one with most
     double computing, talking;  // of each step the slowest rank; the messages
 } alone_sum;
 
 // Seconds of a rank in a step
-static double alone_work(unsigned long step, int rank) {
-    const size_t *end = alone_times.ends + step * (size_t)alone.ranks + (size_t)rank;
+static double alone_work(const alone_record *record, unsigned long step, int rank) {
+    const size_t *end = record->ends + step * (size_t)record->ranks + (size_t)rank;
     double sum = 0;
-    for (size_t i = step ? end[-alone.ranks] : 0; i < *end; i++) sum += alone_times.rank[rank].least[i];
+    for (size_t i = step ? end[-record->ranks] : 0; i < *end; i++) sum += record->rank[rank].least[i];
     return sum;
 }
 
-static alone_sum alone_add_up(unsigned long steps) {
+static alone_sum alone_add_up(const alone_record *record, unsigned long steps) {
     alone_sum sum = {0, 0, 0, 0};
     for (unsigned long step = 0; step < steps; step++) {
         double slowest = 0;
-        for (int r = 0; r < alone.ranks; r++) {
-            double work = alone_work(step, r);
+        for (int r = 0; r < record->ranks; r++) {
+            double work = alone_work(record, step, r);
             slowest = work > slowest ? work : slowest;
         }
         sum.computing += slowest;
-        sum.talking += alone_times.talk[step];
+        sum.talking += record->talk[step];
     }
-    for (int r = 0; r < alone.ranks; r++) {
+    for (int r = 0; r < record->ranks; r++) {
         double work = 0;
-        for (unsigned long step = 0; step < steps; step++) work += alone_work(step, r);
+        for (unsigned long step = 0; step < steps; step++) work += alone_work(record, step, r);
         sum.all_work += work;
         sum.most_work = work > sum.most_work ? work : sum.most_work;
     }
@@ -434,11 +436,12 @@ static void *alone_thread(void *context) {
     return NULL;
 }
 
-// Runs the program once as so many ranks.
-static void alone_run_once(int ranks, void (*program)(int rank)) {
+// Runs the program once more as so many ranks, always the same number for a record.
+static void alone_run(alone_record *record, int ranks, void (*program)(int rank)) {
     memset(&alone, 0, sizeof alone);
-    alone.ranks = ranks;
+    alone.ranks = record->ranks = ranks;
     alone.program = program;
+    alone_times = record;
     pthread_mutex_init(&alone.lock, NULL);
     for (int r = 0; r < ranks; r++) {
         pthread_cond_init(&alone.rank[r].turn, NULL);
@@ -447,16 +450,8 @@ static void alone_run_once(int ranks, void (*program)(int rank)) {
     for (int r = 0; r < ranks; r++)
         if (pthread_create(&alone.rank[r].thread, NULL, alone_thread, (void *)(intptr_t)r)) abort();
     for (int r = 0; r < ranks; r++) pthread_join(alone.rank[r].thread, NULL);
-}
-
-// Runs the program as so many ranks, several times.
-static void alone_run(int ranks, int runs, void (*program)(int rank)) {
-    alone_times.steps = alone_times.room = 0; // the last run's number of ranks was another
-    for (alone_times.runs = 0; alone_times.runs < runs; alone_times.runs++) {
-        alone_run_once(ranks, program);
-        if (alone_times.runs && alone.calls != alone_times.steps) abort(); // the runs did not do the same
-        alone_times.steps = alone.calls;
-    }
+    if (record->runs++ && alone.calls != record->steps) abort(); // the runs did not do the same
+    record->steps = alone.calls;
 }
 
 #endif
