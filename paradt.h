@@ -10378,63 +10378,83 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
 }
 
 // Is what is at a place of the fringe an own cell, one whose smallest vertex is?
-PARADT__INLINE int paradt__remote_engine_owns(const paradt__cells *cells, const paradt__set *set,
-                                              const paradt_index *vertices) {
+PARADT__INLINE int paradt__remote_engine_owns(const paradt__set *set, const paradt_index *vertices, size_t corners) {
     paradt_index own = (paradt_index)set->count;
-    int j, share = 0;
-    for (j = 0; j < cells->corners; j++) share |= vertices[j] < own;
-    return share && vertices[paradt__extreme(set, vertices, cells->corners, -1)] < own;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) share |= vertices[j] < own;
+    return share && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own;
 }
 
-// Takes out what is at a place: what is on its other sides gets open facets.
-PARADT__INLINE void paradt__remote_engine_drop(paradt__cells *cells, size_t place, int is_cell, paradt_index *mark) {
-    size_t corners = (size_t)cells->corners, j;
-    paradt_index *vertices = cells->vertices + place * corners, *links = cells->neighbors + place * corners;
-    for (j = 0; j < corners; j++) {
-        if (is_cell) mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
-        if (links[j] >= 0) cells->neighbors[links[j]] = PARADT__OPEN;
-    }
-    vertices[0] = PARADT__DEAD;
-}
-
-// Drops the ghosts and others' cells; the fringe becomes the list of their places. Returns how many are cells.
-static uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, const paradt__set *set,
-                                                  paradt_index *mark) {
-    paradt__cells *cells = &engine->bw.cells;
-    size_t corners = (size_t)cells->corners, count = engine->fringe_count, i, dropped = 0;
-    uint64_t others = 0;
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.
+PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, const paradt__set *set, size_t corners,
+                                                paradt_index *mark) {
+    enum { AHEAD = 4 };
+    const paradt__cells *cells = &engine->bw.cells;
+    size_t count = engine->fringe_count, i, j, left = 0;
     for (i = 0; i < count; i++) {
         paradt_index place = engine->fringe[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell;
+        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
         paradt__fetch_listed(cells, engine->fringe, count, i);
+        if (i + AHEAD < count) paradt__remote_engine_fetch_points(engine, (size_t)engine->fringe[i + AHEAD]);
         if (vertices[0] == PARADT__DEAD) continue;
-        is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        if (is_cell && paradt__remote_engine_owns(cells, set, vertices)) {
+        if (is_cell && paradt__remote_engine_owns(set, vertices, corners)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
             continue;
         }
-        paradt__remote_engine_drop(cells, (size_t)place, is_cell, mark);
-        engine->fringe[dropped++] = place;
-        others += (uint64_t)is_cell;
+        for (j = 0; j < corners && is_cell; j++)
+            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        engine->fringe[left++] = place;
+    }
+    engine->fringe_count = left;
+}
+
+// Is a vertex of the cell an own point that was not found to be one of an own cell?
+PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
+                                                const paradt_index *mark) {
+    int leaves = 0;
+    size_t j;
+    for (j = 0; j < corners; j++)
+        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
+    return leaves;
+}
+
+// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
+// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
+// others' points have had their vertices marked already. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
+                                                   paradt_index *mark) {
+    paradt__cells *cells = &engine->bw.cells;
+    size_t i, j, count = engine->fringe_count, dropped = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        size_t base = (size_t)engine->fringe[i] * corners;
+        const paradt_index *links = cells->neighbors + base;
+        int leaves;
+        paradt__fetch_listed(cells, engine->fringe, count, i);
+        if (cells->vertices[base] == PARADT__DEAD) continue; // it is in the list twice
+        leaves = paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark);
+        others += (uint64_t)paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE);
+        engine->fringe[dropped++] = engine->fringe[i];
+        for (j = 0; j < corners; j++) {
+            const paradt_index *across;
+            if (links[j] < 0) continue; // what is there was dropped before
+            cells->neighbors[links[j]] = PARADT__OPEN;
+            across = cells->vertices + (size_t)links[j] / corners * corners;
+            if (leaves && paradt__vertices_among(across, (int)corners, 0, own))
+                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+        cells->vertices[base] = PARADT__DEAD;
     }
     engine->fringe_count = dropped;
     return others;
 }
 
-// Marks the vertices of the cells that are left next to those dropped: the cells around a vertex are connected through
-// facets, so if some of them are dropped and some are not, two such have one in common.
-static void paradt__remote_engine_mark_rim(const paradt__remote_engine *engine, paradt_index *mark) {
-    const paradt__cells *cells = &engine->bw.cells;
-    size_t corners = (size_t)cells->corners, i, j;
-    for (i = 0; i < engine->fringe_count; i++) {
-        const paradt_index *links = cells->neighbors + (size_t)engine->fringe[i] * corners;
-        for (j = 0; j < corners; j++) {
-            const paradt_index *vertices = cells->vertices + (size_t)(links[j] < 0 ? 0 : links[j]) / corners * corners;
-            if (links[j] < 0 || vertices[0] == PARADT__DEAD) continue;
-            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-        }
-    }
+PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, const paradt__set *set,
+                                                          size_t corners, paradt_index *mark) {
+    paradt__remote_engine_judge(engine, set, corners, mark);
+    return paradt__remote_engine_drop(engine, (paradt_index)set->count, corners, mark);
 }
 
 // Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
@@ -10449,8 +10469,8 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     for (; i < bw->count; i++) mark[i] = PARADT__NO_VERTEX;
-    others = paradt__remote_engine_drop_others(engine, set, mark);
-    if (!set->space.weighted) paradt__remote_engine_mark_rim(engine, mark);
+    others = corners == 4 ? paradt__remote_engine_drop_others(engine, set, 4, mark)
+                          : paradt__remote_engine_drop_others(engine, set, corners, mark);
     bw->cells.count -= bw->spare_count + engine->fringe_count;
     paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
     paradt__bw_fill_gaps(bw, engine->fringe, engine->fringe_count, &end);
