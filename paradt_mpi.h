@@ -1594,7 +1594,7 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     if (!status) {
         memset(mine, 0, size * sizeof *mine);
         if (w->ready) {
-            while (w->grid.box_count[level] > PARADT_MPI__GROUPS * PARADT__LANES) level++;
+            while (w->grid.box_count[level] > (size_t)PARADT_MPI__GROUPS * PARADT__LANES) level++;
             count = (int)w->grid.box_count[level];
             size = ((size_t)count + PARADT__LANES - 1) / PARADT__LANES * d->width;
             memcpy(mine, w->grid.boxes[level], size * sizeof *mine);

@@ -118,6 +118,22 @@ static int others_are_others(const paradt_mpi_triangulation *t) {
     return good && found == t->other_count;
 }
 
+// Has the table of vertices those of the rank's cells, and nothing else?
+static int table_is_of_vertices(const paradt_mpi_triangulation *t) {
+    char *met = (char *)need(t->vertex_count, 1);
+    size_t i, found = 0;
+    int good = t->vertex_own <= t->vertex_count;
+    memset(met, 0, t->vertex_count);
+    for (i = 0; i < t->cell_count * (size_t)(t->dim + 1) && good; i++) {
+        good = t->cells[i] >= 0 && (size_t)t->cells[i] < t->vertex_count;
+        if (!good || met[t->cells[i]]) continue;
+        met[t->cells[i]] = 1;
+        found++;
+    }
+    free(met);
+    return good && found == t->vertex_count;
+}
+
 // NULL, or what is wrong with the distributed result.
 static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, const sample *s, const int *order,
                            const paradt_triangulation *expected) {
@@ -133,6 +149,7 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     if (t->dim != expected->dim) wrong = "dim";
     else if (t->cell_total != expected->cell_count) wrong = "number of cells";
     else if (hash != paradt_hash(expected)) wrong = "cells";
+    else if (!table_is_of_vertices(t)) wrong = "table of vertices";
     for (i = 0; i < t->vertex_count && !wrong; i++) {
         for (j = 0; j < s->dim; j++)
             if (t->coordinates[i * (size_t)s->dim + (size_t)j] !=
@@ -237,7 +254,8 @@ static void same_cells_with_weights(void) {
     for (int dim = 2; dim <= 4; dim++) {
         for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
             for (int v = 1; v < WEIGHTING_COUNT; v++)
-                same_cells_on_family(&families[family_named(names[i])], &weightings[v], dim, counts[dim], (uint64_t)(v + i), 4);
+                same_cells_on_family(&families[family_named(names[i])], &weightings[v], dim, counts[dim],
+                                     (uint64_t)(v + i), 4);
             finish_test("same cells with weights: %s, d = %d", names[i], dim);
         }
     }
@@ -466,7 +484,8 @@ static void eight_ranks_hold_less_than_double_an_eighth(void) {
         sample share = share_of(&s, BLOCKS, rank, size, order);
         paradt_points points = points_of(&share);
         paradt_mpi_triangulation t;
-        if (paradt_mpi_triangulate(&t, comms[SIZES - 1], &points, NULL) != PARADT_OK) note(&s, size, BLOCKS, "it fails");
+        if (paradt_mpi_triangulate(&t, comms[SIZES - 1], &points, NULL) != PARADT_OK)
+            note(&s, size, BLOCKS, "it fails");
         if (rank == 0 && t.cell_total) {
             paradt_triangulation all = serial(&s, order);
             if ((double)t.largest.peak_bytes * size > 1.8 * (double)all.stats.peak_bytes)
