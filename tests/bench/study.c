@@ -88,8 +88,8 @@ static void print_row(const char *points, const study_row *row, double one) {
     printf("| %s | %d | %.2f | %.3f | %.3f | %.4f | %.2f | %.2f %% | %.3f %% | %.1f %% | %.0f | %.0f |\n", points,
            row->ranks, sum.all_work, sum.most_work, time, sum.talking, one / (ranks * time),
            100 * (double)row->sum.points_guessed / n, 100 * (double)row->sum.points_asked / n,
-           100 * (double)row->sum.cells_recomputed / (double)study.cells,
-           (double)row->largest.peak_bytes * ranks / n, (double)row->sum.bytes_sent / n);
+           100 * (double)row->sum.cells_recomputed / (double)study.cells, (double)row->largest.peak_bytes * ranks / n,
+           (double)row->sum.bytes_sent / n);
 }
 
 int main(int argc, char **argv) {
@@ -112,7 +112,10 @@ int main(int argc, char **argv) {
         }
     }
     first = alone_add_up(&rows[0].record, rows[0].steps);
-    for (int i = 0; i < count; i++) print_row(argv[2], &rows[i], (first.computing + first.talking) * rows[0].ranks);
+    for (int i = 0; i < count; i++) {
+        print_row(argv[2], &rows[i], (first.computing + first.talking) * rows[0].ranks);
+        alone_forget(&rows[i].record);
+    }
     free(rows);
     return 0;
 }

@@ -80,6 +80,7 @@ static void rank_program(int rank) {
 }
 
 int main(int argc, char **argv) {
+    static alone_record record;
     unsigned cases = argc == 2 ? (unsigned)atoi(argv[1]) : 0, number;
     int failed = !cases;
     for (number = 0; number < cases; number++) {
@@ -94,7 +95,8 @@ int main(int argc, char **argv) {
         }
         expected = paradt_hash(&t);
         paradt_free(&t);
-        alone_run(ranks, 1, rank_program);
+        alone_run(&record, ranks, rank_program);
+        alone_forget(&record);
         if (at_hand.status == PARADT_OK && at_hand.hash == expected) continue;
         printf("case %u: %s, %d dimensions, %d ranks, %s weights: %s\n", number, paradt_gen_name(at_hand.spec.kind),
                at_hand.points.dim, ranks, at_hand.points.weights ? "with" : "without",

@@ -436,6 +436,14 @@ static void *alone_thread(void *context) {
     return NULL;
 }
 
+// Makes a record all zero again.
+static void alone_forget(alone_record *record) {
+    for (int r = 0; r < record->ranks; r++) free(record->rank[r].least);
+    free(record->ends);
+    free(record->talk);
+    memset(record, 0, sizeof *record);
+}
+
 // Runs the program once more as so many ranks, always the same number for a record.
 static void alone_run(alone_record *record, int ranks, void (*program)(int rank)) {
     memset(&alone, 0, sizeof alone);
