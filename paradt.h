@@ -10249,7 +10249,8 @@ static paradt_status paradt__remote_fringe_room(paradt__remote_engine *engine, s
     return paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + more);
 }
 
-// Lists the fringe; own: so many positions are the own points'. Free places are marked.
+// Lists the fringe; own: so many positions are the own points'. Free places are marked. Room in the list is made for
+// many places at once, so that the pass over all of them does not ask for it.
 static paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own) {
     enum { ROOM = 1024 };
     const paradt__cells *cells = &engine->bw.cells;
