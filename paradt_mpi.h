@@ -303,8 +303,8 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 #endif // PARADT_MPI_H
 
 // The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each uses
-// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid, and the
-// orders of insertion.
+// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid, and of
+// >>bowyer-watson the orders of insertion and what fetches and numbers the rows of cells.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
