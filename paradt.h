@@ -5782,9 +5782,10 @@ typedef struct paradt__seen3 {
     double s[3], lift;
 } paradt__seen3;
 
-// A vertex of the cavity: its place
-typedef struct paradt__around3 {
-    double place[3], unused; // 32 bytes
+// A vertex of the cavity: at first its number among the points, then what leads to it from the new point
+typedef union paradt__around3 {
+    paradt_index vertex;
+    double edge[4]; // by axis, and the square of its length
 } paradt__around3;
 
 enum { PARADT__NEXT_NUMBER = sizeof(paradt__around3) }; // from number to number
@@ -5813,11 +5814,11 @@ typedef struct paradt__spheres3 {
     paradt_index *large_edges;
     size_t large_star, large_rows; // for so many new cells
 
-    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes of their
-    // places in `around`. Numbers go on from point to point, so what is less than `first` is none.
-    uint32_t *number; // [numbers]
-    size_t numbers;   // points + 1, at least
-    uint32_t first, next_number;
+    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
+    // `around`. Numbers go on from point to point, so what is less than `first` is none.
+    uint32_t *number;                        // [numbers]
+    size_t numbers;                          // points + 1, at least
+    uint32_t first, next_number, around_end; // around_end: the offset behind the last vertex
     paradt__around3 around[PARADT__STAR_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__bw3_limit_numbers
 
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
@@ -5841,8 +5842,8 @@ typedef struct paradt__spheres3 {
 #define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
 
 // The vertex with a number, as an offset
-PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__spheres3 *s, size_t offset) {
-    return (paradt__around3 *)(void *)((char *)s->around + offset);
+PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__around3 *around, size_t offset) {
+    return (paradt__around3 *)(void *)((char *)around + offset);
 }
 
 // The first cache line that begins there
@@ -6209,6 +6210,16 @@ PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const d
     return seen;
 }
 
+PARADT__INLINE paradt__around3 paradt__around3_of(const double *from, const double *to) {
+    paradt__around3 around;
+    double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
+    around.edge[0] = x;
+    around.edge[1] = y;
+    around.edge[2] = z;
+    around.edge[3] = x * x + y * y + z * z;
+    return around;
+}
+
 PARADT__INLINE double paradt__largest3(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
@@ -6218,14 +6229,13 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented. Straight code, to be vectorised: where the
-// determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with x87
-// registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
+// The sphere through p and p + a, p + b, p + c, positively oriented; la is |a|^2. Straight code, to be vectorised:
+// where the determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with
+// x87 registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
 PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, const paradt__seen3 *p, double ax,
-                                         double ay, double az, double bx, double by, double bz, double cx, double cy,
-                                         double cz, double *nx, double *ny, double *nz, double *constant,
-                                         double *error) {
-    double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz, lc = cx * cx + cy * cy + cz * cz;
+                                         double ay, double az, double la, double bx, double by, double bz, double lb,
+                                         double cx, double cy, double cz, double lc, double *nx, double *ny, double *nz,
+                                         double *constant, double *error) {
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
@@ -6303,11 +6313,14 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
     } else {
         const double *a = paradt__bw_record(bw, vertices[0]), *b = paradt__bw_record(bw, vertices[1]);
         const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
+        paradt__around3 to_a = paradt__around3_of(p, a), to_b = paradt__around3_of(p, b),
+                        to_c = paradt__around3_of(p, c);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->sharp, &s->frame, &seen, b[0] - p[0], b[1] - p[1], b[2] - p[2], a[0] - p[0],
-                             a[1] - p[1], a[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], sphere->normal,
-                             sphere->normal + 1, sphere->normal + 2, &sphere->constant, &sphere->error);
+        paradt__sphere3_make(s->sharp, &s->frame, &seen, to_b.edge[0], to_b.edge[1], to_b.edge[2], to_b.edge[3],
+                             to_a.edge[0], to_a.edge[1], to_a.edge[2], to_a.edge[3], to_c.edge[0], to_c.edge[1],
+                             to_c.edge[2], to_c.edge[3], sphere->normal, sphere->normal + 1, sphere->normal + 2,
+                             &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
@@ -6424,8 +6437,7 @@ typedef struct paradt__dig3 {
     paradt__tag mask;
     int waiting_count;
     const paradt_index *vertices;
-    const double *records;
-    size_t width;
+    paradt__around3 *around;
     uint32_t *numbers, first, next; // of the vertices: as in paradt__spheres3, from vertex 0 on
 } paradt__dig3;
 
@@ -6433,8 +6445,7 @@ typedef struct paradt__dig3 {
 PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3 *dig) {
     paradt__spheres3 *s = bw->spheres;
     dig->vertices = bw->cells.vertices;
-    dig->records = bw->records;
-    dig->width = bw->width;
+    dig->around = s->around;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
         s->next_number = PARADT__NEXT_NUMBER;
@@ -6443,19 +6454,16 @@ PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3
     dig->first = dig->next = s->next_number;
 }
 
-// Numbers a vertex of the cavity, if it has no number yet, and keeps its place. There is no branch, as nothing
-// foretells it.
-PARADT__INLINE void paradt__bw3_number(const paradt__bw *bw, paradt__dig3 *dig, paradt_index vertex) {
-    const double *record = dig->records + dig->width * (size_t)(vertex >= 0 ? vertex : 0);
+// Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
+PARADT__INLINE void paradt__bw3_number(paradt__dig3 *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
-    double *place = paradt__around3_at(bw->spheres, dig->next - dig->first)->place;
+    paradt__around3_at(dig->around, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
-    memcpy(place, record, 3 * sizeof *place);
     dig->next += is_new & PARADT__NEXT_NUMBER;
 }
 
 // Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
-// again, and the places kept there with them. To be called every PARADT__DIG_AT_ONCE vertices.
+// again. To be called every PARADT__DIG_AT_ONCE vertices.
 PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
     uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
@@ -6463,10 +6471,13 @@ PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
 
 // Keeps which numbers these vertices have. The next cavity's are larger than all of them.
 PARADT__INLINE void paradt__bw3_end_numbers(paradt__spheres3 *s, const paradt__dig3 *dig) {
-    int is_star = dig->next - dig->first < (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
     s->first = dig->first;
-    s->next_number = is_star ? dig->next : dig->first + (uint32_t)sizeof s->around;
+    s->around_end = end < most ? end : most;
+    s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->around;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
+    // what comes of it is not used, but any point will do where its record is read
+    if (s->ghosts) paradt__around3_at(s->around, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
 // What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
@@ -6547,7 +6558,7 @@ PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, con
     for (; head < last && head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.cavity[head], base = entry & ~(paradt_index)3;
         dig.cavity[head] = base;
-        paradt__bw3_number(bw, &dig, dig.vertices[entry]);
+        paradt__bw3_number(&dig, dig.vertices[entry]);
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 1) & 3));
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 2) & 3));
         paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 3) & 3));
@@ -6566,7 +6577,7 @@ typedef struct paradt__star3 {
 // The inner functions that have versions for an instruction set
 typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
                                   size_t head);
-typedef void (*paradt__make_spheres3)(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+typedef void (*paradt__make_spheres3)(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                       const paradt__seen3 *seen);
 
 PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
@@ -6585,7 +6596,7 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
     paradt__bw3_sphere_of(bw, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
     paradt__bw3_begin_numbers(bw, &dig);
-    for (i = 1; i < 4; i++) paradt__bw3_number(bw, &dig, dig.vertices[4 * (size_t)first + i]);
+    for (i = 1; i < 4; i++) paradt__bw3_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
         head = spread(bw, &dig, seen, x, head);
@@ -6750,9 +6761,9 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
     return PARADT_OK;
 }
 
-// Four new cells that are no ghosts: their vertices but for the new one, by axis, and what their spheres are made of
+// Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
 typedef struct paradt__four3 {
-    double corner[3][3][4]; // [vertex][axis][cell]
+    double corner[3][4][4]; // [vertex][of edge][cell]
     double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
 } paradt__four3;
 
@@ -6767,14 +6778,16 @@ PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
 
 // The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
 // the four lanes the least power so far is kept, and of which four it is.
-PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt__star3 *star, const double *x,
+PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt__star3 *star, const double *x,
                                          const paradt__seen3 *seen) {
-    const double x0 = x[0], x1 = x[1], x2 = x[2];
+    paradt__spheres3 *s = bw->spheres;
     const paradt__frame3 frame = s->frame;
     paradt__seen3 p = *seen, next = s->next;
     paradt__four3 four;
     double(*a)[4] = four.corner[0], (*b)[4] = four.corner[1], (*c)[4] = four.corner[2];
+    paradt__around3 *around = s->around, *end = paradt__around3_at(around, s->around_end);
     int i, vertex, axis, lane, best = 0;
+    for (; around < end; around++) *around = paradt__around3_of(x, paradt__bw_record(bw, around->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
@@ -6784,14 +6797,14 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt_
         const double at = i;
         for (lane = 0; lane < 4; lane++) {
             for (vertex = 0; vertex < 3; vertex++) {
-                const double *place = paradt__around3_at(s, star->corner[i + lane][vertex])->place;
-                for (axis = 0; axis < 3; axis++) four.corner[vertex][axis][lane] = place[axis];
+                const double *edge = paradt__around3_at(s->around, star->corner[i + lane][vertex])->edge;
+                for (axis = 0; axis < 4; axis++) four.corner[vertex][axis][lane] = edge[axis];
             }
         }
         for (lane = 0; lane < 4; lane++) {
             double nx, ny, nz, d, e;
-            paradt__sphere3_make(sharp, &frame, &p, b[0][lane] - x0, b[1][lane] - x1, b[2][lane] - x2, a[0][lane] - x0,
-                                 a[1][lane] - x1, a[2][lane] - x2, c[0][lane] - x0, c[1][lane] - x1, c[2][lane] - x2,
+            paradt__sphere3_make(sharp, &frame, &p, b[0][lane], b[1][lane], b[2][lane], b[3][lane], a[0][lane],
+                                 a[1][lane], a[2][lane], a[3][lane], c[0][lane], c[1][lane], c[2][lane], c[3][lane],
                                  &nx, &ny, &nz, &d, &e);
             four.normal[0][lane] = nx;
             four.normal[1][lane] = ny;
@@ -6815,15 +6828,15 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, paradt__spheres3 *s, paradt_
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
-PARADT__NOINLINE void paradt__bw3_make_sharp_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+PARADT__NOINLINE void paradt__bw3_make_sharp_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                                    const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, s, star, x, seen);
+    paradt__bw3_make_any(1, bw, star, x, seen);
 }
 
-static void paradt__bw3_make_plain(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                    const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!s->sharp)) paradt__bw3_make_any(0, s, star, x, seen);
-    else paradt__bw3_make_sharp_plain(s, star, x, seen);
+    if (PARADT__LIKELY(!bw->spheres->sharp)) paradt__bw3_make_any(0, bw, star, x, seen);
+    else paradt__bw3_make_sharp_plain(bw, star, x, seen);
 }
 
 // The spheres of the ghosts among the new cells; the others into `star`.
@@ -6854,7 +6867,7 @@ PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const p
     s->start = bw->cavity[0] >> 2;
     // what makes spheres fills the list up, in which more of the cavity may follow
     if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star);
-    if (star.count) make(s, &star, x, seen);
+    if (star.count) make(bw, &star, x, seen);
 }
 
 // The places of the cavity from number `first` on become free, and their marks are taken away.
@@ -6977,15 +6990,16 @@ PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, cons
     return at;
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query, __m256d lift) {
-    return _mm256_fmadd_pd(_mm256_load_pd((const double *)(const void *)sphere), query, lift);
+PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query) {
+    return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
-// A point's powers. query: its place and 1; lift: 0 and its lift
+// A point's powers. query: its place and 1; lift: its lift, four times
 PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
-    __m256d ab = _mm256_hadd_pd(paradt__terms3(at.a, query, lift), paradt__terms3(at.b, query, lift));
-    __m256d cd = _mm256_hadd_pd(paradt__terms3(at.c, query, lift), paradt__terms3(at.d, query, lift));
-    return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31));
+    __m256d ab = _mm256_hadd_pd(paradt__terms3(at.a, query), paradt__terms3(at.b, query));
+    __m256d cd = _mm256_hadd_pd(paradt__terms3(at.c, query), paradt__terms3(at.d, query));
+    __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
+    return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
 
 PARADT__AVX2 PARADT__INLINE __m128d paradt__two_errors(const char *a, const char *b) {
@@ -7032,7 +7046,7 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
     const size_t facets = bw->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
     const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
-    const __m256d lift = _mm256_setr_pd(0.0, 0.0, 0.0, seen->lift), sign = _mm256_set1_pd(-0.0);
+    const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
     paradt_index *cell = dig.cavity + head, *end = dig.cavity + dig.cavity_count, *rim = dig.rim + dig.rim_count;
     paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
@@ -7048,16 +7062,16 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
-        paradt__bw3_number(bw, &dig, dig.vertices[entry]);
+        paradt__bw3_number(&dig, dig.vertices[entry]);
         tags = paradt__four_tags(at);
         sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
                paradt__signs_avx2(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others));
         outside = ~inside & 15;
         // what the next rounds of this loop and the new cells' links will touch
-        PARADT__PREFETCH(dig.neighbors + row[0]);
-        PARADT__PREFETCH(dig.neighbors + row[1]);
-        PARADT__PREFETCH(dig.neighbors + row[2]);
-        PARADT__PREFETCH(dig.neighbors + row[3]);
+        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[0]);
+        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[1]);
+        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[2]);
+        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[3]);
         if (!PARADT__LIKELY(sure == 15)) {
             int i;
             for (i = 0; i < 4; i++) PARADT__PREFETCH(dig.vertices + row[i]);
@@ -7102,8 +7116,7 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
 
 // P and sum N_j h_j of paradt__sphere3_make, for four cells
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
-                                                    const __m256d *c, const __m256d *squares, __m256d *size,
-                                                    __m256d *sides) {
+                                                    const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
     int i;
     for (i = 0; i < 3; i++) {
@@ -7116,14 +7129,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
         __m256d bc[3];
         for (i = 0; i < 3; i++) {
             bc[i] = paradt__cross_avx2(sb, sc, i, -1);
-            n[i] = _mm256_mul_pd(squares[0], bc[i]);
-            n[i] = _mm256_fmadd_pd(squares[1], paradt__cross_avx2(sc, sa, i, -1), n[i]);
-            n[i] = _mm256_fmadd_pd(squares[2], paradt__cross_avx2(sa, sb, i, -1), n[i]);
+            n[i] = _mm256_mul_pd(a[3], bc[i]);
+            n[i] = _mm256_fmadd_pd(b[3], paradt__cross_avx2(sc, sa, i, -1), n[i]);
+            n[i] = _mm256_fmadd_pd(c[3], paradt__cross_avx2(sa, sb, i, -1), n[i]);
         }
         *size = paradt__dot_avx2(sa, bc);
         *sides = paradt__dot_avx2(half, n);
     } else {
-        __m256d sum = _mm256_add_pd(_mm256_add_pd(squares[0], squares[1]), squares[2]);
+        __m256d sum = _mm256_add_pd(_mm256_add_pd(a[3], b[3]), c[3]);
         __m256d base = _mm256_mul_pd(m[0], m[1]);
         __m256d walls = _mm256_fmadd_pd(m[0], half[1], _mm256_mul_pd(m[1], half[0]));
         *size = _mm256_mul_pd(base, m[2]);
@@ -7131,31 +7144,31 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere3_make makes them. p: by axis, and the lift, as the spheres see it
+// The spheres of four cells, as paradt__sphere3_make makes them: the normals by axis, and the constants. p: by axis,
+// and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
 PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame3 *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
-                                                      __m256d *normal, __m256d *constant, __m256d *error) {
+                                                      __m256d *sphere, __m256d *error) {
     const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
-    const __m256d squares[3] = {paradt__dot_avx2(a, a), paradt__dot_avx2(b, b), paradt__dot_avx2(c, c)};
     __m256d ab[3], v[3], w[3], sizes[3], size, sides, floor, det, inverse, doubt;
     int i;
-    paradt__four_sizes(sharp, half, a, b, c, squares, &size, &sides);
+    paradt__four_sizes(sharp, half, a, b, c, &size, &sides);
     floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
     floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
     floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
     for (i = 0; i < 3; i++) {
         ab[i] = paradt__cross_avx2(a, b, i, 1);
-        v[i] = _mm256_fmsub_pd(squares[0], b[i], _mm256_mul_pd(squares[1], a[i]));
+        v[i] = _mm256_fmsub_pd(a[3], b[i], _mm256_mul_pd(b[3], a[i]));
     }
     det = paradt__dot_avx2(ab, c);
     inverse = _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_max_pd(det, floor));
     for (i = 0; i < 3; i++) {
-        w[i] = _mm256_fmadd_pd(squares[2], ab[i], paradt__cross_avx2(v, c, i, 1));
+        w[i] = _mm256_fmadd_pd(c[3], ab[i], paradt__cross_avx2(v, c, i, 1));
         w[i] = _mm256_mul_pd(w[i], inverse);
-        normal[i] = _mm256_fmsub_pd(_mm256_set1_pd(-2.0), p[i], w[i]);
+        sphere[i] = _mm256_fmsub_pd(_mm256_set1_pd(-2.0), p[i], w[i]);
         sizes[i] = paradt__abs_avx2(w[i]);
     }
-    *constant = _mm256_add_pd(paradt__dot_avx2(w, p), p[3]);
+    sphere[3] = _mm256_add_pd(paradt__dot_avx2(w, p), p[3]);
     doubt = _mm256_fmadd_pd(size, paradt__dot_avx2(sizes, half), sides);
     doubt = _mm256_fmadd_pd(doubt, inverse, _mm256_set1_pd(f->square));
     *error = _mm256_blendv_pd(_mm256_set1_pd(PARADT__NO_ERROR_BOUND),
@@ -7163,24 +7176,29 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__f
                               _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
 }
 
+// Four columns to four rows
+PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double *a, double *b, double *c, double *d) {
+    __m256d xy_02 = _mm256_unpacklo_pd(column[0], column[1]), xy_13 = _mm256_unpackhi_pd(column[0], column[1]);
+    __m256d zw_02 = _mm256_unpacklo_pd(column[2], column[3]), zw_13 = _mm256_unpackhi_pd(column[2], column[3]);
+    _mm256_storeu_pd(a, _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
+    _mm256_storeu_pd(b, _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
+    _mm256_storeu_pd(c, _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
+    _mm256_storeu_pd(d, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+}
+
 // Puts the spheres of four cells into the table.
 PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere3 *table, paradt__tag mask, __m128i cells,
-                                                    const __m256d *normal, __m256d constant, __m256d error) {
+                                                    const __m256d *sphere, __m256d error) {
     __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
     uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
     double *to[4];
-    __m256d xy_02 = _mm256_unpacklo_pd(normal[0], normal[1]), xy_13 = _mm256_unpackhi_pd(normal[0], normal[1]);
-    __m256d zw_02 = _mm256_unpacklo_pd(normal[2], constant), zw_13 = _mm256_unpackhi_pd(normal[2], constant);
     __m256d tags = _mm256_castsi256_pd(_mm256_cvtepu32_epi64(cells));
     __m256d rest_02 = _mm256_unpacklo_pd(error, tags), rest_13 = _mm256_unpackhi_pd(error, tags);
     to[0] = (double *)(void *)((char *)table + (uint32_t)low);
     to[1] = (double *)(void *)((char *)table + (low >> 32));
     to[2] = (double *)(void *)((char *)table + (uint32_t)high);
     to[3] = (double *)(void *)((char *)table + (high >> 32));
-    _mm256_store_pd(to[0], _mm256_permute2f128_pd(xy_02, zw_02, 0x20));
-    _mm256_store_pd(to[1], _mm256_permute2f128_pd(xy_13, zw_13, 0x20));
-    _mm256_store_pd(to[2], _mm256_permute2f128_pd(xy_02, zw_02, 0x31));
-    _mm256_store_pd(to[3], _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
+    paradt__four_rows(sphere, to[0], to[1], to[2], to[3]);
     _mm_store_pd(to[0] + 4, _mm256_castpd256_pd128(rest_02));
     _mm_store_pd(to[1] + 4, _mm256_castpd256_pd128(rest_13));
     _mm_store_pd(to[2] + 4, _mm256_extractf128_pd(rest_02, 1));
@@ -7199,12 +7217,38 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// The same of the vertices that four new cells have in a place
+// The edges to the vertices around the point, in the place of these
+PARADT__AVX2 PARADT__INLINE void paradt__bw3_edges_avx2(const paradt__bw *bw, const __m256d *point) {
+    paradt__around3 *at = bw->spheres->around, *end = paradt__around3_at(at, bw->spheres->around_end);
+    int i;
+    for (i = 0; i < 3; i++) end[i].vertex = 0; // four at a time
+    for (; at < end; at += 4) {
+        __m256d to[4];
+        paradt__four_places(paradt__bw_record(bw, at[0].vertex), paradt__bw_record(bw, at[1].vertex),
+                            paradt__bw_record(bw, at[2].vertex), paradt__bw_record(bw, at[3].vertex), point, to);
+        to[3] = paradt__dot_avx2(to, to);
+        paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
+    }
+}
+
+// Half of two rows
+PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
+}
+
+// The edges to the vertices that four new cells have in a place
 PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__spheres3 *s, uint16_t (*corner)[4], int place,
-                                                     const __m256d *point, __m256d *to) {
-    paradt__four_places(paradt__around3_at(s, corner[0][place])->place, paradt__around3_at(s, corner[1][place])->place,
-                        paradt__around3_at(s, corner[2][place])->place, paradt__around3_at(s, corner[3][place])->place,
-                        point, to);
+                                                     __m256d *to) {
+    const double *a = paradt__around3_at(s->around, corner[0][place])->edge;
+    const double *b = paradt__around3_at(s->around, corner[1][place])->edge;
+    const double *c = paradt__around3_at(s->around, corner[2][place])->edge;
+    const double *d = paradt__around3_at(s->around, corner[3][place])->edge;
+    __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
+    __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
+    to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
+    to[1] = _mm256_unpackhi_pd(xy_02, xy_13);
+    to[2] = _mm256_unpacklo_pd(zl_02, zl_13);
+    to[3] = _mm256_unpackhi_pd(zl_02, zl_13);
 }
 
 // Of four cells that with the least power
@@ -7216,8 +7260,9 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, paradt__spheres3 *s, paradt__star3 *star,
+PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, const paradt__bw *bw, paradt__star3 *star,
                                                        const double *x, const paradt__seen3 *seen) {
+    paradt__spheres3 *s = bw->spheres;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
     const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
                           _mm256_set1_pd(seen->lift)};
@@ -7228,16 +7273,17 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, paradt__sphere
     __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
     __m128i best = _mm_set1_epi32(star->base[0] >> 2);
     int i, count = star->count;
+    paradt__bw3_edges_avx2(bw, point);
     paradt__star3_fill(star);
     for (i = 0; i < count; i += 4) {
-        __m256d a[3], b[3], c[3], normal[3], constant, error, power, less;
+        __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
-        paradt__four_around(s, star->corner + i, 1, point, a);
-        paradt__four_around(s, star->corner + i, 0, point, b);
-        paradt__four_around(s, star->corner + i, 2, point, c);
-        paradt__four_spheres(sharp, &frame, p, a, b, c, normal, &constant, &error);
-        paradt__four_store(table, mask, cells, normal, constant, error);
-        power = _mm256_add_pd(constant, paradt__dot_avx2(normal, next)); // less the next point's lift
+        paradt__four_around(s, star->corner + i, 1, a);
+        paradt__four_around(s, star->corner + i, 0, b);
+        paradt__four_around(s, star->corner + i, 2, c);
+        paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
+        paradt__four_store(table, mask, cells, sphere, error);
+        power = _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // less the next point's lift
         less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
         least = _mm256_min_pd(power, least);
         is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
@@ -7247,15 +7293,15 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, paradt__sphere
     s->start = paradt__four_least(least, best);
 }
 
-PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(paradt__spheres3 *s, paradt__star3 *star,
+PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(const paradt__bw *bw, paradt__star3 *star,
                                                                const double *x, const paradt__seen3 *seen) {
-    paradt__bw3_make_four(1, s, star, x, seen);
+    paradt__bw3_make_four(1, bw, star, x, seen);
 }
 
-PARADT__AVX2 static void paradt__bw3_make_avx2(paradt__spheres3 *s, paradt__star3 *star, const double *x,
+PARADT__AVX2 static void paradt__bw3_make_avx2(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                                const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!s->sharp)) paradt__bw3_make_four(0, s, star, x, seen);
-    else paradt__bw3_make_sharp_avx2(s, star, x, seen);
+    if (PARADT__LIKELY(!bw->spheres->sharp)) paradt__bw3_make_four(0, bw, star, x, seen);
+    else paradt__bw3_make_sharp_avx2(bw, star, x, seen);
 }
 
 // The spheres of four cells that are not in the table, none of them a ghost
@@ -7263,7 +7309,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, c
     const paradt__spheres3 *s = bw->spheres;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
-    __m256d corner[4][3], p[4], normal[3], constant, error;
+    __m256d corner[4][4], p[4], sphere[4], error;
     int i, axis;
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = bw->cells.vertices + i;
@@ -7273,14 +7319,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, c
                             paradt__bw_record(bw, vertices[4 * (size_t)cells[2]]),
                             paradt__bw_record(bw, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
-    for (axis = 0; axis < 3; axis++) {
-        for (i = 0; i < 3; i++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
-        p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
+    for (i = 0; i < 3; i++) {
+        for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
+        corner[i][3] = paradt__dot_avx2(corner[i], corner[i]);
     }
+    for (axis = 0; axis < 3; axis++) p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
     p[3] = paradt__dot_avx2(p, p);
-    paradt__four_spheres(s->sharp, &s->frame, p, corner[1], corner[0], corner[2], normal, &constant, &error);
-    paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), normal, constant,
-                       error);
+    paradt__four_spheres(s->sharp, &s->frame, p, corner[1], corner[0], corner[2], sphere, &error);
+    paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
 PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
