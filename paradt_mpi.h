@@ -718,7 +718,8 @@ static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *
 // lower half's ranks have their share of the points, or of what these weigh: it is found in the ordered bits of the
 // coordinates, as offsets from the smallest, by counting how many points have each value of the next eight bits; so
 // ties and extreme coordinates are like any other. Where many points have the coordinate of the cut they all go to the
-// side that is nearer to its share. Doors: paradt_mpi__partition.
+// side that is nearer to its share. A rank's rows are kept in the order of the boxes, so that each pass over those of a
+// box has nothing to look up; in the end it is that of the ranks. Doors: paradt_mpi__partition.
 
 typedef struct paradt_mpi__box {
     int first, ranks;              // ranks that share the box
@@ -731,16 +732,15 @@ typedef struct paradt_mpi__box {
     uint64_t offset;               // of the cut from low[axis], its upper bits so far
     int bits;                      // of the offset, that are not known yet
     int64_t cut;                   // ordered bits of the first coordinate of the upper half
-    uint32_t sides[2];             // indices of the halves' boxes, or twice that of the box
+    size_t begin, end;             // the rows that are this rank's
+    size_t open;                   // of these, that may be on the cut
 } paradt_mpi__box;
 
 typedef struct paradt_mpi__cutter {
-    double *rows; // [count][width]
+    double *rows, *spare; // [count][width]
     size_t count, width;
-    uint32_t *inside;       // [count] box of each point
     uint64_t weight;        // of each point of this rank
-    size_t *open;           // [open_count] points that may be on the cut of their box
-    size_t open_count;      //
+    size_t *open;           // rows that may be on the cut of their box, of box after box
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
     uint64_t *counts; // [ranks][2^PARADT_MPI__DIGIT]
@@ -753,26 +753,46 @@ PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t po
     PARADT__FETCH(c->rows, (point + 1) * c->width - 1);
 }
 
-// Puts the points into the halves of their boxes, and bounds and weighs them there, if that is wanted. Which half
-// cannot be foreseen, so there is no branch. Not collective.
-PARADT__INLINE void paradt_mpi__deal(paradt_mpi__cutter *c, size_t dim, int bounds) {
+// Bounds the points of a box: of each axis the smallest of the ordered bits, and ~ that of the largest, which turns the
+// order and does not overflow.
+PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t dim,
+                                           int64_t *bounds) {
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     size_t i, j;
-    memset(c->counts, 0, (size_t)c->box_count * sizeof *c->counts);
-    for (i = 0; i < (size_t)c->box_count * 2 * dim; i++) c->bounds[i] = INT64_MAX;
-    for (i = 0; i < c->count; i++) {
+    for (j = 0; j < 2 * dim; j++) bounds[j] = INT64_MAX;
+    if (box->begin == box->end) return;
+    for (j = 0; j < dim; j++) low[j] = high[j] = c->rows[box->begin * c->width + j];
+    for (i = box->begin + 1; i < box->end; i++) {
         const double *row = c->rows + i * c->width;
-        const paradt_mpi__box *box = c->boxes + c->inside[i];
-        int64_t *bound;
         paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
-        c->inside[i] = box->sides[paradt__ordered_bits(row[box->axis]) >= box->cut];
-        bound = c->bounds + c->inside[i] * 2 * dim;
-        c->counts[c->inside[i]] += c->weight;
-        for (j = 0; bounds && j < dim; j++) {
-            int64_t x = paradt__ordered_bits(row[j]);
-            if (x < bound[2 * j]) bound[2 * j] = x;
-            if (~x < bound[2 * j + 1]) bound[2 * j + 1] = ~x; // ~ turns the order and does not overflow
+        for (j = 0; j < dim; j++) {
+            low[j] = row[j] < low[j] ? row[j] : low[j];
+            high[j] = row[j] > high[j] ? row[j] : high[j];
         }
     }
+    for (j = 0; j < dim; j++) {
+        bounds[2 * j] = paradt__ordered_bits(low[j]);
+        bounds[2 * j + 1] = ~paradt__ordered_bits(high[j]);
+    }
+}
+
+// Puts the rows of a box that are below its cut before the others, all in the order that they had. Which side cannot be
+// foreseen, so there is no branch: a row is written to both. Returns where the others begin.
+PARADT__INLINE size_t paradt_mpi__part(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t width) {
+    double *rows = c->rows + box->begin * width, cut = paradt__from_ordered_bits(box->cut);
+    size_t i, lower = 0, upper = 0, count = box->end - box->begin;
+    for (i = 0; i < count; i++) {
+        const double *row = rows + i * width;
+        double *above = c->spare + upper * width;
+        size_t is_above = row[box->axis] >= cut;
+        paradt_mpi__fetch_row(c, box->begin + i + PARADT__POINTS_AHEAD);
+        memcpy(above, row, width * sizeof *row);
+        memcpy(rows + lower * width, above, width * sizeof *row);
+        upper += is_above;
+        lower += is_above ^ 1;
+    }
+    if (upper) memcpy(rows + lower * width, c->spare, upper * width * sizeof *rows);
+    return box->begin + lower;
 }
 
 // Bounding boxes of the points of all boxes, of those of all ranks.
@@ -808,33 +828,69 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uin
     box->equal = total;
 }
 
-// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. Points
-// that do not have them are open no more; those that are are listed from the second digit on.
+// How many bits of the offset remain when the next digit is known
+static int paradt_mpi__digit_shift(const paradt_mpi__box *box) {
+    return box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
+}
+
+// Counts the first digit of the offsets of a box's points.
+static void paradt_mpi__count_first(const paradt_mpi__cutter *c, const paradt_mpi__box *box, uint64_t *counts) {
+    const double *rows = c->rows + box->axis;
+    uint64_t low = (uint64_t)box->low[box->axis];
+    int shift = paradt_mpi__digit_shift(box);
+    size_t i;
+    for (i = box->begin; i < box->end; i++) {
+        paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
+        counts[((uint64_t)paradt__ordered_bits(rows[i * c->width]) - low) >> shift] += c->weight;
+    }
+}
+
+// Counts a later digit, of those of a box's points that have the digits found so far: of `count` rows in a list, or, if
+// there is none yet, of all. They become the list `open`, which may be the same one or begin before it. Returns their
+// number.
+static size_t paradt_mpi__count_open(const paradt_mpi__cutter *c, const paradt_mpi__box *box, const size_t *list,
+                                     size_t count, size_t *open, uint64_t *counts) {
+    const double *rows = c->rows + box->axis;
+    uint64_t low = (uint64_t)box->low[box->axis], mask;
+    int shift = paradt_mpi__digit_shift(box);
+    size_t kept = 0, i;
+    mask = ((uint64_t)1 << (box->bits - shift)) - 1;
+    if (!list) count = box->end - box->begin;
+    for (i = 0; i < count; i++) {
+        size_t row = list ? list[i] : box->begin + i;
+        uint64_t offset = (uint64_t)paradt__ordered_bits(rows[row * c->width]) - low;
+        paradt_mpi__fetch_row(c, row + PARADT__POINTS_AHEAD);
+        if (offset >> box->bits != box->offset) continue;
+        open[kept++] = row;
+        counts[offset >> shift & mask] += c->weight;
+    }
+    return kept;
+}
+
+// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. From the
+// second digit on these points are listed, those of the first box first.
 static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c, int number) {
-    enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
-    size_t count = number < 2 ? c->count : c->open_count, i, kept = 0;
+    size_t next = 0, kept = 0;
     int b;
     memset(c->counts, 0, (size_t)c->box_count * values * sizeof *c->counts);
-    for (i = 0; i < count; i++) {
-        size_t point = number < 2 ? i : c->open[i], soon = i + AHEAD < count ? i + AHEAD : i;
-        const paradt_mpi__box *box = c->boxes + c->inside[point];
-        int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
-        uint64_t offset;
-        paradt_mpi__fetch_row(c, number < 2 ? soon : c->open[soon]);
-        offset = (uint64_t)paradt__ordered_bits(c->rows[point * c->width + (size_t)box->axis]) -
-                 (uint64_t)box->low[box->axis];
-        if (!box->bits || (box->bits < 64 && offset >> box->bits != box->offset)) continue;
-        if (number > 0) c->open[kept++] = point;
-        c->counts[c->inside[point] * values + (offset >> low & ((((uint64_t)1) << (box->bits - low)) - 1))] +=
-            c->weight;
+    for (b = 0; b < c->box_count; b++) {
+        paradt_mpi__box *box = c->boxes + b;
+        uint64_t *counts = c->counts + (size_t)b * values;
+        size_t listed = box->open;
+        box->open = 0;
+        if (box->bits && number == 0) paradt_mpi__count_first(c, box, counts);
+        else if (box->bits)
+            box->open =
+                paradt_mpi__count_open(c, box, number > 1 ? c->open + next : NULL, listed, c->open + kept, counts);
+        next += listed;
+        kept += box->open;
     }
-    c->open_count = kept;
     MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * (int)values, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < c->box_count; b++) {
         paradt_mpi__box *box = c->boxes + b;
         const uint64_t *counts = c->counts + (size_t)b * values;
-        int low = box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
+        int low = paradt_mpi__digit_shift(box);
         uint64_t digit = 0;
         if (!box->bits) continue;
         while (digit + 1 < (uint64_t)1 << (box->bits - low) && box->below + counts[digit] <= box->wanted)
@@ -859,13 +915,38 @@ static void paradt_mpi__cut(const paradt_mpi__work *w, paradt_mpi__box *box) {
     }
 }
 
-// Halves all boxes that have several ranks. 0: there are none left.
+// Bounds and weighs the points of all boxes, on this rank.
+static void paradt_mpi__measure_boxes(const paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    size_t dim = (size_t)w->dim;
+    int b;
+    for (b = 0; b < c->box_count; b++) {
+        const paradt_mpi__box *box = c->boxes + b;
+        int64_t *bounds = c->bounds + (size_t)b * 2 * dim;
+        if (dim == 3) paradt_mpi__bound_rows(c, box, 3, bounds);
+        else paradt_mpi__bound_rows(c, box, dim, bounds);
+        c->counts[b] = (box->end - box->begin) * c->weight;
+    }
+}
+
+// Makes two boxes of one, the upper half behind all others.
+static void paradt_mpi__cut_box(const paradt_mpi__work *w, paradt_mpi__cutter *c, paradt_mpi__box *box) {
+    paradt_mpi__box *upper = c->boxes + c->box_count++;
+    paradt_mpi__cut(w, box);
+    *upper = *box;
+    upper->from[box->axis] = box->to[box->axis] = box->cut;
+    upper->first += box->ranks / 2;
+    upper->ranks -= box->ranks / 2;
+    box->ranks /= 2;
+    upper->begin = c->width == 4 ? paradt_mpi__part(c, box, 4) : paradt_mpi__part(c, box, c->width);
+    box->end = upper->begin;
+}
+
+// Halves all boxes that have several ranks. 0: there are none.
 static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     int b, boxes = c->box_count, several = 0, more = 1, digit = 0;
     for (b = 0; b < boxes; b++) several |= c->boxes[b].ranks > 1;
-    if (w->dim == 3) paradt_mpi__deal(c, 3, several);
-    else paradt_mpi__deal(c, (size_t)w->dim, several);
     if (!several) return 0;
+    paradt_mpi__measure_boxes(w, c);
     paradt_mpi__bound(w, c);
     MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < boxes; b++) {
@@ -878,31 +959,9 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
         if (more) paradt_mpi__next_digit(w, c, digit++);
     }
     for (b = 0; b < boxes; b++) {
-        paradt_mpi__box *box = c->boxes + b, *upper = c->boxes + c->box_count;
-        box->sides[0] = box->sides[1] = (uint32_t)b;
-        if (box->ranks == 1) continue;
-        paradt_mpi__cut(w, box);
-        *upper = *box;
-        box->sides[1] = (uint32_t)c->box_count++;
-        upper->first += box->ranks / 2;
-        upper->ranks -= box->ranks / 2;
-        box->ranks /= 2;
-        upper->from[box->axis] = box->to[box->axis] = box->cut;
+        if (c->boxes[b].ranks > 1) paradt_mpi__cut_box(w, c, c->boxes + b);
     }
     return 1;
-}
-
-// The rows in the order of their ranks: counting sort, into `sorted`; fills w->to.
-static void paradt_mpi__sort_rows(paradt_mpi__work *w, const paradt_mpi__cutter *c, double *sorted) {
-    size_t i;
-    memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
-    for (i = 0; i < c->count; i++) w->to[c->boxes[c->inside[i]].first]++;
-    paradt_mpi__begin_sorting(w);
-    for (i = 0; i < c->count; i++) {
-        size_t place = w->next[c->boxes[c->inside[i]].first]++;
-        paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
-        memcpy(sorted + place * c->width, c->rows + i * c->width, c->width * sizeof *sorted);
-    }
 }
 
 static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *c) {
@@ -921,47 +980,43 @@ static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *
 // that this rank got, in the order of the ranks that they come from.
 static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, double **rows, size_t *count) {
     paradt_mpi__cutter c;
-    double *sorted;
     void *got = NULL;
     size_t ranks = (size_t)w->ranks;
     paradt_status status = PARADT_OK;
-    int axis;
+    int axis, b;
     c.rows = *rows;
     c.count = *count;
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.weight = weight;
     c.box_count = 1;
-    c.open_count = 0;
-    c.inside = (uint32_t *)paradt__alloc_filled(&w->memory, c.count, sizeof *c.inside);
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks << PARADT_MPI__DIGIT, sizeof *c.counts);
     c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
-    sorted = (double *)paradt__alloc_filled(&w->memory, c.count, c.width * sizeof *sorted);
-    if (!c.inside || !c.open || !c.boxes || !c.counts || !c.bounds || !sorted) status = PARADT_ERROR_MEMORY;
+    c.spare = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *c.spare);
+    if (!c.open || !c.boxes || !c.counts || !c.bounds || !c.spare) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        memset(c.inside, 0, c.count * sizeof *c.inside);
         memset(c.boxes, 0, sizeof *c.boxes);
         c.boxes[0].ranks = w->ranks;
+        c.boxes[0].end = c.count;
         for (axis = 0; axis < w->dim; axis++) {
             c.boxes[0].from[axis] = INT64_MIN;
             c.boxes[0].to[axis] = INT64_MAX;
         }
         while (paradt_mpi__halve(w, &c)) continue;
         paradt_mpi__keep_box(w, &c);
-        paradt_mpi__sort_rows(w, &c, sorted);
-        paradt__release(&w->memory, *rows);
-        *rows = NULL;
+        for (b = 0; b < c.box_count; b++) w->to[c.boxes[b].first] = c.boxes[b].end - c.boxes[b].begin;
     }
+    paradt__release(&w->memory, c.spare);
     paradt__release(&w->memory, c.bounds);
     paradt__release(&w->memory, c.counts);
     paradt__release(&w->memory, c.boxes);
     paradt__release(&w->memory, c.open);
-    paradt__release(&w->memory, c.inside);
-    if (!status) status = paradt_mpi__exchange(w, PARADT_OK, sorted, c.width * sizeof *sorted, &got, count);
-    paradt__release(&w->memory, sorted);
-    if (!status) *rows = (double *)got;
+    if (status) return status;
+    status = paradt_mpi__exchange(w, PARADT_OK, c.rows, c.width * sizeof *c.rows, &got, count);
+    paradt__release(&w->memory, c.rows);
+    *rows = (double *)got;
     return status;
 }
 
