@@ -2828,6 +2828,8 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     status = out->vertices ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
     for (i = 0; i < w->known && !status; i++) {
         double *to = out->coordinates + (size_t)number[i] * ambient, x[PARADT_MAX_DIM];
+        if (i + PARADT__POINTS_AHEAD < w->set.count) // the ids are in the order that the points came in
+            PARADT__FETCH(w->received, w->set.origin[i + PARADT__POINTS_AHEAD]);
         if (number[i] < 0) continue;
         out->vertices[number[i]] = (int64_t)paradt_mpi__home_of(w, (paradt_index)i).id;
         memcpy(x, records + i * w->set.width, ambient * sizeof *x);
