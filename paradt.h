@@ -2050,8 +2050,9 @@ typedef struct paradt__keyed {
 enum {
     PARADT__CURVE_BITS = 60, // of a key, at most
     PARADT__FEW_KEYS = 32,   // sorted by insertion
-    PARADT__DIGIT_BITS = 8,  // of a key, by which more are sorted at once
+    PARADT__DIGIT_BITS = 8,  // of a key, by which all points are sorted first
     PARADT__DIGITS = 1 << PARADT__DIGIT_BITS,
+    PARADT__MOST_DIGIT_BITS = 11,
     PARADT__STEP_BITS = 6, // of a key, found at once for many points in two or three dimensions
     PARADT__TURNS = 24,    // orientations of the curve there, at most: dim << dim
     PARADT__MANY_KEYS = 2048,
@@ -2062,32 +2063,50 @@ static int paradt__key_shift(int bits) {
     return bits > PARADT__DIGIT_BITS ? bits - PARADT__DIGIT_BITS : 0;
 }
 
-// Sorts by the bits of the keys below shift + 8, without changing the order of equal ones: radix from the top, until
-// few are left. other: room for as many; where the result goes if `across`.
-static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int shift, int across) {
-    size_t place[PARADT__DIGITS + 1], i;
+// The bits of a key by which so many are sorted next, of those that are left: one key has each value then, on the
+// average of an even distribution. What is too much for the caches is divided in two like steps.
+static int paradt__digit_bits(size_t count, int bits) {
+    int wanted = paradt__bit_length(count) - 1;
+    if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
+    if (wanted > PARADT__MOST_DIGIT_BITS) wanted = PARADT__MOST_DIGIT_BITS;
+    return wanted < bits ? wanted : bits;
+}
+
+// Sorts by insertion. to: may be the same.
+static void paradt__keyed_insert(const paradt__keyed *keyed, paradt__keyed *to, size_t count) {
+    size_t i;
+    for (i = 0; i < count; i++) {
+        paradt__keyed moved = keyed[i];
+        size_t j = i;
+        for (; j > 0 && to[j - 1].key > moved.key; j--) to[j] = to[j - 1];
+        to[j] = moved;
+    }
+}
+
+// Sorts by the lowest bits of the keys, without changing the order of equal ones: radix from the top, until few have a
+// digit in common; then they are nearly sorted. other: room for as many; where the result goes if `across`.
+static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits, int across) {
+    paradt_index place[(1 << PARADT__MOST_DIGIT_BITS) + 1], most = 0;
+    int digit_bits = paradt__digit_bits(count, bits), shift = bits - digit_bits;
+    size_t digits = (size_t)1 << digit_bits, begin = 0, i;
     if (count <= PARADT__FEW_KEYS) {
-        paradt__keyed *to = across ? other : keyed;
-        for (i = 0; i < count; i++) {
-            paradt__keyed moved = keyed[i];
-            size_t j = i;
-            for (; j > 0 && to[j - 1].key > moved.key; j--) to[j] = to[j - 1];
-            to[j] = moved;
-        }
+        paradt__keyed_insert(keyed, across ? other : keyed, count);
         return;
     }
-    memset(place, 0, sizeof place);
-    for (i = 0; i < count; i++) place[(keyed[i].key >> shift & (PARADT__DIGITS - 1)) + 1]++;
-    for (i = 1; i <= PARADT__DIGITS; i++) place[i] += place[i - 1];
-    for (i = 0; i < count; i++) other[place[keyed[i].key >> shift & (PARADT__DIGITS - 1)]++] = keyed[i];
+    memset(place, 0, (digits + 1) * sizeof *place);
+    for (i = 0; i < count; i++) place[(keyed[i].key >> shift & (digits - 1)) + 1]++;
+    for (i = 1; i <= digits; i++) {
+        most = place[i] > most ? place[i] : most;
+        place[i] += place[i - 1];
+    }
+    for (i = 0; i < count; i++) other[place[keyed[i].key >> shift & (digits - 1)]++] = keyed[i];
     if (!shift) {
         if (!across) memcpy(keyed, other, count * sizeof *keyed);
-        return;
-    }
-    for (i = 0; i < PARADT__DIGITS; i++) {
-        size_t begin = i ? place[i - 1] : 0;
-        if (place[i] > begin)
-            paradt__keyed_sort(other + begin, keyed + begin, place[i] - begin, paradt__key_shift(shift), !across);
+    } else if (most <= PARADT__FEW_KEYS) {
+        paradt__keyed_insert(other, across ? other : keyed, count);
+    } else {
+        for (i = 0; i < digits; begin = (size_t)place[i++])
+            paradt__keyed_sort(other + begin, keyed + begin, (size_t)place[i] - begin, shift, !across);
     }
 }
 
@@ -2773,7 +2792,7 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].point);
-    paradt__keyed_sort(run, other, count, paradt__key_shift(dim * levels), 0);
+    paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
@@ -2842,7 +2861,7 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
         keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
         keyed[i].key = paradt__curve_key(&hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
     }
-    paradt__keyed_sort(keyed, other, few, paradt__key_shift(dim * levels), 0);
+    paradt__keyed_sort(keyed, other, few, dim * levels, 0);
     for (i = 0; i < few; i++) order[i] = keyed[i].point;
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
@@ -2948,7 +2967,7 @@ static void paradt__sort_task(void *context, size_t index) {
     for (digit = 0; digit < PARADT__FIRST_DIGITS; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, paradt__key_shift(loader->shift), 1);
+        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
         paradt__refine(loader, loader->keyed + begin, loader->other + begin, count);
     }
 }
@@ -5680,7 +5699,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
         sorted[i].point = (paradt_index)(own + i);
         sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
     }
-    paradt__keyed_sort(sorted, other, others, paradt__key_shift(ambient * levels), 0);
+    paradt__keyed_sort(sorted, other, others, ambient * levels, 0);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(&hilbert, &lattice, set->records + i * set->width);
         while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].point);
@@ -10278,7 +10297,7 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
             keyed[i].point = (paradt_index)i;
             keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, (paradt_index)i));
         }
-        paradt__keyed_sort(keyed, other, set->count, paradt__key_shift(dim * levels), 0);
+        paradt__keyed_sort(keyed, other, set->count, dim * levels, 0);
         for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].point;
     } else {
         paradt__release(memory, order);
