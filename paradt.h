@@ -2087,12 +2087,14 @@ static void paradt__keyed_insert(const paradt__keyed *keyed, paradt__keyed *to, 
 // digit in common; then they are nearly sorted. other: room for as many; where the result goes if `across`.
 static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits, int across) {
     paradt_index place[(1 << PARADT__MOST_DIGIT_BITS) + 1], most = 0;
-    int digit_bits = paradt__digit_bits(count, bits), shift = bits - digit_bits;
-    size_t digits = (size_t)1 << digit_bits, begin = 0, i;
+    size_t digits, begin = 0, i;
+    int shift;
     if (count <= PARADT__FEW_KEYS) {
         paradt__keyed_insert(keyed, across ? other : keyed, count);
         return;
     }
+    shift = bits - paradt__digit_bits(count, bits);
+    digits = (size_t)1 << (bits - shift);
     memset(place, 0, (digits + 1) * sizeof *place);
     for (i = 0; i < count; i++) place[(keyed[i].key >> shift & (digits - 1)) + 1]++;
     for (i = 1; i <= digits; i++) {
@@ -6248,13 +6250,14 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented; la is |a|^2. Straight code, to be vectorised:
+// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2. Straight code, to be vectorised:
 // where the determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with
 // x87 registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
-PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, const paradt__seen3 *p, double ax,
-                                         double ay, double az, double la, double bx, double by, double bz, double lb,
-                                         double cx, double cy, double cz, double lc, double *nx, double *ny, double *nz,
-                                         double *constant, double *error) {
+PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, const paradt__seen3 *p, const double *a,
+                                         const double *b, const double *c, double *normal, double *constant,
+                                         double *error) {
+    double ax = a[0], ay = a[1], az = a[2], la = a[3], bx = b[0], by = b[1], bz = b[2], lb = b[3];
+    double cx = c[0], cy = c[1], cz = c[2], lc = c[3];
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
@@ -6283,9 +6286,9 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, con
     wy = (la * bcy + lb * cay + lc * aby) * inverse;
     wz = (la * bcz + lb * caz + lc * abz) * inverse;
     reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1] + paradt__abs(wz) * f->half[2];
-    *nx = -2.0 * p->s[0] - wx;
-    *ny = -2.0 * p->s[1] - wy;
-    *nz = -2.0 * p->s[2] - wz;
+    normal[0] = -2.0 * p->s[0] - wx;
+    normal[1] = -2.0 * p->s[1] - wy;
+    normal[2] = -2.0 * p->s[2] - wz;
     *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
     *error = 64.0 * PARADT__UNIT_ERROR * (f->square + (size * reach + sides) * inverse) +
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
@@ -6336,9 +6339,7 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
                         to_c = paradt__around3_of(p, c);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->sharp, &s->frame, &seen, to_b.edge[0], to_b.edge[1], to_b.edge[2], to_b.edge[3],
-                             to_a.edge[0], to_a.edge[1], to_a.edge[2], to_a.edge[3], to_c.edge[0], to_c.edge[1],
-                             to_c.edge[2], to_c.edge[3], sphere->normal, sphere->normal + 1, sphere->normal + 2,
+        paradt__sphere3_make(s->sharp, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                              &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
@@ -6821,16 +6822,15 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
             }
         }
         for (lane = 0; lane < 4; lane++) {
-            double nx, ny, nz, d, e;
-            paradt__sphere3_make(sharp, &frame, &p, b[0][lane], b[1][lane], b[2][lane], b[3][lane], a[0][lane],
-                                 a[1][lane], a[2][lane], a[3][lane], c[0][lane], c[1][lane], c[2][lane], c[3][lane],
-                                 &nx, &ny, &nz, &d, &e);
-            four.normal[0][lane] = nx;
-            four.normal[1][lane] = ny;
-            four.normal[2][lane] = nz;
+            const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
+            const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
+            const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
+            double n[3], d, e;
+            paradt__sphere3_make(sharp, &frame, &p, to_b, to_a, to_c, n, &d, &e);
+            for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
             four.constant[lane] = d;
             four.error[lane] = e;
-            four.power[lane] = (next.lift + d) + (nx * next.s[0] + ny * next.s[1] + nz * next.s[2]);
+            four.power[lane] = (next.lift + d) + (n[0] * next.s[0] + n[1] * next.s[1] + n[2] * next.s[2]);
             four.least_at[lane] = four.power[lane] < four.least[lane] ? at : four.least_at[lane];
             four.least[lane] = four.power[lane] < four.least[lane] ? four.power[lane] : four.least[lane];
         }

@@ -95,7 +95,7 @@ static void sorting_keeps_the_order_of_equal_keys(void **state) {
                     keyed[i].key = paradt__mix(i) % 97 * 0x9e3779b97f4a7c15u >> (64 - bits[b]);
                     keyed[i].point = (paradt_index)i;
                 }
-                paradt__keyed_sort(keyed, other, count, paradt__key_shift(bits[b]), across);
+                paradt__keyed_sort(keyed, other, count, bits[b], across);
                 const paradt__keyed *sorted = across ? other : keyed;
                 for (size_t i = 1; i < count; i++)
                     assert_true(sorted[i - 1].key < sorted[i].key ||

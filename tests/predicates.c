@@ -1082,27 +1082,30 @@ static sphere plain_sphere(const sample *s, int sharp) {
     const double *a = s->points[1], *b = s->points[0], *c = s->points[2], *p = s->points[3];
     const paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
     sphere made;
-    paradt__sphere3_make(sharp, &unit_cube, &at, a[0] - p[0], a[1] - p[1], a[2] - p[2], b[0] - p[0], b[1] - p[1],
-                         b[2] - p[2], c[0] - p[0], c[1] - p[1], c[2] - p[2], made.normal, made.normal + 1,
-                         made.normal + 2, &made.constant, &made.error);
+    const paradt__around3 to_a = paradt__around3_of(p, a), to_b = paradt__around3_of(p, b);
+    const paradt__around3 to_c = paradt__around3_of(p, c);
+    paradt__sphere3_make(sharp, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
+                         &made.error);
     return made;
 }
 
 #if PARADT__BW_AVX2
 // The same by the copy for AVX2, which makes four at a time: all of them the same here.
 PARADT__AVX2 static sphere avx2_sphere(const sample *s, int sharp) {
-    __m256d corner[4][3], at[4], normal[3], constant, error;
+    __m256d corner[3][4], at[4], four[4], error;
     sphere made;
     for (int axis = 0; axis < 3; axis++) {
         at[axis] = _mm256_set1_pd(s->points[3][axis]);
         for (int i = 0; i < 3; i++)
             corner[i][axis] = _mm256_set1_pd(s->points[i][axis] - s->points[3][axis]);
     }
+    for (int i = 0; i < 3; i++)
+        corner[i][3] = paradt__dot_avx2(corner[i], corner[i]);
     at[3] = paradt__dot_avx2(at, at);
-    paradt__four_spheres(sharp, &unit_cube, at, corner[1], corner[0], corner[2], normal, &constant, &error);
+    paradt__four_spheres(sharp, &unit_cube, at, corner[1], corner[0], corner[2], four, &error);
     for (int axis = 0; axis < 3; axis++)
-        made.normal[axis] = _mm256_cvtsd_f64(normal[axis]);
-    made.constant = _mm256_cvtsd_f64(constant);
+        made.normal[axis] = _mm256_cvtsd_f64(four[axis]);
+    made.constant = _mm256_cvtsd_f64(four[3]);
     made.error = _mm256_cvtsd_f64(error);
     return made;
 }
