@@ -2052,9 +2052,9 @@ enum {
     PARADT__FEW_KEYS = 32,   // sorted by insertion
     PARADT__DIGIT_BITS = 8,  // of a key, by which all points are sorted first
     PARADT__DIGITS = 1 << PARADT__DIGIT_BITS,
-    PARADT__MOST_DIGIT_BITS = 11,
-    PARADT__STEP_BITS = 6, // of a key, found at once for many points in two or three dimensions
-    PARADT__TURNS = 24,    // orientations of the curve there, at most: dim << dim
+    PARADT__MOST_DIGIT_BITS = 11, // by which some of them are sorted next, at most
+    PARADT__STEP_BITS = 6,        // of a key, found at once for many points in two or three dimensions
+    PARADT__TURNS = 24,           // orientations of the curve there, at most: dim << dim
     PARADT__MANY_KEYS = 2048,
     PARADT__FLAT = 1 << 14 // an exponent that makes every coordinate 0
 };
@@ -2063,8 +2063,8 @@ static int paradt__key_shift(int bits) {
     return bits > PARADT__DIGIT_BITS ? bits - PARADT__DIGIT_BITS : 0;
 }
 
-// The bits of a key by which so many are sorted next, of those that are left: one key has each value then, on the
-// average of an even distribution. What is too much for the caches is divided in two like steps.
+// The bits of a key by which so many are sorted next, of those that are left: as many as give each key a value of its
+// own, if they are spread evenly. Where that takes too large a table, two steps have half of the bits each.
 static int paradt__digit_bits(size_t count, int bits) {
     int wanted = paradt__bit_length(count) - 1;
     if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
@@ -2083,11 +2083,11 @@ static void paradt__keyed_insert(const paradt__keyed *keyed, paradt__keyed *to, 
     }
 }
 
-// Sorts by the lowest bits of the keys, without changing the order of equal ones: radix from the top, until few have a
-// digit in common; then they are nearly sorted. other: room for as many; where the result goes if `across`.
-static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits, int across) {
-    paradt_index place[(1 << PARADT__MOST_DIGIT_BITS) + 1], most = 0;
-    size_t digits, begin = 0, i;
+// paradt__keyed_sort with a table of digits, which all depths share: what has a digit in common is found by the keys.
+static void paradt__keyed_sort_by(paradt_index *place, paradt__keyed *keyed, paradt__keyed *other, size_t count,
+                                  int bits, int across) {
+    paradt_index most = 0;
+    size_t digits, begin, end, i;
     int shift;
     if (count <= PARADT__FEW_KEYS) {
         paradt__keyed_insert(keyed, across ? other : keyed, count);
@@ -2107,9 +2107,19 @@ static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_
     } else if (most <= PARADT__FEW_KEYS) {
         paradt__keyed_insert(other, across ? other : keyed, count);
     } else {
-        for (i = 0; i < digits; begin = (size_t)place[i++])
-            paradt__keyed_sort(other + begin, keyed + begin, (size_t)place[i] - begin, shift, !across);
+        for (begin = 0; begin < count; begin = end) {
+            for (end = begin + 1; end < count && other[end].key >> shift == other[begin].key >> shift;) end++;
+            paradt__keyed_sort_by(place, other + begin, keyed + begin, end - begin, shift, !across);
+        }
     }
+}
+
+// Sorts by the lowest bits of the keys, which differ in no others, without changing the order of equal ones: radix from
+// the top, until few have a digit in common; then they are nearly sorted. other: room for as many; where the result
+// goes if `across`.
+static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits, int across) {
+    paradt_index place[(1 << PARADT__MOST_DIGIT_BITS) + 1];
+    paradt__keyed_sort_by(place, keyed, other, count, bits, across);
 }
 
 // The lattice that points are put on: 2^levels places along the longest side of their box. Its units are of one size,
@@ -6231,6 +6241,7 @@ PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const d
     return seen;
 }
 
+// The edge from a point to another
 PARADT__INLINE paradt__around3 paradt__around3_of(const double *from, const double *to) {
     paradt__around3 around;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
@@ -6783,7 +6794,7 @@ PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
 
 // Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
 typedef struct paradt__four3 {
-    double corner[3][4][4]; // [vertex][of edge][cell]
+    double edge[3][4][4]; // [vertex][axis, or square][cell]
     double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
 } paradt__four3;
 
@@ -6804,7 +6815,7 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
     const paradt__frame3 frame = s->frame;
     paradt__seen3 p = *seen, next = s->next;
     paradt__four3 four;
-    double(*a)[4] = four.corner[0], (*b)[4] = four.corner[1], (*c)[4] = four.corner[2];
+    double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
     paradt__around3 *around = s->around, *end = paradt__around3_at(around, s->around_end);
     int i, vertex, axis, lane, best = 0;
     for (; around < end; around++) *around = paradt__around3_of(x, paradt__bw_record(bw, around->vertex));
@@ -6818,7 +6829,7 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
         for (lane = 0; lane < 4; lane++) {
             for (vertex = 0; vertex < 3; vertex++) {
                 const double *edge = paradt__around3_at(s->around, star->corner[i + lane][vertex])->edge;
-                for (axis = 0; axis < 4; axis++) four.corner[vertex][axis][lane] = edge[axis];
+                for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
             }
         }
         for (lane = 0; lane < 4; lane++) {
@@ -7240,7 +7251,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
 PARADT__AVX2 PARADT__INLINE void paradt__bw3_edges_avx2(const paradt__bw *bw, const __m256d *point) {
     paradt__around3 *at = bw->spheres->around, *end = paradt__around3_at(at, bw->spheres->around_end);
     int i;
-    for (i = 0; i < 3; i++) end[i].vertex = 0; // four at a time
+    for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
     for (; at < end; at += 4) {
         __m256d to[4];
         paradt__four_places(paradt__bw_record(bw, at[0].vertex), paradt__bw_record(bw, at[1].vertex),
