@@ -69,6 +69,8 @@ FUZZ_PROGRAMS := $(FUZZERS:fuzz/%.c=$(T)/fuzz/%)
 TEST_INPUT    := $(if $(wildcard tests/programs/families.c),$(T)/families)
 CGAL_OBJECTS  := $(patsubst tests/%.cc,$(T)/%.o,$(sort $(wildcard tests/cgal_*.cc)))
 GMP_LIBRARY   := $(if $(HAVE_GMP),-lgmp)
+# Enough for the lines of a backtrace; to follow variables would take a third of the compiler's time.
+TRACES        := -g1
 SANITIZE      := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 
 test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
@@ -76,12 +78,12 @@ test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAM
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
+	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
 	$(CXX) -o $@ $@.o $(CGAL_OBJECTS) -pthread -lcmocka -lmpfr -lgmp -lm
 
 # Without NDEBUG CGAL asserts its own exactness; -frounding-math is what its interval arithmetic asks for.
@@ -92,22 +94,22 @@ $(T)/cgal_%.o: tests/cgal_%.cc
 $(T)/sanitized/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O1 -g $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O1 $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/races/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 -g -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/fuzz/%: fuzz/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O1 -g -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
+	$(CC) -O1 $(TRACES) -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
 
 $(T)/families: tests/programs/families.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 -g $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
+	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
 # What `make test` hands to the runner: programs in the order in which they start, then skipped ones with their reason.
 test-list:

@@ -41,16 +41,17 @@ for family in gcc clang; do
         continue
     fi
     for standard in c99 c11; do
-        builds "${family}_$standard" "$family -std=$standard -O2 $c $smallest -o $work/${family}_$standard -lm"
+        builds "${family}_$standard" "$family -std=$standard $c $smallest -o $work/${family}_$standard -lm"
     done
     for standard in c++11 c++20; do
-        builds "${family}_$standard" "$cxx -std=$standard -O2 $common -x c++ $smallest -o $work/${family}_$standard -lm"
+        builds "${family}_$standard" "$cxx -std=$standard $common -x c++ $smallest -o $work/${family}_$standard -lm"
     done
     # Other warnings appear at other levels of optimisation.
-    builds "${family}_O0" "$family -std=c99 -O0 $c $smallest -o $work/${family}_O0 -lm"
+    builds "${family}_O2" "$family -std=c99 -O2 $c $smallest -o $work/${family}_O2 -lm"
+    builds "${family}_O2_cxx" "$cxx -std=c++20 -O2 $common -x c++ $smallest -o $work/${family}_O2_cxx -lm"
     builds "${family}_O3_ndebug" "$family -std=c99 -O3 -DNDEBUG $c $smallest -o $work/${family}_O3_ndebug -lm"
     # Words that <windows.h> defines away
-    builds "${family}_windows_words" "$family -std=c99 -O2 -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
+    builds "${family}_windows_words" "$family -std=c99 -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
         $c $smallest -o $work/${family}_windows_words -lm"
     builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
     builds "${family}_index64_cxx" \
@@ -75,7 +76,7 @@ for family in gcc clang; do
         skip "${family}_m32" "$family has no 32-bit libraries here (gcc-multilib)"
     fi
     if echo 'int main(void) { return 0; }' | $family -fsanitize=undefined -x c - -o "$work/probe" 2>/dev/null; then
-        builds "${family}_undefined_behaviour" "$family -std=c99 -O1 -fsanitize=undefined \
+        builds "${family}_undefined_behaviour" "$family -std=c99 -fsanitize=undefined \
             -fno-sanitize-recover=all $c $smallest -o $work/${family}_undefined_behaviour -lm"
     else
         skip "${family}_undefined_behaviour" "$family has no -fsanitize=undefined here"
