@@ -608,7 +608,8 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
-// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number.
+// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
+// function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
@@ -10405,14 +10406,14 @@ PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *
 }
 
 // Fetches what is at a place ahead of its use.
-static void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t place) {
+PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t place) {
     size_t corners = (size_t)engine->bw.cells.corners;
     PARADT__PREFETCH(engine->bw.cells.vertices + place * corners);
     PARADT__PREFETCH(engine->bw.cells.neighbors + place * corners);
 }
 
 // The same of its vertices' records.
-static void paradt__remote_engine_fetch_points(const paradt__remote_engine *engine, size_t place) {
+PARADT__INLINE void paradt__remote_engine_fetch_points(const paradt__remote_engine *engine, size_t place) {
     const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)engine->bw.cells.corners;
     int i;
     for (i = 0; i < engine->bw.cells.corners; i++) {

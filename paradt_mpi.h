@@ -350,6 +350,11 @@ typedef struct paradt_mpi__table {
     size_t size, count; // size is a power of two, or 0
 } paradt_mpi__table;
 
+typedef struct paradt_mpi__neighbor {
+    int rank;
+    unsigned beyond; // the sides of this rank's box that all points of that one are beyond: bits, as the bounds' places
+} paradt_mpi__neighbor;
+
 typedef struct paradt_mpi__directory {   // boxes around all points of all ranks, in groups of eight as in >>grid
     double *groups;                      // [ranks][PARADT_MPI__GROUPS][width]
     int *count;                          // [ranks] boxes of each
@@ -357,10 +362,11 @@ typedef struct paradt_mpi__directory {   // boxes around all points of all ranks
     double *rooms;                       // [ranks][2 dim + 1] low and high of each axis, and how far beyond them each
                                          // rank wants to know all points
     size_t width;                        // doubles a group
-    int *nearby;                         // [nearby_count] other ranks that have points in the vicinity,
+    paradt_mpi__neighbor *nearby;        // [nearby_count] other ranks that have points in the vicinity
     int nearby_count;                    //
     int *listeners;                      // [ranks] those who may have to be asked about a cell
-    double vicinity[2 * PARADT_MAX_DIM]; // some way around this rank's points: low and high of each axis
+    double own[2 * PARADT_MAX_DIM];      // around this rank's points: low and high of each axis
+    double vicinity[2 * PARADT_MAX_DIM]; // some way around that
 } paradt_mpi__directory;
 
 typedef struct paradt_mpi__places { // to be looked at, in this order
@@ -721,6 +727,9 @@ static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *
 // side that is nearer to its share. A rank's rows are kept in the order of the boxes, so that each pass over those of a
 // box has nothing to look up; in the end it is that of the ranks. Doors: paradt_mpi__partition.
 
+// Points of others that a rank gets for each of its own that is in the layer beside a cut: what it is told at first.
+#define PARADT_MPI__SEAM 1.3
+
 typedef struct paradt_mpi__box {
     int first, ranks;              // ranks that share the box
     int64_t from[PARADT_MAX_DIM];  // the box: from <= ordered bits < to; INT64_MIN and INT64_MAX: unbounded
@@ -740,6 +749,7 @@ typedef struct paradt_mpi__cutter {
     double *rows, *spare; // [count][width]
     size_t count, width;
     uint64_t weight;        // of each point of this rank
+    uint64_t unit;          // and of all points in the mean
     size_t *open;           // rows that may be on the cut of their box, of box after box
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
@@ -808,23 +818,57 @@ static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     }
 }
 
-// Chooses the axis and what is wanted below the cut.
-static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total) {
-    uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
-    double longest = -1.0;
-    int axis;
-    box->wanted = total / all * lower + total % all * lower / all;
-    box->below = box->equal = box->offset = 0;
-    box->bits = box->axis = 0;
-    for (axis = 0; axis < w->dim && total; axis++) {
-        double side =
-            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
-        if (side > longest) {
-            longest = side;
-            box->axis = axis;
-        }
+// The points of a layer across the longest axis of a box, where they are spread evenly. The number of layers to the
+// power of the dimension is that of the points, times the longest side over each of the others. That needs no function
+// of the mathematical library, which may differ from one rank's processor to another's.
+static uint64_t paradt_mpi__layer(const paradt_mpi__box *box, const double *side, int dim, uint64_t points) {
+    double bound = (double)points;
+    uint64_t layers = 1, most = points;
+    int spread = 0, axis;
+    for (axis = 0; axis < dim; axis++) {
+        if (!(side[axis] > 0.0)) continue;
+        bound *= side[box->axis] / side[axis];
+        spread++;
     }
-    if (total) box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
+    while (layers < most) {
+        uint64_t middle = most - (most - layers) / 2;
+        double power = 1.0;
+        for (axis = 0; axis < spread; axis++) power *= (double)middle;
+        if (power > bound) most = middle - 1;
+        else layers = middle;
+    }
+    return points / layers;
+}
+
+// What is wanted below the cut: the lower half's share of the points and of the seam. The halves have the cut between
+// them, and as much as each other of the cuts along their sides. Only where one of them has a cut at its other end
+// too has it so much more to do as the points of others from there take. unit: what a point weighs, in the mean.
+static uint64_t paradt_mpi__wanted(const paradt_mpi__box *box, const double *side, int dim, uint64_t total,
+                                   uint64_t unit) {
+    uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks, beyond = 0, seam;
+    int below = box->from[box->axis] != INT64_MIN, above = box->to[box->axis] != INT64_MAX;
+    if (below != above) {
+        seam = (uint64_t)(PARADT_MPI__SEAM * (double)unit * (double)paradt_mpi__layer(box, side, dim, total / unit));
+        beyond = seam < total / 4 ? seam : total / 4;
+        total += beyond;
+    }
+    total = total / all * lower + total % all * lower / all;
+    return below > above ? total - (beyond < total ? beyond : total) : total;
+}
+
+// Chooses the axis and what is wanted below the cut.
+static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total, uint64_t unit) {
+    double side[PARADT_MAX_DIM];
+    int axis;
+    box->below = box->equal = box->offset = box->wanted = 0;
+    box->bits = box->axis = 0;
+    if (!total) return;
+    for (axis = 0; axis < w->dim; axis++) {
+        side[axis] = paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
+        if (side[axis] > side[box->axis]) box->axis = axis;
+    }
+    box->wanted = paradt_mpi__wanted(box, side, w->dim, total, unit);
+    box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
     box->equal = total;
 }
 
@@ -950,7 +994,7 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     paradt_mpi__bound(w, c);
     MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < boxes; b++) {
-        paradt_mpi__aim(w, c->boxes + b, c->counts[b]);
+        paradt_mpi__aim(w, c->boxes + b, c->counts[b], c->unit);
         if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
     }
     while (more) {
@@ -976,9 +1020,10 @@ static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *
     }
 }
 
-// Sends the rows, which each weigh so much, to the ranks whose boxes they are in. *rows: [*count], replaced by those
-// that this rank got, in the order of the ranks that they come from.
-static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, double **rows, size_t *count) {
+// Sends the rows, which each weigh so much, and those of all ranks `unit` in the mean, to the ranks whose boxes they
+// are in. *rows: [*count], replaced by those that this rank got, in the order of the ranks that they come from.
+static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, uint64_t unit, double **rows,
+                                           size_t *count) {
     paradt_mpi__cutter c;
     void *got = NULL;
     size_t ranks = (size_t)w->ranks;
@@ -988,6 +1033,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.count = *count;
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.weight = weight;
+    c.unit = unit;
     c.box_count = 1;
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
@@ -1525,7 +1571,7 @@ static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows)
     size_t count = w->out->point_count;
     double begun = paradt__now(), cut, weighed;
     uint64_t weight = 0;
-    paradt_status status = paradt_mpi__partition(w, 1, &rows, &count);
+    paradt_status status = paradt_mpi__partition(w, 1, 1, &rows, &count);
     cut = paradt__now();
     w->stats.seconds_partition += cut - begun;
     if (!status) status = paradt_mpi__settle(w, rows, count);
@@ -1534,7 +1580,7 @@ static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows)
     w->stats.seconds_grid += weighed - cut;
     if (!status && weight) {
         paradt_mpi__unsettle(w);
-        status = paradt_mpi__partition(w, weight, &rows, &count);
+        status = paradt_mpi__partition(w, weight, PARADT_MPI__MEAN, &rows, &count);
         if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort_by_id(w, &rows, count));
         cut = paradt__now();
         w->stats.seconds_partition += cut - weighed;
@@ -1583,10 +1629,15 @@ static void paradt_mpi__bound_ranks(paradt_mpi__work *w) {
     }
 }
 
+// The box of a rank; from one bound to the next it is PARADT__LANES.
+static const double *paradt_mpi__rank_box(const paradt_mpi__directory *d, int rank) {
+    return d->ranks + (size_t)(rank / PARADT__LANES) * d->width + rank % PARADT__LANES;
+}
+
 // May the rank have points in the box (low and high of each axis that orients)?
 static int paradt_mpi__may_have(const paradt_mpi__work *w, int rank, const double *box) {
     const paradt_mpi__directory *d = &w->directory;
-    const double *bounds = d->ranks + (size_t)(rank / PARADT__LANES) * d->width + rank % PARADT__LANES;
+    const double *bounds = paradt_mpi__rank_box(d, rank);
     int j = 0;
     if (!d->count[rank]) return 0;
     for (; j < w->set.space.dim && bounds[0] <= box[1] && bounds[PARADT__LANES] >= box[0]; j++, box += 2)
@@ -1597,12 +1648,24 @@ static int paradt_mpi__may_have(const paradt_mpi__work *w, int rank, const doubl
 // Lists the ranks that have points up to `margin` away from this one's.
 static void paradt_mpi__list_near(paradt_mpi__work *w, double margin) {
     paradt_mpi__directory *d = &w->directory;
-    const double *mine = d->ranks + (size_t)(w->rank / PARADT__LANES) * d->width + w->rank % PARADT__LANES;
-    int r, j;
-    for (j = 0; j < 2 * w->set.space.dim; j++) d->vicinity[j] = mine[j * PARADT__LANES] + (j % 2 ? margin : -margin);
+    const double *mine = paradt_mpi__rank_box(d, w->rank), *theirs;
+    int sides = 2 * w->set.space.dim, r, j;
+    for (j = 0; j < sides; j++) {
+        d->own[j] = mine[j * PARADT__LANES];
+        d->vicinity[j] = d->own[j] + (j % 2 ? margin : -margin);
+    }
     d->nearby_count = 0;
     for (r = 0; r < w->ranks; r++) {
-        if (r != w->rank && paradt_mpi__may_have(w, r, d->vicinity)) d->nearby[d->nearby_count++] = r;
+        paradt_mpi__neighbor *neighbor = d->nearby + d->nearby_count;
+        if (r == w->rank || !paradt_mpi__may_have(w, r, d->vicinity)) continue;
+        theirs = paradt_mpi__rank_box(d, r);
+        neighbor->rank = r;
+        neighbor->beyond = 0;
+        for (j = 0; j < sides; j += 2) {
+            neighbor->beyond |= (unsigned)(theirs[(j + 1) * PARADT__LANES] < d->own[j]) << j;
+            neighbor->beyond |= (unsigned)(theirs[j * PARADT__LANES] > d->own[j + 1]) << (j + 1);
+        }
+        d->nearby_count++;
     }
 }
 
@@ -1640,7 +1703,7 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     d->count = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->count);
     d->ranks = (double *)paradt__alloc(&w->memory, room, sizeof *d->ranks);
     d->rooms = (double *)paradt__alloc(&w->memory, ranks, (2 * (size_t)w->dim + 1) * sizeof *d->rooms);
-    d->nearby = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->nearby);
+    d->nearby = (paradt_mpi__neighbor *)paradt__alloc(&w->memory, ranks, sizeof *d->nearby);
     d->listeners = (int *)paradt__alloc(&w->memory, ranks, sizeof *d->listeners);
     mine = (double *)paradt__alloc(&w->memory, size, sizeof *mine);
     if (!d->groups || !d->count || !d->ranks || !d->rooms || !d->nearby || !d->listeners || !mine)
@@ -2098,15 +2161,27 @@ static int paradt_mpi__is_within(const double *box, const double *room, int dim)
     return j == dim;
 }
 
-// Lists in d->listeners the ranks that may have points in the box and don't know all own vertices of the cell. Returns
-// how many.
+// Lists in d->listeners a rank that may have points in the box and doesn't know all own vertices of the cell.
+PARADT__INLINE void paradt_mpi__try_listener(paradt_mpi__work *w, int rank, const paradt_index *cell, const double *box,
+                                             int *found) {
+    if (rank != w->rank && paradt_mpi__may_have(w, rank, box) && !paradt_mpi__is_told(w, rank, cell))
+        w->directory.listeners[(*found)++] = rank;
+}
+
+// Lists all such ranks. Of those in the vicinity few need be tried: the box has to reach beyond all sides that keep a
+// rank's points from the own ones. Returns how many.
 static int paradt_mpi__find_listeners(paradt_mpi__work *w, const paradt_index *cell, const double *box) {
-    paradt_mpi__directory *d = &w->directory;
-    int all = !paradt_mpi__is_within(box, d->vicinity, w->set.space.dim), found = 0, i;
-    for (i = 0; i < (all ? w->ranks : d->nearby_count); i++) {
-        int r = all ? i : d->nearby[i];
-        if (r != w->rank && paradt_mpi__may_have(w, r, box) && !paradt_mpi__is_told(w, r, cell))
-            d->listeners[found++] = r;
+    const paradt_mpi__directory *d = &w->directory;
+    int found = 0, i;
+    unsigned beyond = 0;
+    if (!paradt_mpi__is_within(box, d->vicinity, w->set.space.dim)) {
+        for (i = 0; i < w->ranks; i++) paradt_mpi__try_listener(w, i, cell, box, &found);
+        return found;
+    }
+    for (i = 0; i < 2 * w->set.space.dim; i += 2)
+        beyond |= (unsigned)(box[i] < d->own[i]) << i | (unsigned)(box[i + 1] > d->own[i + 1]) << (i + 1);
+    for (i = 0; i < d->nearby_count; i++) {
+        if (!(d->nearby[i].beyond & ~beyond)) paradt_mpi__try_listener(w, d->nearby[i].rank, cell, box, &found);
     }
     return found;
 }
@@ -2223,7 +2298,7 @@ static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
 }
 
 // Fetches what is looked at next: what is at the places first, then what that leads to.
-static void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi__places *list, size_t at) {
+PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi__places *list, size_t at) {
     enum { SOON = 4, LATER = 8 };
     int j;
     if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, list->items[at + LATER]);
