@@ -820,7 +820,7 @@ static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
 
 // The points of a layer across the longest axis of a box, where they are spread evenly. The number of layers to the
 // power of the dimension is that of the points, times the longest side over each of the others. That needs no function
-// of the mathematical library, which may differ from one rank's processor to another's.
+// of the mathematical library, which may differ from one rank's processor to another's. side: of the box, by axis
 static uint64_t paradt_mpi__layer(const paradt_mpi__box *box, const double *side, int dim, uint64_t points) {
     double bound = (double)points;
     uint64_t layers = 1, most = points;
