@@ -727,9 +727,6 @@ static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *
 // side that is nearer to its share. A rank's rows are kept in the order of the boxes, so that each pass over those of a
 // box has nothing to look up; in the end it is that of the ranks. Doors: paradt_mpi__partition.
 
-// Points of others that a rank gets for each of its own that is in the layer beside a cut: what it is told at first.
-#define PARADT_MPI__SEAM 1.3
-
 typedef struct paradt_mpi__box {
     int first, ranks;              // ranks that share the box
     int64_t from[PARADT_MAX_DIM];  // the box: from <= ordered bits < to; INT64_MIN and INT64_MAX: unbounded
@@ -749,7 +746,6 @@ typedef struct paradt_mpi__cutter {
     double *rows, *spare; // [count][width]
     size_t count, width;
     uint64_t weight;        // of each point of this rank
-    uint64_t unit;          // and of all points in the mean
     size_t *open;           // rows that may be on the cut of their box, of box after box
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
@@ -818,57 +814,23 @@ static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     }
 }
 
-// The points of a layer across the longest axis of a box, where they are spread evenly. The number of layers to the
-// power of the dimension is that of the points, times the longest side over each of the others. That needs no function
-// of the mathematical library, which may differ from one rank's processor to another's. side: of the box, by axis
-static uint64_t paradt_mpi__layer(const paradt_mpi__box *box, const double *side, int dim, uint64_t points) {
-    double bound = (double)points;
-    uint64_t layers = 1, most = points;
-    int spread = 0, axis;
-    for (axis = 0; axis < dim; axis++) {
-        if (!(side[axis] > 0.0)) continue;
-        bound *= side[box->axis] / side[axis];
-        spread++;
-    }
-    while (layers < most) {
-        uint64_t middle = most - (most - layers) / 2;
-        double power = 1.0;
-        for (axis = 0; axis < spread; axis++) power *= (double)middle;
-        if (power > bound) most = middle - 1;
-        else layers = middle;
-    }
-    return points / layers;
-}
-
-// What is wanted below the cut: the lower half's share of the points and of the seam. The halves have the cut between
-// them, and as much as each other of the cuts along their sides. Only where one of them has a cut at its other end
-// too has it so much more to do as the points of others from there take. unit: what a point weighs, in the mean.
-static uint64_t paradt_mpi__wanted(const paradt_mpi__box *box, const double *side, int dim, uint64_t total,
-                                   uint64_t unit) {
-    uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks, beyond = 0, seam;
-    int below = box->from[box->axis] != INT64_MIN, above = box->to[box->axis] != INT64_MAX;
-    if (below != above) {
-        seam = (uint64_t)(PARADT_MPI__SEAM * (double)unit * (double)paradt_mpi__layer(box, side, dim, total / unit));
-        beyond = seam < total / 4 ? seam : total / 4;
-        total += beyond;
-    }
-    total = total / all * lower + total % all * lower / all;
-    return below > above ? total - (beyond < total ? beyond : total) : total;
-}
-
 // Chooses the axis and what is wanted below the cut.
-static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total, uint64_t unit) {
-    double side[PARADT_MAX_DIM];
+static void paradt_mpi__aim(const paradt_mpi__work *w, paradt_mpi__box *box, uint64_t total) {
+    uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
+    double longest = -1.0;
     int axis;
-    box->below = box->equal = box->offset = box->wanted = 0;
+    box->wanted = total / all * lower + total % all * lower / all;
+    box->below = box->equal = box->offset = 0;
     box->bits = box->axis = 0;
-    if (!total) return;
-    for (axis = 0; axis < w->dim; axis++) {
-        side[axis] = paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
-        if (side[axis] > side[box->axis]) box->axis = axis;
+    for (axis = 0; axis < w->dim && total; axis++) {
+        double side =
+            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
+        if (side > longest) {
+            longest = side;
+            box->axis = axis;
+        }
     }
-    box->wanted = paradt_mpi__wanted(box, side, w->dim, total, unit);
-    box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
+    if (total) box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
     box->equal = total;
 }
 
@@ -994,7 +956,7 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     paradt_mpi__bound(w, c);
     MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < boxes; b++) {
-        paradt_mpi__aim(w, c->boxes + b, c->counts[b], c->unit);
+        paradt_mpi__aim(w, c->boxes + b, c->counts[b]);
         if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
     }
     while (more) {
@@ -1020,10 +982,9 @@ static void paradt_mpi__keep_box(paradt_mpi__work *w, const paradt_mpi__cutter *
     }
 }
 
-// Sends the rows, which each weigh so much, and those of all ranks `unit` in the mean, to the ranks whose boxes they
-// are in. *rows: [*count], replaced by those that this rank got, in the order of the ranks that they come from.
-static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, uint64_t unit, double **rows,
-                                           size_t *count) {
+// Sends the rows, which each weigh so much, to the ranks whose boxes they are in. *rows: [*count], replaced by those
+// that this rank got, in the order of the ranks that they come from.
+static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight, double **rows, size_t *count) {
     paradt_mpi__cutter c;
     void *got = NULL;
     size_t ranks = (size_t)w->ranks;
@@ -1033,7 +994,6 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.count = *count;
     c.width = (size_t)w->dim + (size_t)w->weighted + 1;
     c.weight = weight;
-    c.unit = unit;
     c.box_count = 1;
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
@@ -1571,7 +1531,7 @@ static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows)
     size_t count = w->out->point_count;
     double begun = paradt__now(), cut, weighed;
     uint64_t weight = 0;
-    paradt_status status = paradt_mpi__partition(w, 1, 1, &rows, &count);
+    paradt_status status = paradt_mpi__partition(w, 1, &rows, &count);
     cut = paradt__now();
     w->stats.seconds_partition += cut - begun;
     if (!status) status = paradt_mpi__settle(w, rows, count);
@@ -1580,7 +1540,7 @@ static paradt_status paradt_mpi__place_points(paradt_mpi__work *w, double *rows)
     w->stats.seconds_grid += weighed - cut;
     if (!status && weight) {
         paradt_mpi__unsettle(w);
-        status = paradt_mpi__partition(w, weight, PARADT_MPI__MEAN, &rows, &count);
+        status = paradt_mpi__partition(w, weight, &rows, &count);
         if (!status) status = paradt_mpi__agree(w, paradt_mpi__sort_by_id(w, &rows, count));
         cut = paradt__now();
         w->stats.seconds_partition += cut - weighed;
