@@ -10467,7 +10467,6 @@ PARADT__INLINE int paradt__remote_engine_owns(const paradt__set *set, const para
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.
 PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, const paradt__set *set, size_t corners,
                                                 paradt_index *mark) {
-    enum { AHEAD = 4 };
     const paradt__cells *cells = &engine->bw.cells;
     size_t count = engine->fringe_count, i, j, left = 0;
     for (i = 0; i < count; i++) {
@@ -10475,7 +10474,6 @@ PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, c
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
         paradt__fetch_listed(cells, engine->fringe, count, i);
-        if (i + AHEAD < count) paradt__remote_engine_fetch_points(engine, (size_t)engine->fringe[i + AHEAD]);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_engine_owns(set, vertices, corners)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
