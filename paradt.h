@@ -2140,11 +2140,16 @@ PARADT__INLINE int64_t paradt__fixed_point(double x, int exponent) {
     return (int64_t)((size ^ negative) - negative);
 }
 
+// So many levels, or some more that take the same steps
+static int paradt__whole_steps(int levels, int dim) {
+    int step = PARADT__STEP_BITS / dim;
+    return step > 1 ? (levels + step - 1) / step * step : levels;
+}
+
 // How many levels tell nearly all of so many points apart, if they are spread evenly
 static int paradt__levels_for(size_t count, int dim) {
-    int most = PARADT__CURVE_BITS / dim < 31 ? PARADT__CURVE_BITS / dim : 31, step = PARADT__STEP_BITS / dim;
-    int levels = (paradt__bit_length(count) + 10) / dim + 1;
-    if (step > 1) levels = (levels + step - 1) / step * step;
+    int most = PARADT__CURVE_BITS / dim < 31 ? PARADT__CURVE_BITS / dim : 31;
+    int levels = paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
     return levels < most ? levels : most;
 }
 
@@ -2669,7 +2674,10 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t poin
     return paradt__is_finite(record[dim]) ? largest : 2047;
 }
 
-enum { PARADT__FIRST_DIGITS = 2 * PARADT__DIGITS };
+enum {
+    PARADT__FIRST_DIGITS = 2 * PARADT__DIGITS,
+    PARADT__FEW_SAMPLED = 1 << 10 // at most half of many keys
+};
 
 typedef struct paradt__loader {
     const paradt__team *team;
@@ -2681,7 +2689,7 @@ typedef struct paradt__loader {
     size_t repeating[PARADT__MOST_TASKS]; // points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
     paradt__cuts *cuts; // where there is more than one box; or NULL
-    double *sample;     // [sampled][dim] points that tell where to cut, in the set's records
+    double *sample;     // [sampled][dim] points that tell how they are spread, in the set's records
     size_t sampled;
     int shift; // of a key's first digit, which has a bit more where there are boxes: that is a key's upper part then
     paradt__hilbert hilbert;
@@ -2985,14 +2993,37 @@ static void paradt__sort_task(void *context, size_t index) {
     }
 }
 
+// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
+// than to sort those points anew. A few tell, on a lattice with so many levels less that they share as many places if
+// they lie on surfaces. Where they fill space they share more, but few still.
+static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
+    enum { SHARE = 32 }; // one in so many is many
+    size_t few = loader->sampled / 2 < PARADT__FEW_SAMPLED ? loader->sampled / 2 : (size_t)PARADT__FEW_SAMPLED, i;
+    size_t dim = (size_t)loader->set->space.ambient, shared = 0;
+    paradt__keyed *keyed = loader->keyed;
+    paradt__lattice lattice;
+    if (!few) return 0;
+    levels -= (paradt__bit_length(loader->source->points.count / few) - 1) / 2;
+    levels = paradt__whole_steps(paradt__max(levels, 1), (int)dim);
+    paradt__lattice_begin(&lattice, (int)dim, levels, 0, loader->set->space.low, loader->set->space.high);
+    for (i = 0; i < few; i++) {
+        keyed[i].point = (paradt_index)(loader->sampled / few * i);
+        keyed[i].key = paradt__curve_key(&loader->hilbert, &lattice, loader->sample + (size_t)keyed[i].point * dim);
+    }
+    paradt__keyed_sort(keyed, keyed + few, few, (int)dim * levels, 0);
+    for (i = 1; i < few; i++) shared += keyed[i].key == keyed[i - 1].key;
+    return shared > few / SHARE;
+}
+
 // The order of the points along the curve, box after box, in loader->keyed.
 static void paradt__loader_sort(paradt__loader *loader) {
     size_t count = loader->source->points.count, tasks = loader->team->tasks, before = 0, digit, i;
     int dim = loader->set->space.ambient, levels = paradt__levels_for(count, dim), step = PARADT__STEP_BITS / dim;
     int box_bits = loader->cuts ? paradt__bit_length(loader->cuts->boxes - 1) : 0;
+    paradt__hilbert_begin(&loader->hilbert, dim, count);
+    if (paradt__loader_crowded(loader, levels)) levels = paradt__levels_for(SIZE_MAX, dim);
     while (dim * levels + box_bits > 64) levels -= step > 1 ? step : 1;
     loader->shift = paradt__key_shift(dim * levels + box_bits - (box_bits > 0));
-    paradt__hilbert_begin(&loader->hilbert, dim, count);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
     for (digit = 0; digit < PARADT__FIRST_DIGITS; digit++) {
@@ -3055,11 +3086,12 @@ static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory 
     loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
     set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
+    loader->sample = set->records;
+    loader->sampled = loader->cuts ? (size_t)SAMPLE : count < PARADT__MANY_KEYS ? 0 : (size_t)PARADT__FEW_SAMPLED;
+    if (loader->sampled > count) loader->sampled = count;
     if (loader->cuts) {
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
-        loader->sampled = count < SAMPLE ? count : (size_t)SAMPLE;
-        loader->sample = set->records;
     }
     if (!loader->keyed || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
     // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
