@@ -7711,13 +7711,36 @@ static paradt_status paradt__bw_go_on(paradt__bw *bw, paradt_index first, size_t
     return PARADT_OK;
 }
 
-// Inserts a point that has just been counted. cell: as above.
+// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
+// nothing of that is in a cache, the insertion would wait for one after another.
+PARADT__INLINE void paradt__bw3_fetch_around(const paradt__bw *bw, paradt_index cell) {
+    enum { CELLS = 1 + 4 + 12 };
+    const paradt__spheres3 *s = bw->spheres;
+    paradt_index around[CELLS];
+    size_t count = 1, i, j;
+    around[0] = cell;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)around[i];
+        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)around[i];
+        for (j = 0; j < 4; j++) {
+            paradt_index other = neighbors[j] >> 2;
+            paradt__fetch_row(bw->cells.vertices, bw->cells.neighbors, (size_t)other, 4);
+            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
+            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__bw_record(bw, vertices[j]));
+            if (count < CELLS) around[count++] = other;
+        }
+    }
+}
+
+// Inserts a point that has just been counted. cell: as above; if one is given, it is in conflict with the point.
 static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
     paradt_status status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
     bw->order = NULL;
     bw->inserted = bw->count - 1;
-    if (bw->spheres)
+    if (bw->spheres) {
         bw->spheres->missed = 0; // such points are here and there: no larger table would have their spheres
+        if (cell >= 0) paradt__bw3_fetch_around(bw, cell);
+    }
     return status ? status : paradt__choose_inserter(bw)(bw, point);
 }
 
