@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-enum { LATTICE_POINTS = 4096, SCALES = 2000, BOXED = 3000 };
+enum { LATTICE_POINTS = 4096, SCALES = 3000, BOXED = 3000, SPREAD = 200000 };
 
 // The lattice point number i of a cube with `levels` levels
 static void lattice_point(int i, int dim, int levels, double *x) {
@@ -119,7 +119,8 @@ static void fill_scales(double *x, int dim) {
     }
 }
 
-// Far below every lattice's reach: the lattices of runs find what is equal, whatever the number of tasks.
+// Far below every lattice's reach: the lattices of runs find what is equal, whatever the number of tasks and of levels,
+// which are more where many points are crowded.
 static void equal_points_are_found_on_all_scales(void **state) {
     static double x[SCALES * PARADT_MAX_DIM];
     static paradt_index representative[SCALES];
@@ -130,15 +131,15 @@ static void equal_points_are_found_on_all_scales(void **state) {
             paradt__team team = {tasks_in_turn, NULL, tasks};
             paradt__memory memory;
             paradt__set set;
-            size_t bad = 0, distinct = 0;
+            size_t bad = 0, distinct = 0, count = tasks % 2 ? SCALES : PARADT__MANY_KEYS - 1;
             fill_scales(x, dim);
             points.data = x;
-            points.count = SCALES;
+            points.count = count;
             points.dim = dim;
             paradt__memory_begin(&memory, NULL);
             assert_int_equal(paradt__set_load(&set, &points, NULL, &team, &memory, representative, &bad),
                              PARADT_OK);
-            for (size_t i = 0; i < SCALES; i++) {
+            for (size_t i = 0; i < count; i++) {
                 size_t first = 0, bytes = (size_t)dim * sizeof *x;
                 while (memcmp(x + first * (size_t)dim, x + i * (size_t)dim, bytes)) first++;
                 assert_int_equal(representative[i], first);
@@ -149,6 +150,61 @@ static void equal_points_are_found_on_all_scales(void **state) {
             paradt__set_free(&set, &memory);
             assert_int_equal(memory.held, 0);
         }
+}
+
+enum { EVERYWHERE, ON_A_LATTICE, IN_CLUMPS, NEAR_A_PLANE };
+
+static void fill_spread(double *x, int kind) {
+    for (size_t i = 0; i < SPREAD; i++) {
+        uint64_t number = paradt__mix(i), clump = paradt__mix(i % 50);
+        for (int j = 0; j < 3; j++, number = paradt__mix(number), clump = paradt__mix(clump)) {
+            double *at = x + 3 * i + j;
+            *at = (double)(number >> 11) * 0x1p-53;
+            if (kind == ON_A_LATTICE) *at = (double)(number >> 58);
+            if (kind == IN_CLUMPS) *at = (double)(clump >> 11) * 0x1p-53 + *at * 0x1p-9;
+            if (kind == NEAR_A_PLANE && j == 2) *at *= 0x1p-20;
+        }
+    }
+}
+
+static int is_crowded(const double *x, size_t count) {
+    static paradt_index representative[SPREAD];
+    static paradt__loader loader;
+    paradt_points points = {x, count, 3, 0, PARADT_F64, NULL};
+    paradt__source source = paradt__source_of(&points);
+    paradt__memory memory;
+    paradt__set set;
+    size_t bad = 0;
+    int crowded;
+    memset(&set, 0, sizeof set);
+    paradt__memory_begin(&memory, NULL);
+    paradt__loader_begin(&loader, &set, &paradt__alone);
+    loader.source = &source;
+    loader.representative = representative;
+    set.width = 3;
+    paradt__space_begin(&set.space, 3, 3, 0);
+    assert_int_equal(paradt__loader_room(&loader, &memory), PARADT_OK);
+    assert_int_equal(paradt__set_survey(&loader, &bad), PARADT_OK);
+    paradt__hilbert_begin(&loader.hilbert, 3, count);
+    crowded = paradt__loader_crowded(&loader, paradt__levels_for(count, 3));
+    paradt__release(&memory, loader.keyed);
+    paradt__set_free(&set, &memory);
+    assert_int_equal(memory.held, 0);
+    return crowded;
+}
+
+// Near a plane few points have few places in common by the levels that they get.
+static void a_sample_tells_whether_points_are_crowded(void **state) {
+    static const struct {
+        int kind, few, many;
+    } rows[] = {{EVERYWHERE, 0, 0}, {ON_A_LATTICE, 0, 0}, {IN_CLUMPS, 1, 1}, {NEAR_A_PLANE, 0, 1}};
+    static double x[SPREAD * 3];
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        fill_spread(x, rows[i].kind);
+        assert_int_equal(is_crowded(x, PARADT__MANY_KEYS), rows[i].few);
+        assert_int_equal(is_crowded(x, SPREAD), rows[i].many);
+    }
 }
 
 // Points anywhere, on a small lattice, far from 1, or where the second axis is longest and a multiple of the first
@@ -323,6 +379,7 @@ int main(void) {
         cmocka_unit_test(the_corners_of_any_box_get_different_places),
         cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
         cmocka_unit_test(equal_points_are_found_on_all_scales),
+        cmocka_unit_test(a_sample_tells_whether_points_are_crowded),
         cmocka_unit_test(boxes_follow_each_other),
         cmocka_unit_test(rounds_take_every_point_once_and_one_of_sixteen_earlier),
         cmocka_unit_test(others_come_where_the_curve_passes_them),
