@@ -2676,7 +2676,7 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t poin
 
 enum {
     PARADT__FIRST_DIGITS = 2 * PARADT__DIGITS,
-    PARADT__FEW_SAMPLED = 1 << 10 // at most half of many keys
+    PARADT__FEW_SAMPLED = 1 << 9 // enough to tell whether points are crowded
 };
 
 typedef struct paradt__loader {
@@ -2858,32 +2858,37 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
 
 // --- cuts by a sample
 
+// Puts a few points of the sample along a curve: the first of loader->keyed, which has room for twice as many.
+static void paradt__sort_few(const paradt__loader *loader, const paradt__hilbert *hilbert, size_t few, int levels) {
+    int dim = loader->source->points.dim;
+    paradt__keyed *keyed = loader->keyed;
+    paradt__lattice lattice;
+    size_t i;
+    paradt__lattice_begin(&lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
+    for (i = 0; i < few; i++) {
+        keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
+        keyed[i].key = paradt__curve_key(hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
+    }
+    paradt__keyed_sort(keyed, keyed + few, few, dim * levels, 0);
+}
+
 // How far points of the set are from their neighbours: 2^k times as far are those of one in 2^(k dim) points, such as
 // are put along a curve here, where they are spread in all dimensions.
 static double paradt__sample_spacing(const paradt__loader *loader) {
     enum { FEW = 1 << 12 };
     size_t count = loader->source->points.count, few = count, i;
-    int dim = loader->source->points.dim, levels;
+    int dim = loader->source->points.dim;
     double nearer = 1.0;
     paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    paradt__keyed *keyed = loader->keyed, *other;
     paradt_index *order;
     do {
         few >>= dim;
         nearer *= 0.5;
     } while (few > FEW);
-    levels = paradt__levels_for(few, dim);
-    other = keyed + few;
-    order = (paradt_index *)(void *)(other + few);
     paradt__hilbert_begin(&hilbert, dim, few);
-    paradt__lattice_begin(&lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
-    for (i = 0; i < few; i++) {
-        keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-        keyed[i].key = paradt__curve_key(&hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
-    }
-    paradt__keyed_sort(keyed, other, few, dim * levels, 0);
-    for (i = 0; i < few; i++) order[i] = keyed[i].point;
+    paradt__sort_few(loader, &hilbert, few, paradt__levels_for(few, dim));
+    order = (paradt_index *)(void *)(loader->keyed + 2 * few);
+    for (i = 0; i < few; i++) order[i] = loader->keyed[i].point;
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
@@ -2998,20 +3003,13 @@ static void paradt__sort_task(void *context, size_t index) {
 // they lie on surfaces. Where they fill space they share more, but few still.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { SHARE = 32 }; // one in so many is many
-    size_t few = loader->sampled / 2 < PARADT__FEW_SAMPLED ? loader->sampled / 2 : (size_t)PARADT__FEW_SAMPLED, i;
-    size_t dim = (size_t)loader->set->space.ambient, shared = 0;
-    paradt__keyed *keyed = loader->keyed;
-    paradt__lattice lattice;
-    if (!few) return 0;
-    levels -= (paradt__bit_length(loader->source->points.count / few) - 1) / 2;
-    levels = paradt__whole_steps(paradt__max(levels, 1), (int)dim);
-    paradt__lattice_begin(&lattice, (int)dim, levels, 0, loader->set->space.low, loader->set->space.high);
-    for (i = 0; i < few; i++) {
-        keyed[i].point = (paradt_index)(loader->sampled / few * i);
-        keyed[i].key = paradt__curve_key(&loader->hilbert, &lattice, loader->sample + (size_t)keyed[i].point * dim);
-    }
-    paradt__keyed_sort(keyed, keyed + few, few, (int)dim * levels, 0);
-    for (i = 1; i < few; i++) shared += keyed[i].key == keyed[i - 1].key;
+    size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
+    if (few > count / 2) few = count / 2;
+    if (!few || !loader->sampled) return 0;
+    levels -= (paradt__bit_length(count / few) - 1) / 2;
+    levels = paradt__whole_steps(paradt__max(levels, 1), loader->source->points.dim);
+    paradt__sort_few(loader, &loader->hilbert, few, levels);
+    for (i = 1; i < few; i++) shared += loader->keyed[i].key == loader->keyed[i - 1].key;
     return shared > few / SHARE;
 }
 
