@@ -94,7 +94,7 @@ $(T)/cgal_%.o: tests/cgal_%.cc
 $(T)/sanitized/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O1 $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -Og $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/races/%: tests/%.c
 	@mkdir -p $(@D)
@@ -104,7 +104,7 @@ $(T)/races/%: tests/%.c
 $(T)/fuzz/%: fuzz/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O1 $(TRACES) -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
+	$(CC) -Og $(TRACES) -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
 
 $(T)/families: tests/programs/families.c
 	@mkdir -p $(@D)

@@ -1,12 +1,14 @@
 #!/bin/sh
 # Flags and modes that break careless floating-point code change no cell: one program that hashes every family by every method
-# prints the same, certificates included, however it is built and in whatever mode it runs. Prints TAP.
+# prints the same, certificates included, however it is built and in whatever mode it runs. The first run is of all, each
+# later one of the next third of the lines. Prints TAP.
 work=build/tests/hostile
 rm -rf "$work"
 mkdir -p "$work"
 points=$work/points
 source=tests/programs/hashes.c
 number=0
+share=-1
 report() { # ok|not ok, name, log
     number=$((number + 1))
     echo "$1 $number - $2"
@@ -43,7 +45,7 @@ same() {
         test=${name}_$(echo "$mode" | tr + _)
         if [ "$mode" = plain ]; then arguments=; else arguments=$(echo "$mode" | tr + ' '); fi
         # shellcheck disable=SC2086
-        timeout 200 $runner "$work/$name" "$points" $arguments >"$work/$test.out" 2>"$work/$test.log"
+        timeout 200 $runner "$work/$name" "$points" $share $arguments >"$work/$test.out" 2>"$work/$test.log"
         status=$?
         if [ $status != 0 ]; then
             { echo "ended with status $status after:" && tail -n 1 "$work/$test.out"; } >>"$work/$test.log"
@@ -51,18 +53,20 @@ same() {
         elif [ ! -e "$work/expected" ]; then
             # The first build sets the expectation; its certificates say that it is right.
             mv "$work/$test.out" "$work/expected"
+            for third in 0 1 2; do awk "NR % 3 == ($third + 1) % 3" "$work/expected" >"$work/expected_$third"; done
             grep -v 'certificate: done$' "$work/expected" >"$work/$test.log"
-            if [ -s "$work/expected" ] && [ ! -s "$work/$test.log" ]; then
+            if [ -s "$work/expected_2" ] && [ ! -s "$work/$test.log" ]; then
                 report ok "$test" ""
             else
                 report "not ok" "$test" "$work/$test.log"
             fi
-        elif cmp -s "$work/expected" "$work/$test.out"; then
+        elif cmp -s "$work/expected_$share" "$work/$test.out"; then
             report ok "$test" ""
         else
-            diff "$work/expected" "$work/$test.out" >"$work/$test.log"
+            diff "$work/expected_$share" "$work/$test.out" >"$work/$test.log"
             report "not ok" "$test" "$work/$test.log"
         fi
+        share=$(((share + 1) % 3))
     done
 }
 

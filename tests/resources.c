@@ -147,7 +147,8 @@ typedef struct scene {
 
 static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// Families, weights, dimensions, methods, regions: chosen so that every path that allocates is taken.
+// Families, weights, dimensions, methods, regions: chosen so that every path that allocates is taken. The sanitizers see
+// every third, which has all inputs, ways and methods, each with some of the others.
 static int next_scene(int number, scene *out) {
     static const struct {
         int family, weighting, dim, count;
@@ -165,7 +166,8 @@ static int next_scene(int number, scene *out) {
                 {4, PARADT_UNIFORM, 0, 0},
                 {3, PARADT_BISECTION, 1, 0}};
     enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
-    int input = number % INPUTS, way = number / INPUTS % WAYS, method = number / INPUTS / WAYS;
+    int each = SANITIZED ? 3 * number : number;
+    int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
     if (method >= PARADT_METHOD_COUNT)
         return 0;

@@ -7,7 +7,7 @@ mkdir -p "$work"
 CC=${CC:-cc}
 tool=${PARADT_TOOL:-$work/paradt}
 if [ -z "$PARADT_TOOL" ]; then
-    $CC -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -I. -o "$tool" examples/paradt.c -pthread -lm \
+    $CC -Og -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -I. -o "$tool" examples/paradt.c -pthread -lm \
         2>"$work/build.log" || $CC -O2 -I. -o "$tool" examples/paradt.c -pthread -lm 2>"$work/build.log" ||
         { echo "not ok 1 - the_tool_builds"; sed 's/^/# /' "$work/build.log"; echo "1..1"; exit 1; }
 fi
