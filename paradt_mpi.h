@@ -2191,10 +2191,12 @@ static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions
     return status;
 }
 
-// The first part is for small sets, whose questions take milliseconds at most. Collective.
+// Cells more than there are, for the sake of small sets: their questions take milliseconds at most.
+enum { PARADT_MPI__PATIENCE = 100000 };
+
+// Collective.
 static void paradt_mpi__take_patience(paradt_mpi__work *w) {
-    enum { FIRST_PATIENCE = 100000 };
-    w->patience = paradt_mpi__sum(w, w->inserting ? w->engine.bw.cells.count : w->local.cell_count) + FIRST_PATIENCE;
+    w->patience = paradt_mpi__sum(w, paradt_mpi__place_count(w)) + PARADT_MPI__PATIENCE;
 }
 
 // Does looking for answers take longer than building everything?
@@ -2205,7 +2207,7 @@ static int paradt_mpi__answers_too_long(const paradt_mpi__work *w) {
 
 // Does each cell ask half of all ranks? Then the ranks need nearly all points.
 static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    if (q->count <= w->patience / 2) return;
+    if (q->count <= ((uint64_t)paradt_mpi__place_count(w) * (uint64_t)w->ranks + PARADT_MPI__PATIENCE) / 2) return;
     w->stuck = 1;
     q->count = 0;
 }
@@ -2492,23 +2494,22 @@ static paradt_status paradt_mpi__answer(paradt_mpi__work *w, paradt_mpi__mail *m
 }
 
 // One round of questions and answers. *news: how many points of others this rank learned.
-static paradt_status paradt_mpi__round(paradt_mpi__work *w, size_t *news) {
+static paradt_status paradt_mpi__round(paradt_mpi__work *w, paradt_status status, size_t *news) {
     paradt_mpi__questions questions;
     paradt_mpi__mail mail;
     paradt_mpi__list answers;
     size_t told = 0, answered = 0;
     double begun = paradt__now();
-    paradt_status status;
     memset(&questions, 0, sizeof questions);
     memset(&mail, 0, sizeof mail);
     memset(&answers, 0, sizeof answers);
     *news = 0;
-    paradt_mpi__take_patience(w);
-    status = paradt_mpi__collect(w, &questions);
+    if (!status) status = paradt_mpi__collect(w, &questions);
     w->stats.cells_asked += questions.count;
     w->stats.rounds++;
     status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &questions.to_tell, &told));
     paradt__release(&w->memory, questions.to_tell.items);
+    paradt_mpi__take_patience(w);
     if (!status) status = paradt_mpi__sort_questions(w, &questions);
     if (!status) status = paradt_mpi__pack(w, &questions, &mail);
     paradt__release(&w->memory, questions.items);
@@ -2543,15 +2544,16 @@ static paradt_status paradt_mpi__share_all(paradt_mpi__work *w, size_t *news) {
     return status;
 }
 
-// Triangulates until the cells around own points are final.
+// Triangulates until the cells around own points are final. What ranks do between two exchanges they do at once, so
+// that they wait for the slowest once: the status that is returned is that of this rank alone.
 static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
     uint64_t news_of_all = 1;
     size_t news;
     paradt_status status;
     w->progress_length = 0.9;
-    status = paradt_mpi__agree(w, paradt_mpi__triangulate_known(w));
-    while (!status && w->set.space.dim > 0 && w->ranks > 1 && news_of_all) {
-        status = paradt_mpi__round(w, &news);
+    status = paradt_mpi__triangulate_known(w);
+    while (w->set.space.dim > 0 && w->ranks > 1 && news_of_all) {
+        status = paradt_mpi__round(w, status, &news);
         if (status) break;
         w->stuck = paradt_mpi__sum(w, (uint64_t)w->stuck) > 0;
         if (w->stuck) status = paradt_mpi__share_all(w, &news);
@@ -2559,11 +2561,10 @@ static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
         news_of_all = w->weighted && !w->stuck ? paradt_mpi__sum(w, news) : 0;
         w->progress_begin += w->progress_length;
         w->progress_length = 0.9 * (1.0 - w->progress_begin);
-        status = paradt_mpi__agree(w, news || w->stuck ? paradt_mpi__triangulate_known(w) : PARADT_OK);
+        if (news || w->stuck) status = paradt_mpi__triangulate_known(w);
     }
-    if (!status && (w->ranks == 1 || w->stuck)) // else the fringe was listed for the questions
-        status = paradt_mpi__agree(w, w->inserting ? paradt__remote_engine_list(&w->engine, (paradt_index)w->set.count)
-                                                   : PARADT_OK);
+    if (!status && w->inserting && (w->ranks == 1 || w->stuck)) // else the fringe was listed for the questions
+        status = paradt__remote_engine_list(&w->engine, (paradt_index)w->set.count);
     if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
     return status;
 }
@@ -2668,8 +2669,7 @@ static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
 
 // Numbers the own cells of all ranks.
 static void paradt_mpi__number_cells(paradt_mpi__work *w) {
-    uint64_t mine = w->local.cell_count, before = 0;
-    w->out->cell_count = w->local.cell_count;
+    uint64_t mine = w->out->cell_count, before = 0;
     MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
     w->out->first_cell = w->rank ? before : 0;
     w->out->cell_total = paradt_mpi__sum(w, mine);
@@ -2814,11 +2814,12 @@ static void paradt_mpi__set_across(paradt_mpi__work *w, int64_t *answers, const 
 }
 
 // Finds the neighbours on other ranks.
-static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_status status, paradt_mpi__facets *f) {
+static paradt_status paradt_mpi__link(paradt_mpi__work *w, paradt_mpi__facets *f) {
     void *rows = NULL, *answers = NULL;
     int64_t *twins = NULL;
     size_t count = 0, back;
-    if (!status && f->count > (size_t)PARADT__NOWHERE - w->out->cell_count) status = PARADT_ERROR_TOO_LARGE;
+    paradt_status status = PARADT_OK;
+    if (f->count > (size_t)PARADT__NOWHERE - w->out->cell_count) status = PARADT_ERROR_TOO_LARGE;
     if (!status) status = paradt_mpi__sort_facets(w, f);
     status = paradt_mpi__exchange(w, status, f->rows, f->width * sizeof *f->rows, &rows, &count);
     if (!status) {
@@ -2886,9 +2887,13 @@ static int paradt_mpi__origin_of(const paradt_mpi__work *w, uint64_t id) {
 }
 
 // What is not represented by itself: rows of two ids, the point's and its representative's, in the order of ranks;
-// fills w->to. twin, received: of the points of this rank's box. Not collective.
-static paradt_status paradt_mpi__exceptions(paradt_mpi__work *w, const uint8_t *used, int64_t **rows) {
+// fills w->to. A point of this rank's box is a vertex of T(P) if it is one of the last local triangulation. mark:
+// [known]; used: [received_count]; twin, received: of the points of this rank's box. Not collective.
+static paradt_status paradt_mpi__list_exceptions(paradt_mpi__work *w, const paradt_index *mark, uint8_t *used,
+                                                 int64_t **rows) {
     size_t i, count = 0, pass;
+    memset(used, 0, w->received_count);
+    for (i = 0; i < w->set.count; i++) used[w->set.origin[i]] = mark[i] != PARADT__NO_VERTEX;
     memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
     for (pass = 0; pass < 2; pass++) {
         for (i = 0; i < w->received_count; i++) { // ids ascend, and so do the ranks
@@ -2911,30 +2916,23 @@ static paradt_status paradt_mpi__exceptions(paradt_mpi__work *w, const uint8_t *
     return PARADT_OK;
 }
 
-// Sends the representatives to those who handed the points in. A point of this rank's box is a vertex of T(P) if it is
-// one of the last local triangulation. mark: [known]
-static paradt_status paradt_mpi__represent(paradt_mpi__work *w, paradt_status status, const paradt_index *mark) {
-    uint8_t *used = NULL;
-    int64_t *rows = NULL;
+static paradt_status paradt_mpi__exceptions(paradt_mpi__work *w, const paradt_index *mark, int64_t **rows) {
+    uint8_t *used = (uint8_t *)paradt__alloc(&w->memory, w->received_count, 1);
+    paradt_status status = used ? paradt_mpi__list_exceptions(w, mark, used, rows) : PARADT_ERROR_MEMORY;
+    paradt__release(&w->memory, used);
+    return status;
+}
+
+// Sends the representatives to those who handed the points in. rows: see paradt_mpi__list_exceptions.
+static paradt_status paradt_mpi__represent(paradt_mpi__work *w, const int64_t *rows) {
     void *got = NULL;
     size_t count = 0, i;
-    if (!status) {
-        used = (uint8_t *)paradt__alloc(&w->memory, w->received_count, 1);
-        if (!used) status = PARADT_ERROR_MEMORY;
-    }
-    if (!status) {
-        memset(used, 0, w->received_count);
-        for (i = 0; i < w->set.count; i++) used[w->set.origin[i]] = mark[i] != PARADT__NO_VERTEX;
-        status = paradt_mpi__exceptions(w, used, &rows);
-    }
-    status = paradt_mpi__exchange(w, status, rows, 2 * sizeof *rows, &got, &count);
+    paradt_status status = paradt_mpi__exchange(w, PARADT_OK, rows, 2 * sizeof *rows, &got, &count);
     for (i = 0; i < count && !status; i++) {
         const int64_t *row = (const int64_t *)got + 2 * i;
         w->out->representative[(uint64_t)row[0] - w->out->first_point] = row[1];
     }
     paradt__release(&w->memory, got);
-    paradt__release(&w->memory, rows);
-    paradt__release(&w->memory, used);
     return status;
 }
 
@@ -2961,35 +2959,44 @@ static void paradt_mpi__reduce_stats(paradt_mpi__work *w) {
     PARADT_MPI_TIMERS(PARADT_MPI__GIVE_TIME)
 }
 
-// Makes the result of the last local triangulation.
-static paradt_status paradt_mpi__deliver(paradt_mpi__work *w) {
+// The part of the result that takes no others: the own cells and their vertices. Lists what is to be sent. Not
+// collective.
+static paradt_status paradt_mpi__take_result(paradt_mpi__work *w, paradt_mpi__facets *facets, int64_t **rows) {
     paradt_mpi_triangulation *out = w->out;
-    paradt_mpi__facets facets; // whose other side is not known
-    paradt_index *number;
+    paradt_index *number = (paradt_index *)paradt__alloc_filled(&w->memory, w->known, sizeof *number);
+    paradt_status status = PARADT_ERROR_MEMORY;
     size_t i;
+    out->representative = (int64_t *)paradt__alloc_filled(&w->memory, out->point_count, sizeof *out->representative);
+    if (number && out->representative) {
+        paradt_mpi__take_own(w, number);
+        out->cell_count = w->local.cell_count;
+        for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
+        status = paradt_mpi__exceptions(w, number, rows);
+    }
+    if (!status) status = paradt_mpi__list_vertices(w, number);
+    if (!status) status = paradt_mpi__close_cells(w, number, facets);
+    paradt__release(&w->memory, number);
+    return status;
+}
+
+// Makes the result of the last local triangulation. status: of this rank so far.
+static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status status) {
+    paradt_mpi__facets facets; // whose other side is not known
+    int64_t *rows = NULL;
     int wanted = !(w->options.local.flags & PARADT_NO_NEIGHBORS);
     double begun = paradt__now();
-    paradt_status status = PARADT_ERROR_MEMORY;
     memset(&facets, 0, sizeof facets);
     paradt_mpi__unsettle_questions(w);
-    number = (paradt_index *)paradt__alloc_filled(&w->memory, w->known, sizeof *number);
-    out->representative = (int64_t *)paradt__alloc_filled(&w->memory, out->point_count, sizeof *out->representative);
-    if (number && out->representative) status = PARADT_OK;
+    if (!status) status = paradt_mpi__take_result(w, &facets, &rows);
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        paradt_mpi__take_own(w, number);
-        for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         paradt_mpi__number_cells(w);
-        status = paradt_mpi__represent(w, status, number);
+        status = paradt_mpi__represent(w, rows);
     }
-    if (!status) {
-        status = paradt_mpi__list_vertices(w, number);
-        if (!status) status = paradt_mpi__close_cells(w, number, &facets);
-        status = wanted && out->dim > 0 ? paradt_mpi__link(w, status, &facets) : paradt_mpi__agree(w, status);
-    }
+    if (!status && wanted && w->out->dim > 0) status = paradt_mpi__link(w, &facets);
     paradt__release(&w->memory, facets.rows);
     paradt__release(&w->memory, facets.handles);
-    paradt__release(&w->memory, number);
+    paradt__release(&w->memory, rows);
     w->stats.seconds_finish = paradt__now() - begun;
     return status;
 }
@@ -3095,7 +3102,7 @@ static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
     w->out->dim = w->local.dim;
     w->out->point_total = w->out->point_count;
     w->set.count = 0; // none are this rank's own: representatives are known without asking
-    status = paradt_mpi__deliver(w);
+    status = paradt_mpi__deliver(w, PARADT_OK);
     return status ? status : paradt_mpi__represent_replicated(w);
 }
 
@@ -3143,8 +3150,7 @@ static paradt_status paradt_mpi__distributed(paradt_mpi__work *w, double *rows) 
     if (!status && w->out->dim > 0) status = paradt_mpi__tell(w);
     if (!status && w->out->dim > 0 && w->ranks > 1) status = paradt_mpi__guess(w);
     w->stats.seconds_grid += paradt__now() - begun;
-    if (!status) status = paradt_mpi__rounds(w);
-    return status ? status : paradt_mpi__deliver(w);
+    return status ? status : paradt_mpi__deliver(w, paradt_mpi__rounds(w));
 }
 
 static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *local, paradt_status status) {
