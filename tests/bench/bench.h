@@ -10,6 +10,7 @@
 //                          sets; cells and hash are the last set's
 //         --hash           add the hash of the cells; it costs time after the measurement
 //         --method NAME, --regions K, --no-neighbors (paradt alone)
+//         --copies C       C processes at once, each with a C-th of the points (paradt alone)
 //
 // A point file is a header of 32 bytes - "paradtp1", count and dimension and number of weights as little-endian 64-bit
 // integers - then the coordinates, point by point, then the weights, as little-endian doubles.
@@ -53,6 +54,7 @@ typedef struct bench_arguments {
     size_t regions;
     size_t jobs;
     size_t calls;
+    size_t copies;
     int hash;
     int no_neighbors;
 } bench_arguments;
@@ -76,6 +78,7 @@ static inline bench_arguments bench_parse(int argc, char **argv) {
     a.method = "auto";
     a.jobs = 1;
     a.calls = 1;
+    a.copies = 1;
     for (int i = 1; i < argc; i++) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (!strcmp(argv[i], "--hash")) {
@@ -94,13 +97,15 @@ static inline bench_arguments bench_parse(int argc, char **argv) {
                 a.jobs = (size_t)strtoull(value, NULL, 10);
             else if (!strcmp(argv[i - 1], "--calls"))
                 a.calls = (size_t)strtoull(value, NULL, 10);
+            else if (!strcmp(argv[i - 1], "--copies"))
+                a.copies = (size_t)strtoull(value, NULL, 10);
             else if (!strcmp(argv[i - 1], "--regions"))
                 a.regions = (size_t)strtoull(value, NULL, 10);
             else
                 bench_fail(argv[i - 1], "no such option");
         }
     }
-    if (!a.path || !a.jobs || !a.calls)
+    if (!a.path || !a.jobs || !a.calls || !a.copies)
         bench_fail(argv[0], "usage: [options] POINTS");
     return a;
 }

@@ -1,7 +1,8 @@
 // ParaDT: --method NAME, --regions K, --jobs J threads of a parallel_for, --no-neighbors; the statistics are in the
-// line.
+// line. --copies C: what so many processors give where nobody waits for another.
 #include <pthread.h>
 #include <stdatomic.h>
+#include <sys/wait.h>
 
 #include "bench.h"
 
@@ -100,6 +101,34 @@ static void describe(char *text, size_t size, const paradt_triangulation *t, con
              s->seconds_build, s->seconds_finish);
 }
 
+static void triangulate(paradt_triangulation *result, const bench_arguments *a, const bench_points *set,
+                        const paradt_options *options) {
+    paradt_points input = {set->coordinates, set->count, set->dim, 0, PARADT_F64, set->weights};
+    paradt_status status = paradt_triangulate(result, &input, options);
+    if (status != PARADT_OK)
+        bench_fail(a->path, paradt_status_string(status));
+}
+
+// Processes that do nothing but this; the result is nobody's.
+static void run_copies(const bench_arguments *a, const bench_points *points, const paradt_options *options) {
+    for (size_t i = 0; i < a->copies; i++) {
+        pid_t child = fork();
+        if (child < 0)
+            bench_fail("--copies", "no more processes");
+        if (child == 0) {
+            bench_points set = bench_set(points, a->copies, i);
+            paradt_triangulation result;
+            triangulate(&result, a, &set, options);
+            _exit(0);
+        }
+    }
+    for (size_t i = 0; i < a->copies; i++) {
+        int status;
+        if (wait(&status) < 0 || !WIFEXITED(status) || WEXITSTATUS(status))
+            bench_fail("--copies", "a process failed");
+    }
+}
+
 int main(int argc, char **argv) {
     bench_arguments arguments = bench_parse(argc, argv);
     bench_points points = bench_read(arguments.path);
@@ -108,8 +137,8 @@ int main(int argc, char **argv) {
     options.method = method_named(arguments.method);
     options.regions = arguments.regions;
     options.flags = arguments.no_neighbors ? PARADT_NO_NEIGHBORS : 0;
-    if (arguments.jobs > MAX_JOBS)
-        bench_fail("--jobs", "too many");
+    if (arguments.jobs > MAX_JOBS || arguments.copies > MAX_JOBS)
+        bench_fail("--jobs, --copies", "too many");
     if (arguments.jobs > 1) {
         options.parallel_for = team_for;
         options.user = &arguments.jobs;
@@ -117,19 +146,19 @@ int main(int argc, char **argv) {
     paradt_triangulation result;
     memset(&result, 0, sizeof result);
     bench_clock clock = bench_start(&points);
-    for (size_t i = 0; i < arguments.calls; i++) {
+    if (arguments.copies > 1)
+        run_copies(&arguments, &points, &options);
+    for (size_t i = 0; i < arguments.calls && arguments.copies == 1; i++) {
         bench_points set = bench_set(&points, arguments.calls, i);
-        paradt_points input = {set.coordinates, set.count, set.dim, 0, PARADT_F64, set.weights};
         paradt_free(&result); // of the set before; that is in the time too
-        paradt_status status = paradt_triangulate(&result, &input, &options);
-        if (status != PARADT_OK)
-            bench_fail(arguments.path, paradt_status_string(status));
+        triangulate(&result, &arguments, &set, &options);
     }
     bench_stop(&clock);
     char extra[1024];
-    uint64_t hash = arguments.hash ? paradt_hash(&result) : 0;
+    int hashed = arguments.hash && arguments.copies == 1;
+    uint64_t hash = hashed ? paradt_hash(&result) : 0;
     describe(extra, sizeof extra, &result, &arguments);
-    bench_print(&arguments, &points, &clock, result.cell_count, arguments.hash ? &hash : NULL, extra);
+    bench_print(&arguments, &points, &clock, result.cell_count, hashed ? &hash : NULL, extra);
     paradt_free(&result);
     return 0;
 }

@@ -81,8 +81,8 @@ build() {
 }
 
 # --- one run ----------------------------------------------------------------------------------------------------------
-# A program is written NAME[/kREGIONS][/jJOBS][/nn], NAME a peer, or a method of ParaDT, with -native where it is
-# compiled for this processor; nn: without neighbours.
+# A program is written NAME[/kREGIONS][/jJOBS][/nn][/xCOPIES], NAME a peer, or a method of ParaDT, with -native where it
+# is compiled for this processor; nn: without neighbours; so many copies at once have a part of the points each.
 
 # Whether it was built, and is no peer that was not asked for.
 available() {
@@ -109,6 +109,7 @@ command_of() {
         *:k[0-9]*) arguments="$arguments --regions ${part#k}" ;;
         *:j[0-9]*) arguments="$arguments --jobs ${part#j}" ;;
         *:nn) arguments="$arguments --no-neighbors" ;;
+        *:x[0-9]*) arguments="$arguments --copies ${part#x}" ;;
         esac
     done
     echo "$command $arguments"
@@ -236,7 +237,7 @@ measure_all() {
         for kind in uniform clusters; do
             measure threads "$kind" "$large" 3 0 1 cgal $(for method in $METHODS; do
                 echo "$method $method/k2/j2 $method/k8/j1 $method/k8/j2"
-            done) cgal-tbb/j1 cgal-tbb/j2 hxt/j1 hxt/j2
+            done) "$main/x2" cgal-tbb/j1 cgal-tbb/j2 hxt/j1 hxt/j2
         done
     fi
     if wants small; then

@@ -79,7 +79,7 @@ function remember_order(section, row, program) {
     cells[key] = field("cells")
     if (field("hash") != "")
         hash[key] = field("hash")
-    if (field("calls") == 1)
+    if (field("calls") == 1 && program !~ /\/x/)
         memory[key] = memory[key] " " (field("peak_rss_bytes") - field("rss_before_bytes")) / field("n")
 }
 
@@ -192,7 +192,7 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
             alone = section SUBSEP row SUBSEP parts[1]
             if (!(alone in walls))
                 alone = alone "/j1"
-            if (program !~ /\/[kj][0-9]/ || key == alone || !(key in walls) || !(alone in walls))
+            if (program !~ /\/[kjx][0-9]/ || key == alone || !(key in walls) || !(alone in walls))
                 continue
             if (!shown++)
                 print "\nSpeed-up over one job, undivided, medians over rounds (a mark: a twentieth):\n\n```"
@@ -210,7 +210,8 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
 END {
     printf "- one-thread runs whose wall time was over 5 %% above their CPU time (a busy machine): %d of %d\n", \
         delayed, single
-    print "- !: other cells than the reference's; -: not run; nn: without neighbours; kK: K regions; jJ: J threads"
+    print "- !: other cells than the reference's; -: not run; nn: without neighbours; kK: K regions; jJ: J threads;"
+    print "  xC: C processes at once, each with a C-th of the points: what the processors give where nobody waits"
     for (s = 1; s <= sections; s++) {
         section = section_list[s]
         print "\n## " section
