@@ -53,7 +53,7 @@ static void *get(FILE *file, size_t size) {
     return memory;
 }
 
-// Three have no divisor in common with the lines of a sample, so each share has all methods, every other time on other samples.
+// Three has no divisor in common with the number of lines of a sample, so a share has lines of all methods alike.
 enum { SHARES = 3 };
 
 static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
