@@ -230,7 +230,7 @@ typedef struct paradt_mpi_options {
     X(seconds_partition, "reading, cutting, sending the points")                                                       \
     X(seconds_grid, "sorting them, the samples, the boxes, the guess")                                                 \
     X(seconds_build, "triangulating")                                                                                  \
-    X(seconds_ask, "sending cells in question and answering")                                                          \
+    X(seconds_ask, "asking, answering, and the wait for the slowest")                                                  \
     X(seconds_finish, "numbering and linking cells, representatives")                                                  \
     X(seconds, "all of it")
 
