@@ -56,6 +56,8 @@ NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle
 # object, and one that runs thousands of triangulations only to compare their cells. Threads run in one program.
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
 RACES        := tests/methods_agree.c
+# A test that looks into the library has the implementation in itself. The others share one object of it, built as they are.
+OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))
 
 missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
           $(if $(filter $1,$(NEEDS_CGAL)),$(if $(HAVE_CGAL),,libcgal-dev libeigen3-dev)))
@@ -75,16 +77,27 @@ SANITIZE      := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omi
 
 test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
 
+$(call program,$(OPAQUE)): $(T)/paradt.o
+$(patsubst tests/%.c,$(T)/sanitized/%,$(OPAQUE)): $(T)/sanitized/paradt.o
+$(patsubst tests/%.c,$(T)/races/%,$(OPAQUE)): $(T)/races/paradt.o
+
+$(T)/paradt.o: MANNER = -O2
+$(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE)
+$(T)/races/paradt.o: MANNER = -O2 -fsanitize=thread
+%/paradt.o: paradt.h
+	@mkdir -p $(@D)
+	echo '#include "paradt.h"' | $(CC) $(MANNER) $(TRACES) $(WARNINGS) -I. -DPARADT_IMPLEMENTATION -x c -c -o $@ -
+
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	@mkdir -p $(@D)
 	@rm -f $@
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
-	$(CXX) -o $@ $@.o $(CGAL_OBJECTS) -pthread -lcmocka -lmpfr -lgmp -lm
+	$(CXX) -o $@ $@.o $(filter %.o,$^) -pthread -lcmocka -lmpfr -lgmp -lm
 
 # Without NDEBUG CGAL asserts its own exactness; -frounding-math is what its interval arithmetic asks for.
 $(T)/cgal_%.o: tests/cgal_%.cc
@@ -94,12 +107,12 @@ $(T)/cgal_%.o: tests/cgal_%.cc
 $(T)/sanitized/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -Og $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -Og $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/races/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 $(TRACES) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/fuzz/%: fuzz/%.c
 	@mkdir -p $(@D)

@@ -1,4 +1,6 @@
 // The order in which points are read: Hilbert's curve, the sorting along it, equal points, the rounds of insertion.
+#define PARADT_STATIC // what is not called is not compiled
+#define PARADT_IMPLEMENTATION
 #include "harness.h"
 
 #include <float.h>

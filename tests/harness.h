@@ -1,4 +1,5 @@
-// What the cmocka programs share: the library's implementation, one way to run it on a sample and to say what went wrong.
+// What the cmocka programs share: one way to run the library on a sample and to say what went wrong. The implementation is
+// linked in, unless a program that looks into it has defined PARADT_IMPLEMENTATION.
 #ifndef HARNESS_H
 #define HARNESS_H
 
@@ -9,7 +10,6 @@
 
 #include <cmocka.h>
 
-#define PARADT_IMPLEMENTATION
 #include "paradt.h"
 
 #include "families.h"

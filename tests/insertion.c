@@ -1,4 +1,6 @@
 // Insertion in three dimensions: stars of all sizes, and the numbers that their vertices have.
+#define PARADT_STATIC // what is not called is not compiled
+#define PARADT_IMPLEMENTATION
 #include "harness.h"
 
 enum { POINTS = 4000, MOST_POINTS = 30001 };
