@@ -114,10 +114,11 @@ $(T)/races/%: tests/%.c
 	@rm -f $@
 	$(CC) -O2 $(TRACES) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
-$(T)/fuzz/%: fuzz/%.c
+$(T)/fuzz/%: fuzz/%.c $(T)/$(if $(HAVE_SANITIZERS),sanitized/)paradt.o
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -Og $(TRACES) -DPARADT_FUZZ_STANDALONE $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -lm
+	$(CC) -Og $(TRACES) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) \
+	    -I. -o $@ $< $(filter %.o,$^) -lm
 
 $(T)/families: tests/programs/families.c
 	@mkdir -p $(@D)

@@ -14,7 +14,9 @@
 //     4: 0, or what makes the points flat: bit 0: an axis equals the next one, else it is constant; bits 1-7: which
 //     axis
 // then points, each of its coordinates and the weight if there are weights. See the decoders for the encodings.
+#ifndef PARADT_FUZZ_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
+#endif
 #include "paradt.h"
 
 #include <stdio.h>
