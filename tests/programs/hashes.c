@@ -4,7 +4,9 @@
 //   up, down, zero   the rounding mode
 //   ftz              subnormal results and operands are zeros (SSE)
 //   single, double   the precision of x87 registers
+#ifndef HASHES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
+#endif
 #include "paradt.h"
 
 #include <fenv.h>
