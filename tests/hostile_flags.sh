@@ -21,7 +21,7 @@ skip() {
 has() { command -v "$1" >/dev/null 2>&1; }
 can() { # compiler flags...: builds and runs here
     echo 'int main(void) { return 0; }' >"$work/probe.c"
-    "$@" "$work/probe.c" -o "$work/probe" >"$work/probe.log" 2>&1 && $runner "$work/probe"
+    "$@" "$work/probe.c" -o "$work/probe" -lm >"$work/probe.log" 2>&1 && $runner "$work/probe"
 }
 runner= # what programs for another processor are run by
 
