@@ -1529,8 +1529,9 @@ static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     return minor[(1 << n) - 1];
 }
 
-PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k) {
-    paradt__wide det = k == 2 || k == 3 ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
+// few: k is 2 or 3
+PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k, int few) {
+    paradt__wide det = few ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
     return (det > 0) - (det < 0);
 }
 
@@ -1843,9 +1844,10 @@ PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, i
 }
 #endif
 
-// The sign of the task's determinant. Inlined for constant n, k, d.
+// The sign of the task's determinant. few: k is 2 or 3, and n, k and d are constants, for only then the loops of the
+// ways for few columns are unrolled into code that is short and fast.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
-                                        int d) {
+                                        int d, int few) {
     const paradt__task q = {n, k, d, s->weighted, row, base};
     int lifted = n > k;
     paradt__layout y;
@@ -1856,10 +1858,10 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
         if (lifted && lift_fits) paradt__fix_lifts(&f, &q);
         if (is_small && lift_fits) {
             s->counters.exact_small++;
-            return paradt__small_sign(&f, n, k);
+            return paradt__small_sign(&f, n, k, few);
         }
 #ifdef __SIZEOF_INT128__
-        if ((k == 2 || k == 3) && lift_fits) {
+        if (few && lift_fits) {
             s->counters.exact_fixed++;
             return paradt__fixed_one(&f, n, k);
         }
@@ -1867,7 +1869,7 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
     }
     y = paradt__lay_out(s, &q);
 #ifdef __SIZEOF_INT128__
-    if (paradt__two_fit(&y, n, k)) {
+    if (few && paradt__two_fit(&y, n, k)) {
         s->counters.exact_fixed++;
         return paradt__fixed_two(&q, &y, n, k);
     }
@@ -1878,23 +1880,28 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
 }
 
 PARADT__NOINLINE int paradt__exact_orient2(paradt__space *s, const double *const *p) {
-    return paradt__exact_inline(s, p + 1, p[0], 2, 2, 2);
+    return paradt__exact_inline(s, p + 1, p[0], 2, 2, 2, 1);
 }
 
 PARADT__NOINLINE int paradt__exact_orient3(paradt__space *s, const double *const *p) {
-    return paradt__exact_inline(s, p + 1, p[0], 3, 3, 3);
+    return paradt__exact_inline(s, p + 1, p[0], 3, 3, 3, 1);
 }
 
 PARADT__NOINLINE int paradt__exact_insphere2(paradt__space *s, const double *const *p) {
-    return paradt__exact_inline(s, p, p[3], 3, 2, 2);
+    return paradt__exact_inline(s, p, p[3], 3, 2, 2, 1);
 }
 
 PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *const *p) {
-    return -paradt__exact_inline(s, p, p[4], 4, 3, 3);
+    return -paradt__exact_inline(s, p, p[4], 4, 3, 3, 1);
+}
+
+// Points of a plane in space
+PARADT__NOINLINE int paradt__exact_flat3(paradt__space *s, const double *const *p) {
+    return paradt__exact_inline(s, p, p[3], 3, 2, 3, 1);
 }
 
 PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *row, const double *base, int n) {
-    return paradt__exact_inline(s, row, base, n, s->dim, s->ambient);
+    return paradt__exact_inline(s, row, base, n, s->dim, s->ambient, 0);
 }
 
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
@@ -1907,6 +1914,7 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
     if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
     if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
+    if (k == 2 && s->ambient == 3) return paradt__exact_flat3(s, p);
     sign = paradt__exact_any(s, p, p[k + 1], k + 1);
     return k & 1 ? -sign : sign;
 }
