@@ -3194,7 +3194,8 @@ static int paradt__span(paradt__set *set, const paradt_index *order, const doubl
         for (step = 0; step < set->count; step++) {
             size_t at = (from + step) % set->count;
             const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-            if (paradt__extends(&set->space, taken, basis, axes, x)) {
+            for (i = 0; i <= taken && basis[i] != x;) i++;
+            if (i > taken && paradt__extends(&set->space, taken, basis, axes, x)) {
                 basis[++taken] = x;
                 break;
             }
@@ -6347,18 +6348,16 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, con
 // The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
 static const unsigned char paradt__facet3[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
-static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphere, const paradt_index *vertices,
-                                     int place) {
-    const paradt__spheres3 *s = bw->spheres;
-    const unsigned char *order = paradt__facet3[place];
-    const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
-    const double *r = paradt__bw_record(bw, vertices[order[2]]), *h = s->frame.half;
+// The sphere of the ghost on a facet. seen: p
+PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__sphere3 *sphere,
+                                             const paradt__seen3 *seen, const double *p, const double *q,
+                                             const double *r) {
+    const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
     double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx, size = paradt__largest3(nx, ny, nz);
     double mx = paradt__largest3(ax, bx, 0.0), my = paradt__largest3(ay, by, 0.0), mz = paradt__largest3(az, bz, 0.0),
            t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
-    paradt__seen3 seen = paradt__seen3_of(s, p);
     if (!(s->steep < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
         sphere->error = PARADT__NO_ERROR_BOUND;
@@ -6368,10 +6367,18 @@ static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphe
     sphere->normal[0] = -t * nx;
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
-    sphere->constant = t * (nx * seen.s[0] + ny * seen.s[1] + nz * seen.s[2]);
+    sphere->constant = t * (nx * seen->s[0] + ny * seen->s[1] + nz * seen->s[2]);
     sphere->error = 2.0 * s->frame.square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
+}
+
+static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphere, const paradt_index *vertices,
+                                     int place) {
+    const unsigned char *order = paradt__facet3[place];
+    const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
+    paradt__seen3 seen = paradt__seen3_of(bw->spheres, p);
+    paradt__sphere3_of_facet(bw->spheres, sphere, &seen, p, q, paradt__bw_record(bw, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
@@ -6908,21 +6915,31 @@ static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, co
     else paradt__bw3_make_sharp_plain(bw, star, x, seen);
 }
 
-// The spheres of the ghosts among the new cells; the others into `star`.
-PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t i;
-    star->base = s->finite_base;
-    star->corner = s->finite_corner;
-    star->count = 0;
+// The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
+// nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
+PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, const double *x,
+                                         const paradt__seen3 *seen) {
+    const paradt__spheres3 *s = bw->spheres;
+    size_t count = 0, end = bw->rim_count, i;
+    star->base = bw->spheres->finite_base;
+    star->corner = bw->spheres->finite_corner;
     for (i = 0; i < bw->rim_count; i++) {
-        if ((s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0) {
-            paradt__bw3_sphere(bw, bw->cavity[i] >> 2);
-            continue;
-        }
-        star->base[star->count] = bw->cavity[i];
-        memcpy(star->corner[star->count++], s->corner[i], sizeof s->corner[i]);
+        size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
+        star->base[at] = bw->cavity[i];
+        memcpy(star->corner[at], s->corner[i], sizeof s->corner[i]);
+        count += is_ghost ^ 1;
+        end -= is_ghost;
     }
+    for (i = end; i < bw->rim_count; i++) {
+        const paradt_index *vertices = bw->cells.vertices + star->base[i]; // the point is the last one
+        paradt__tag cell = (paradt__tag)star->base[i] >> 2;
+        paradt__sphere3 *sphere = s->table + (cell & s->mask);
+        int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
+        paradt__sphere3_of_facet(s, sphere, seen, x, paradt__bw_record(bw, vertices[q]),
+                                 paradt__bw_record(bw, vertices[r]));
+        sphere->tag = cell;
+    }
+    star->count = (int)count;
 }
 
 // The spheres of the new cells, and where to start for the next point.
@@ -6935,7 +6952,7 @@ PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const p
     star.count = (int)bw->rim_count;
     s->start = bw->cavity[0] >> 2;
     // what makes spheres fills the list up, in which more of the cavity may follow
-    if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star);
+    if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star, x, seen);
     if (star.count) make(bw, &star, x, seen);
 }
 
