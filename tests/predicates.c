@@ -336,17 +336,19 @@ enum { WEIGHINGS = sizeof weighings / sizeof weighings[0] };
 // A k-flat in d dimensions: further coordinates are integer combinations of the first k.
 static void make_in_flat(sample *s) {
     int factor[PARADT_MAX_DIM][PARADT_MAX_DIM], size = random_below(2) ? 4 : 50000;
-    double stretch = random_below(2) ? 1 : 0x1000001; // odd, so that differences have many bits
+    int64_t stretch = random_below(2) ? 1 : 0x1000001; // odd, so that differences have many bits
     for (int j = s->k; j < s->d; j++)
         for (int t = 0; t < s->k; t++)
             factor[j][t] = random_between(-3, 3);
-    for (int i = 0; i < s->k + 2; i++)
+    for (int i = 0; i < s->k + 2; i++) {
+        int whole[PARADT_MAX_DIM];
         for (int j = 0; j < s->d; j++) {
-            int x = j < s->k ? random_between(-size, size) : 0;
+            whole[j] = j < s->k ? random_between(-size, size) : 0;
             for (int t = 0; t < s->k && j >= s->k; t++)
-                x += factor[j][t] * (int)(s->memory[i][t] * 8 / stretch);
-            s->memory[i][j] = shifted(x * stretch, -3);
+                whole[j] += factor[j][t] * whole[t];
+            s->memory[i][j] = shifted(whole[j] * stretch, -3);
         }
+    }
 }
 
 static void make_sample(sample *s, maker make, int k, int d, maker weigh) {
