@@ -3194,7 +3194,7 @@ static int paradt__span(paradt__set *set, const paradt_index *order, const doubl
         for (step = 0; step < set->count; step++) {
             size_t at = (from + step) % set->count;
             const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-            for (i = 0; i <= taken && basis[i] != x;) i++;
+            for (i = 0; i <= taken && basis[i] != x;) i++; // a point of the basis does not extend it
             if (i > taken && paradt__extends(&set->space, taken, basis, axes, x)) {
                 basis[++taken] = x;
                 break;
@@ -6919,10 +6919,10 @@ static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, co
 // nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
 PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, const double *x,
                                          const paradt__seen3 *seen) {
-    const paradt__spheres3 *s = bw->spheres;
+    paradt__spheres3 *s = bw->spheres;
     size_t count = 0, end = bw->rim_count, i;
-    star->base = bw->spheres->finite_base;
-    star->corner = bw->spheres->finite_corner;
+    star->base = s->finite_base;
+    star->corner = s->finite_corner;
     for (i = 0; i < bw->rim_count; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
         star->base[at] = bw->cavity[i];
@@ -6931,9 +6931,10 @@ PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, co
         end -= is_ghost;
     }
     for (i = end; i < bw->rim_count; i++) {
-        const paradt_index *vertices = bw->cells.vertices + star->base[i]; // the point is the last one
+        const paradt_index *vertices = bw->cells.vertices + star->base[i];
         paradt__tag cell = (paradt__tag)star->base[i] >> 2;
         paradt__sphere3 *sphere = s->table + (cell & s->mask);
+        // the facet's vertices in the order of paradt__facet3, but from the point on, which is the cell's last one
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
         paradt__sphere3_of_facet(s, sphere, seen, x, paradt__bw_record(bw, vertices[q]),
                                  paradt__bw_record(bw, vertices[r]));
