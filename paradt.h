@@ -2049,7 +2049,7 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
 // Points in the order of Hilbert's curve: neighbours in it are neighbours in space. The order only matters for speed,
 // but for one thing: equal points have equal positions on the curve, and are found by that. So positions come from the
 // bits of the coordinates, by integers alone. Doors: paradt__levels_for, paradt__lattice_begin, paradt__hilbert_begin,
-// paradt__curve_key, paradt__key_shift, paradt__keyed_sort.
+// paradt__curve_key, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
     uint64_t key;
@@ -2059,7 +2059,7 @@ typedef struct paradt__keyed {
 enum {
     PARADT__CURVE_BITS = 60, // of a key, at most
     PARADT__FEW_KEYS = 32,   // sorted by insertion
-    PARADT__DIGIT_BITS = 8,  // of a key, by which all points are sorted first
+    PARADT__DIGIT_BITS = 8,  // of a key, by which all points are sorted first, at most
     PARADT__DIGITS = 1 << PARADT__DIGIT_BITS,
     PARADT__MOST_DIGIT_BITS = 11, // by which some of them are sorted next, at most
     PARADT__STEP_BITS = 6,        // of a key, found at once for many points in two or three dimensions
@@ -2067,10 +2067,6 @@ enum {
     PARADT__MANY_KEYS = 2048,
     PARADT__FLAT = 1 << 14 // an exponent that makes every coordinate 0
 };
-
-static int paradt__key_shift(int bits) {
-    return bits > PARADT__DIGIT_BITS ? bits - PARADT__DIGIT_BITS : 0;
-}
 
 // The bits of a key by which so many are sorted next, of those that are left: as many as give each key a value of its
 // own, if they are spread evenly. Where that takes too large a table, two steps have half of the bits each.
@@ -2205,19 +2201,18 @@ static void paradt__lattice_begin(paradt__lattice *lattice, int dim, int levels,
 // the curve, and the orientation of the curve (entry corner and direction) to that inside the orthant (Hamilton,
 // "Compact Hilbert indices", Dalhousie University, CS-2006-07).
 PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *entry, unsigned *direction) {
-    unsigned n = (unsigned)dim, all = (1u << n) - 1, turn = *direction + 1, place, start, ones = 0, low;
+    unsigned n = (unsigned)dim, all = (1u << n) - 1, turn = *direction + 1, place, start;
     bits ^= *entry;
     bits = (bits >> turn | bits << (n - turn)) & all;
     place = bits;
     place ^= place >> 1;
     place ^= place >> 2;
     place ^= place >> 4;
-    start = place ? (place - 1) & ~1u : 0;
+    start = (place - (place != 0)) & ~1u;
     start ^= start >> 1;
     *entry ^= (start << turn | start >> (n - turn)) & all;
-    low = place & 1 ? place : place - 1;
-    for (; place && low & 1; low >>= 1) ones++;
-    *direction = (*direction + ones % n + 1) % n;
+    // by the ones at the end of an odd place and those of the place before an even one
+    *direction = (turn + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
     return place;
 }
 
@@ -2242,18 +2237,30 @@ static uint16_t paradt__hilbert_steps(const paradt__hilbert *hilbert, unsigned t
     return (uint16_t)(turn << PARADT__STEP_BITS | key);
 }
 
-// For `count` points, about
-static void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t count) {
-    unsigned n = (unsigned)dim, turns = dim < 4 ? n << n : 0, turn, bits;
-    hilbert->dim = dim;
-    hilbert->many = dim > 1 && dim < 4 && count >= PARADT__MANY_KEYS;
-    for (turn = 0; turn < turns; turn++) {
-        for (bits = 0; bits < 1u << n; bits++) {
-            unsigned entry = turn / n, direction = turn % n, place;
-            place = paradt__hilbert_step(dim, bits, &entry, &direction);
-            hilbert->step[turn << n | bits] = (uint16_t)((entry * n + direction) << n | place);
+// The steps of one level: in every orientation they are those of the first one, turned and mirrored. Inlined with a
+// constant.
+PARADT__INLINE void paradt__hilbert_table(paradt__hilbert *hilbert, int dim) {
+    unsigned n = (unsigned)dim, all = (1u << n) - 1, bits, corner, turn;
+    for (bits = 0; bits <= all; bits++) {
+        unsigned entry = 0, direction = n - 1, place = paradt__hilbert_step(dim, bits, &entry, &direction);
+        for (turn = 1; turn <= n; turn++) {
+            unsigned turned = (bits << turn | bits >> (n - turn)) & all;
+            unsigned leave = (entry << turn | entry >> (n - turn)) & all, next = (direction + turn) % n;
+            for (corner = 0; corner <= all; corner++) {
+                unsigned from = (corner * n + turn - 1) << n | (turned ^ corner);
+                hilbert->step[from] = (uint16_t)(((leave ^ corner) * n + next) << n | place);
+            }
         }
     }
+}
+
+// For `count` points, about
+static void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t count) {
+    unsigned turns = (unsigned)dim << dim, turn, bits;
+    hilbert->dim = dim;
+    hilbert->many = dim > 1 && dim < 4 && count >= PARADT__MANY_KEYS;
+    if (dim == 3) paradt__hilbert_table(hilbert, 3);
+    if (dim == 2) paradt__hilbert_table(hilbert, 2);
     for (turn = 0; hilbert->many && turn < turns; turn++) {
         for (bits = 0; bits < 1u << PARADT__STEP_BITS; bits++)
             hilbert->steps[turn << PARADT__STEP_BITS | bits] = paradt__hilbert_steps(hilbert, turn, bits);
@@ -2700,6 +2707,7 @@ typedef struct paradt__loader {
     double *sample;     // [sampled][dim] points that tell how they are spread, in the set's records
     size_t sampled;
     int shift; // of a key's first digit, which has a bit more where there are boxes: that is a key's upper part then
+    size_t digits; // values that it may have
     paradt__hilbert hilbert;
     paradt__lattice lattice;
     paradt__keyed *keyed, *other; // [points.count], the other in the set's records
@@ -2964,23 +2972,32 @@ PARADT__INLINE size_t paradt__first_digit(const paradt__loader *loader, uint64_t
     return (size_t)(key >> loader->shift);
 }
 
-static void paradt__key_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i),
-              *count = loader->place[index];
-    int bits = loader->lattice.dim * loader->lattice.levels;
-    memset(count, 0, sizeof loader->place[index]);
+// Makes the keys of a task's points.
+PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t index, int dim) {
+    paradt_points points = loader->source->points; // copies, that no store through a pointer can change
+    paradt__lattice lattice = loader->lattice;
+    paradt__keyed *keyed = loader->keyed;
+    size_t i, end = paradt__loader_share(loader, points.count, index, &i), *count = loader->place[index];
+    int bits = dim * lattice.levels;
+    points.dim = lattice.dim = dim;
+    memset(count, 0, loader->digits * sizeof *count);
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        paradt__coordinates(&loader->source->points, i, x);
-        paradt__fetch_point(&loader->source->points, i + PARADT__POINTS_AHEAD);
-        key = paradt__curve_key(&loader->hilbert, &loader->lattice, x);
+        paradt__coordinates(&points, i, x);
+        paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
+        key = paradt__curve_key(&loader->hilbert, &lattice, x);
         if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
-        loader->keyed[i].key = key;
-        loader->keyed[i].point = (paradt_index)i;
+        keyed[i].key = key;
+        keyed[i].point = (paradt_index)i;
         count[paradt__first_digit(loader, key)]++;
     }
+}
+
+static void paradt__key_task(void *context, size_t index) {
+    paradt__loader *loader = (paradt__loader *)context;
+    if (loader->lattice.dim == 3) paradt__make_keys(loader, index, 3);
+    else paradt__make_keys(loader, index, loader->lattice.dim);
 }
 
 static void paradt__scatter_task(void *context, size_t index) {
@@ -2998,7 +3015,7 @@ static void paradt__sort_task(void *context, size_t index) {
     paradt__loader *loader = (paradt__loader *)context;
     const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
     size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
-    for (digit = 0; digit < PARADT__FIRST_DIGITS; begin = ends[digit++]) {
+    for (digit = 0; digit < loader->digits; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
         paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
@@ -3026,13 +3043,15 @@ static void paradt__loader_sort(paradt__loader *loader) {
     size_t count = loader->source->points.count, tasks = loader->team->tasks, before = 0, digit, i;
     int dim = loader->set->space.ambient, levels = paradt__levels_for(count, dim), step = PARADT__STEP_BITS / dim;
     int box_bits = loader->cuts ? paradt__bit_length(loader->cuts->boxes - 1) : 0;
+    int digit_bits = paradt__min(paradt__bit_length(count), PARADT__DIGIT_BITS) + (box_bits > 0);
     paradt__hilbert_begin(&loader->hilbert, dim, count);
     if (paradt__loader_crowded(loader, levels)) levels = paradt__levels_for(SIZE_MAX, dim);
     while (dim * levels + box_bits > 64) levels -= step > 1 ? step : 1;
-    loader->shift = paradt__key_shift(dim * levels + box_bits - (box_bits > 0));
+    loader->shift = paradt__max(dim * levels + box_bits - digit_bits, 0);
+    loader->digits = (size_t)1 << (dim * levels + box_bits - loader->shift);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
-    for (digit = 0; digit < PARADT__FIRST_DIGITS; digit++) {
+    for (digit = 0; digit < loader->digits; digit++) {
         for (i = 0; i < tasks; i++) {
             size_t here = loader->place[i][digit];
             loader->place[i][digit] = before;
@@ -5814,7 +5833,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 enum {
     PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (16 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
-    PARADT__LEAST_SPHERES = 1 << 11, // for few: a block that large keeps common allocators from giving pages back
+    PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
     PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
     PARADT__COMMON_STAR = 60,        // new cells that a point has as a rule at most, with
@@ -6920,19 +6939,20 @@ static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, co
 PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, const double *x,
                                          const paradt__seen3 *seen) {
     paradt__spheres3 *s = bw->spheres;
-    size_t count = 0, end = bw->rim_count, i;
-    star->base = s->finite_base;
-    star->corner = s->finite_corner;
-    for (i = 0; i < bw->rim_count; i++) {
+    const size_t rim = bw->rim_count;
+    const paradt_index *cavity = bw->cavity;
+    paradt_index *base = s->finite_base;
+    size_t count = 0, end = rim, i;
+    for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
-        star->base[at] = bw->cavity[i];
-        memcpy(star->corner[at], s->corner[i], sizeof s->corner[i]);
+        base[at] = cavity[i];
+        memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
-    for (i = end; i < bw->rim_count; i++) {
-        const paradt_index *vertices = bw->cells.vertices + star->base[i];
-        paradt__tag cell = (paradt__tag)star->base[i] >> 2;
+    for (i = end; i < rim; i++) {
+        const paradt_index *vertices = bw->cells.vertices + base[i];
+        paradt__tag cell = (paradt__tag)base[i] >> 2;
         paradt__sphere3 *sphere = s->table + (cell & s->mask);
         // the facet's vertices in the order of paradt__facet3, but from the point on, which is the cell's last one
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
@@ -6940,6 +6960,8 @@ PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, co
                                  paradt__bw_record(bw, vertices[r]));
         sphere->tag = cell;
     }
+    star->base = base;
+    star->corner = s->finite_corner;
     star->count = (int)count;
 }
 
@@ -7475,14 +7497,18 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
-    size_t size = PARADT__LEAST_SPHERES, points = bw->cells.lent ? 16 : 5, i;
+    size_t size = 64, points = bw->cells.lent ? 16 : 5, room, bytes, i;
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
     while (size < bw->count / points && size < PARADT__MOST_SPHERES) size *= 2;
-    s = (paradt__spheres3 *)paradt__alloc_filled(bw->memory, 1, sizeof *s + (size + 1) * sizeof *s->table);
+    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
+    bytes = sizeof *s + (room + 1) * sizeof *s->table;
+    s = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, bytes);
     bw->spheres = s;
     if (!s) return PARADT_ERROR_MEMORY;
+    // few points: allocators keep their pages from the call before, and to find them made takes a seventh of a call
+    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
     memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_line(s + 1);
