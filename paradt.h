@@ -8187,14 +8187,17 @@ typedef struct paradt__patch {
     uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
-// Lays the grid of a field over `count` points of the set.
-static paradt_status paradt__field_begin(paradt__field *field, const paradt__set *set, size_t count,
-                                         paradt__memory *memory) {
+// A field of `count` points of the set, without a grid.
+static void paradt__field_begin(paradt__field *field, const paradt__set *set, size_t count) {
+    int axis;
     field->set = *set;
     field->set.records = set->records + field->begin * set->width;
     field->set.origin = NULL;
     field->set.count = count;
-    return count ? paradt__grid_lay(&field->grid, &field->set, memory) : PARADT_OK;
+    for (axis = 0; axis < PARADT_MAX_DIM; axis++) {
+        field->low[axis] = -PARADT__FAR;
+        field->high[axis] = PARADT__FAR;
+    }
 }
 
 // --- points
@@ -8389,7 +8392,6 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
     const paradt__field *own = patch->fields + patch->own;
     size_t needed, i;
     paradt_status status;
-    patch->trusts = patch->own == 0 && patch->field_count > 1 && paradt__spans(&own->set);
     status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
     needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
@@ -9324,6 +9326,7 @@ typedef struct paradt__work {
     struct paradt__region *region;          // [regions]
     paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
     paradt__active seam;                    // with insertion: open facets of regions, in the end
+    int trusts;                             // with insertion: the first region has its own points alone
     int translated;                         // the cells have the caller's indices already
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
@@ -9447,18 +9450,15 @@ static void paradt__front_task(void *context, size_t index) {
             paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
 }
 
-// By insertion, first step: the region's field.
-static void paradt__field_task(void *context, size_t index) {
+// By insertion, first step: the grid of the region's points. Of two regions of which the first trusts the other, only
+// that one looks for points of the other.
+static void paradt__grid_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__field *field = work->fields + index;
-    int axis;
-    for (axis = 0; axis < PARADT_MAX_DIM; axis++) {
-        field->low[axis] = -PARADT__FAR;
-        field->high[axis] = PARADT__FAR;
-    }
-    paradt__cuts_box(&work->cuts, index, field->low, field->high);
-    region->status = paradt__field_begin(field, &work->set, paradt__region_count(work, index), &region->memory);
+    int asked = !work->trusts || work->regions > 2 || index == 0;
+    region->status = PARADT_OK;
+    if (asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
 }
 
 // By insertion, second step: the points to begin with.
@@ -9466,6 +9466,7 @@ static void paradt__points_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
+    region->patch.trusts = work->trusts && index == 0;
     region->status = paradt__patch_points(&region->patch, work->basis);
 }
 
@@ -9762,12 +9763,18 @@ static void paradt__find_basis(paradt__work *work) {
     }
 }
 
-// The first step of insertion: gaps between the regions' points make room for others'.
+// Gaps between the regions' points make room for others'. The first region trusts the others if its points span.
 static void paradt__open_set(paradt__work *work) {
     size_t i;
     if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
     paradt__find_basis(work);
     for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
+    for (i = 0; i < work->regions; i++) {
+        paradt__field *field = work->fields + i;
+        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        paradt__cuts_box(&work->cuts, i, field->low, field->high);
+    }
+    work->trusts = work->regions > 1 && paradt__spans(&work->fields[0].set);
 }
 
 // The set without them
@@ -9834,6 +9841,7 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     paradt__rows to;
     paradt_status status;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
+    patch->trusts = work->trusts && index == 0;
     status = paradt__patch_points(patch, work->basis);
     capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
     rest = paradt__bw_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
@@ -9923,7 +9931,7 @@ static paradt_status paradt__build_patches(paradt__work *work) {
     memset(work->fields, 0, work->regions * sizeof *work->fields);
     paradt__open_set(work);
     paradt__share_memory(work);
-    status = paradt__run_regions(work, paradt__field_task);
+    status = paradt__run_regions(work, paradt__grid_task);
     paradt__share_memory(work);
     if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
     taken = status == PARADT__GAVE_UP && !work->in_turn;
