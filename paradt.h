@@ -3323,8 +3323,9 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
 // when an affine function is added to the lift, so for such a set the lift is measured from a sphere that the points
 // are near to: instead of |x|^2 each record carries its sagitta r^2 - |x - o|^2, computed once in integers, with an
 // error far below the noise that decides. Lifts then are as small as the noise, so are the spheres' coefficients, and a
-// box is known by its largest sagitta. Only the floating-point search uses it; the predicates go on working with the
-// coordinates. Doors: paradt__set_grade, paradt__centre_shift.
+// box is known by its largest sagitta. The floating-point search and the insertion's spheres in three dimensions use
+// it; the predicates go on working with the coordinates. Doors: paradt__set_grade, paradt__centre_shift, and for sets
+// that know of a part of the points each paradt__fit_sphere, paradt__set_sagittas, paradt__set_grade_bounds.
 
 // How far the centre of the smallest sphere through o and `count` - 1 more points, whose span the rows are an
 // orthonormal basis of, moves to include x too; along *row, the unit vector across the span towards x, at height
@@ -3349,8 +3350,10 @@ static double paradt__centre_shift(const double *o, const double *x, double rows
     return lift / (2.0 * length);
 }
 
-// The sphere through dim + 1 points far from each other, of a sample. 0: not found, or the sample is not near it.
-static int paradt__fit_sphere(const paradt__set *set, double *centre, double *radius2) {
+#define PARADT__NEAR_SPHERE 0.0009765625 // of r^2: |r^2 - |x - o|^2| for x near to it
+
+// The sphere through dim + 1 points far from each other, of a sample. 0: not found, or the sample is not so near to it.
+static int paradt__fit_sphere(const paradt__set *set, double nearness, double *centre, double *radius2) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], row[PARADT_MAX_DIM], shift[PARADT_MAX_DIM] = {0.0}, height;
     size_t step = set->count / 64, i;
     const double *o = set->records;
@@ -3378,88 +3381,113 @@ static int paradt__fit_sphere(const paradt__set *set, double *centre, double *ra
             double u = o[i * step * set->width + (size_t)j] - centre[j];
             excess += u * u;
         }
-        if (!(paradt__abs(excess) < *radius2 * 0.0009765625)) return 0;
+        if (!(paradt__abs(excess) < *radius2 * nearness)) return 0;
     }
     return 1;
 }
 
-// x / 2^(top - 81), cut off to an integer, in three digits of 27 bits, the first one the highest; |x| < 2^top.
+enum { PARADT__SAGITTA_DIGITS = 4 };
+
+// x / 2^(top - 108), cut off to an integer, in four digits of 27 bits, the first one the highest; |x| < 2^top.
 static void paradt__digits_of(double x, int top, int64_t *digits) {
     int exponent, shift, i;
     uint64_t mantissa = paradt__split(x, &exponent);
-    shift = exponent - (top - 81);
-    if (shift < 0) {
-        mantissa = shift > -64 ? mantissa >> -shift : 0;
-        shift = 0;
+    shift = exponent - top + 27;
+    for (i = 0; i < PARADT__SAGITTA_DIGITS; i++, shift += 27) { // the digit's lowest bit is that of 2^-shift
+        uint64_t part = shift >= 0 ? mantissa << (shift < 27 ? shift : 27) : shift > -64 ? mantissa >> -shift : 0;
+        digits[i] = (int64_t)(part & 0x7ffffff);
+        if (x < 0.0) digits[i] = -digits[i];
     }
-    digits[2] = shift < 27 ? (int64_t)(mantissa << shift & 0x7ffffff) : 0;
-    digits[1] = (int64_t)((shift < 27 ? mantissa >> (27 - shift) : mantissa << (shift - 27)) & 0x7ffffff);
-    digits[0] = (int64_t)(mantissa >> (54 - shift));
-    for (i = 0; i < 3 && x < 0.0; i++) digits[i] = -digits[i];
 }
 
-// r^2 - |x - o|^2, r^2 = squared * 2^(2 top - 54); o in digits. Every coordinate is cut off below 2^(top - 81), an
-// error of at most d 2^(2 top - 77); the sum is exact up to its last rounding to a double, of at most 2^-48 of itself.
-static double paradt__sagitta(const double *x, const int64_t (*o)[3], int64_t squared, int top, int ambient) {
-    int64_t level[5] = {0, 0, 0, 0, 0}, d[3], carry;
+// r^2 - |x - o|^2, r^2 = squared * 2^(2 top - 54); o in digits. Every coordinate is cut off below 2^(top - 108), an
+// error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double, of at most 2^-48 of itself.
+static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared, int top,
+                              int ambient) {
+    enum { LAST = 2 * PARADT__SAGITTA_DIGITS - 2 };
+    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS], carry;
     double sum = 0.0;
-    int i, j;
-    for (j = 0; j < ambient; j++) {
+    int i, j, k;
+    for (j = 0; j < ambient; j++) { // each adds less than 2^57 to a level
         paradt__digits_of(x[j], top, d);
-        for (i = 0; i < 3; i++) d[i] -= o[j][i];
-        level[0] += d[0] * d[0];
-        level[1] += 2 * d[0] * d[1];
-        level[2] += 2 * d[0] * d[2] + d[1] * d[1];
-        level[3] += 2 * d[1] * d[2];
-        level[4] += d[2] * d[2];
+        for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) d[i] -= o[j][i];
+        for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) {
+            for (k = 0; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += d[i] * d[k];
+        }
     }
     level[0] -= squared;
-    for (i = 4; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
+    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
         carry = (level[i] + (1 << 26)) / (1 << 27) - (level[i] + (1 << 26) < 0);
         level[i] -= carry * (1 << 27);
         level[i - 1] += carry;
     }
-    for (i = 4; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
+    for (i = LAST; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
     return -sum;
 }
 
-// Gives the records their sagittas, if the set is near to a sphere.
-static paradt_status paradt__set_grade(paradt__set *set, paradt__memory *memory) {
-    double *centre = set->centre, radius2, largest = 0.0, *records;
-    int64_t o[PARADT_MAX_DIM][3], squared;
-    int ambient = set->space.ambient, top = 0, j;
-    size_t i;
-    if (set->count < 64 || set->grade || set->space.dim < ambient || !set->space.filtered) return PARADT_OK;
-    if (!paradt__fit_sphere(set, centre, &radius2)) return PARADT_OK;
-    while (top < 100 && paradt__power(2 * top) < 4.0 * radius2) top++;
-    while (top > -100 && paradt__power(2 * top - 2) > 4.0 * radius2) top--;
+// The exponent of the least power of two that is twice the radius and more than four times the centre's coordinates.
+static int paradt__sphere_top(const double *centre, double radius2, int ambient) {
+    double reach = 4.0 * radius2;
+    int top = 0, j;
+    for (j = 0; j < ambient; j++) reach = paradt__larger(reach, 16.0000001 * centre[j] * centre[j]);
+    while (top < 100 && paradt__power(2 * top) < reach) top++;
+    while (top > -100 && paradt__power(2 * top - 2) > reach) top--;
+    return top;
+}
+
+// Gives the records their sagittas by the sphere around set->centre, in new memory with room for so many. *nearby:
+// whether all points are so near to it; if not, the set remains as it is. The largest sagitta is left in
+// set->grade_limit, in set->grade_error what comes of cutting off.
+static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t room,
+                                          paradt__memory *memory, int *nearby) {
+    int ambient = set->space.ambient, top = paradt__sphere_top(set->centre, radius2, ambient), j;
+    int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
+    double largest = 0.0, *records;
+    size_t i, width = set->width;
+    *nearby = radius2 < paradt__power(2 * top);
     for (j = 0; j < ambient; j++) {
-        if (!(paradt__abs(centre[j]) < 0.25 * paradt__power(top))) return PARADT_OK;
-        paradt__digits_of(centre[j], top, o[j]);
+        paradt__digits_of(set->centre[j], top, o[j]);
+        *nearby &= paradt__abs(set->centre[j]) < 0.25 * paradt__power(top);
     }
+    if (!*nearby) return PARADT_OK;
     squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
-    records = (double *)paradt__alloc(memory, set->capacity, (set->width + 1) * sizeof(double));
+    records = (double *)paradt__alloc(memory, room, (width + 1) * sizeof(double));
     if (!records) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < set->count; i++) {
-        double *to = records + i * (set->width + 1), size = 0.0;
-        memcpy(to, set->records + i * set->width, set->width * sizeof(double));
-        for (j = 0; j < ambient; j++) size = paradt__larger(size, paradt__abs(to[j]));
-        if (!(size < paradt__power(top))) break;
-        to[ambient] = paradt__sagitta(to, (const int64_t(*)[3])o, squared, top, ambient);
+    for (i = 0; i < set->count && *nearby; i++) {
+        double *to = records + i * (width + 1);
+        memcpy(to, set->records + i * width, width * sizeof(double));
+        *nearby = paradt__largest(to, ambient) < paradt__power(top);
+        if (!*nearby) break;
+        to[ambient] = paradt__sagitta(to, (const int64_t(*)[PARADT__SAGITTA_DIGITS])o, squared, top, ambient);
         largest = paradt__larger(largest, paradt__abs(to[ambient]));
-        if (!(largest < radius2 * 0.0009765625)) break;
+        *nearby = largest < radius2 * nearness;
     }
-    if (i < set->count) {
-        paradt__release(memory, records);
-        return PARADT_OK;
-    }
-    paradt__release(memory, set->records);
+    paradt__release(memory, *nearby ? set->records : records);
+    if (!*nearby) return PARADT_OK;
     set->records = records;
     set->width++;
     set->grade = PARADT__SAGITTA;
-    set->grade_limit = largest * 1.0000001;
-    set->grade_error = ambient * paradt__power(2 * top - 77) + largest * paradt__power(-48);
+    set->grade_limit = largest;
+    set->grade_error = ambient * paradt__power(2 * top - 104);
     return PARADT_OK;
+}
+
+// The bounds, if no sagitta is larger than that.
+static void paradt__set_grade_bounds(paradt__set *set, double largest) {
+    set->grade_limit = largest * 1.0000001;
+    set->grade_error += largest * paradt__power(-48);
+}
+
+// Gives the records their sagittas, if the set is so near to a sphere.
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+    double radius2;
+    int nearby;
+    paradt_status status;
+    if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
+    if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5824,10 +5852,16 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // the products P = m_x m_y m_z, N_x = L m_y m_z, N_y = m_x L m_z, N_z = m_x m_y L, for fewer operations. The sums are
 // taken once the products have left many powers open that the in-sphere filter decides: where cells are long and thin.
 // Sums may be associated in any order and contracted: that only drops roundings.
-// A power times det is the in-sphere determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a
-// power whose size is surely less than quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A
-// ghost's function is -t N . (x - p) + |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u * 2
-// m_y m_z, the terms N_j (x - p)_j pass 8 more roundings; the lift adds at most 1.1 H. In all less than
+// Points near a reference sphere, of centre o, have sagittas (see >>reference sphere). There g(x) = -sagitta is taken
+// for |x|^2, which adds an affine function to it: with g(a) - g(p) in the place of |a|^2 in n,
+//     normal = -w, constant = w . s_p - g(p),   and power(x) = g(x) + normal . x + constant is what it was.
+// g is wrong by E at most, and G at most in size. n_j is wrong by 12.1u N_j again if N_j has E / 4u added to the size
+// of each difference: two of E are less than 12.1u of that. The power's terms add up to 2 G + 2 W, and E counts twice:
+// with H = G + E / 16u the same bound holds, which is as small as the noise. A power times det is the in-sphere
+// determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a power whose size is surely less than
+// quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A ghost's function is -t N . (x - p) +
+// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u * 2 m_y m_z, the terms N_j (x - p)_j pass
+// 8 more roundings; the lift adds at most 1.1 H. In all less than
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
@@ -5875,15 +5909,22 @@ typedef struct paradt__seen3 {
 // A vertex of the cavity: at first its number among the points, then what leads to it from the new point
 typedef union paradt__around3 {
     paradt_index vertex;
-    double edge[4]; // by axis, and the square of its length
+    double edge[4]; // by axis, and the square of its length, or how much g is larger there
 } paradt__around3;
 
 enum { PARADT__NEXT_NUMBER = sizeof(paradt__around3) }; // from number to number
 
-// What bounds the errors: half of the bounding box' sides, rounded up, and H
+// What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
 typedef struct paradt__frame3 {
-    double half[3], square;
+    double half[3], square, slack;
 } paradt__frame3;
+
+// How spheres are made
+typedef enum paradt__making3 {
+    PARADT__MAKE_QUICKLY,
+    PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
+    PARADT__MAKE_GRADED, // with these, by sagittas
+} paradt__making3;
 
 typedef struct paradt__spheres3 {
     paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
@@ -5891,7 +5932,8 @@ typedef struct paradt__spheres3 {
     int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
     double centre[3]; // of the bounding box
     paradt__frame3 frame;
-    double steep;       // 2^60 H^(1/2)
+    double square;      // H as it is without sagittas
+    double steep;       // 2^60 times its root
     double nil;         // powers of less than this in size are 0
     paradt__seen3 next; // the point to be inserted next
     paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
@@ -5899,7 +5941,7 @@ typedef struct paradt__spheres3 {
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
     // in-sphere filter did
     size_t made, missed, vague;
-    int sharp;         // the bounds on the powers' errors are the sharp ones
+    paradt__making3 making;
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
     size_t large_star, large_rows; // for so many new cells
@@ -5930,6 +5972,7 @@ typedef struct paradt__spheres3 {
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
 #define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
+#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26
 
 // The vertex with a number, as an offset
 PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__around3 *around, size_t offset) {
@@ -5957,6 +6000,8 @@ typedef struct paradt__bw {
     const double *records;     // [count][width]
     const paradt_index *order; // [count] of insertion; NULL: that of the records
     size_t width, count;
+    int graded; // records have sagittas, of at most grade_limit in size, wrong by grade_error
+    double grade_limit, grade_error;
     size_t inserted;         // points so far
     size_t later;            // points that may come after these, as far as can be foreseen: for the room
     double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
@@ -6297,17 +6342,18 @@ PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const d
     seen.s[1] = x[1] - s->centre[1];
     seen.s[2] = x[2] - s->centre[2];
     seen.lift = seen.s[0] * seen.s[0] + seen.s[1] * seen.s[1] + seen.s[2] * seen.s[2];
+    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) seen.lift = -x[3];
     return seen;
 }
 
 // The edge from a point to another
-PARADT__INLINE paradt__around3 paradt__around3_of(const double *from, const double *to) {
+PARADT__INLINE paradt__around3 paradt__around3_of(paradt__making3 making, const double *from, const double *to) {
     paradt__around3 around;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
     around.edge[0] = x;
     around.edge[1] = y;
     around.edge[2] = z;
-    around.edge[3] = x * x + y * y + z * z;
+    around.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
     return around;
 }
 
@@ -6320,12 +6366,14 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2. Straight code, to be vectorised:
-// where the determinant is too small it is replaced, and the bound on the error leaves all in doubt. (By a choice: with
-// x87 registers the difference of the two need not be 0 where they are the same, as one may have been rounded.)
-PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, const paradt__seen3 *p, const double *a,
-                                         const double *b, const double *c, double *normal, double *constant,
-                                         double *error) {
+// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2, or g(p + a) - g(p). Straight code,
+// to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
+// (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
+// been rounded.)
+PARADT__INLINE void paradt__sphere3_make(paradt__making3 making, const paradt__frame3 *f, const paradt__seen3 *p,
+                                         const double *a, const double *b, const double *c, double *normal,
+                                         double *constant, double *error) {
+    const int graded = making == PARADT__MAKE_GRADED;
     double ax = a[0], ay = a[1], az = a[2], la = a[3], bx = b[0], by = b[1], bz = b[2], lb = b[3];
     double cx = c[0], cy = c[1], cz = c[2], lc = c[3];
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
@@ -6333,15 +6381,18 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, con
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
     double det = ax * bcx + ay * bcy + az * bcz, size, sides; // P, sum N_j h_j
     double floor, safe, inverse, wx, wy, wz, reach;
-    if (sharp) {
+    if (making != PARADT__MAKE_QUICKLY) {
+        double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
+        double slc = graded ? paradt__abs(lc) + f->slack : lc;
         double sbcx = paradt__minor_size(by, bz, cy, cz), sbcy = paradt__minor_size(bz, bx, cz, cx);
         double sbcz = paradt__minor_size(bx, by, cx, cy), scax = paradt__minor_size(cy, cz, ay, az);
         double scay = paradt__minor_size(cz, cx, az, ax), scaz = paradt__minor_size(cx, cy, ax, ay);
         double sabx = paradt__minor_size(ay, az, by, bz), saby = paradt__minor_size(az, ax, bz, bx);
         double sabz = paradt__minor_size(ax, ay, bx, by);
         size = paradt__abs(ax) * sbcx + paradt__abs(ay) * sbcy + paradt__abs(az) * sbcz;
-        sides = f->half[0] * (la * sbcx + lb * scax + lc * sabx) + f->half[1] * (la * sbcy + lb * scay + lc * saby) +
-                f->half[2] * (la * sbcz + lb * scaz + lc * sabz);
+        sides = f->half[0] * (sla * sbcx + slb * scax + slc * sabx) +
+                f->half[1] * (sla * sbcy + slb * scay + slc * saby) +
+                f->half[2] * (sla * sbcz + slb * scaz + slc * sabz);
     } else {
         double mx = paradt__abs(ax) + paradt__abs(bx) + paradt__abs(cx);
         double my = paradt__abs(ay) + paradt__abs(by) + paradt__abs(cy);
@@ -6356,10 +6407,10 @@ PARADT__INLINE void paradt__sphere3_make(int sharp, const paradt__frame3 *f, con
     wy = (la * bcy + lb * cay + lc * aby) * inverse;
     wz = (la * bcz + lb * caz + lc * abz) * inverse;
     reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1] + paradt__abs(wz) * f->half[2];
-    normal[0] = -2.0 * p->s[0] - wx;
-    normal[1] = -2.0 * p->s[1] - wy;
-    normal[2] = -2.0 * p->s[2] - wz;
-    *constant = p->lift + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
+    normal[0] = graded ? -wx : -2.0 * p->s[0] - wx;
+    normal[1] = graded ? -wy : -2.0 * p->s[1] - wy;
+    normal[2] = graded ? -wz : -2.0 * p->s[2] - wz;
+    *constant = (graded ? -p->lift : p->lift) + (wx * p->s[0] + wy * p->s[1] + wz * p->s[2]);
     *error = 64.0 * PARADT__UNIT_ERROR * (f->square + (size * reach + sides) * inverse) +
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
@@ -6387,7 +6438,7 @@ PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
     sphere->constant = t * (nx * seen->s[0] + ny * seen->s[1] + nz * seen->s[2]);
-    sphere->error = 2.0 * s->frame.square +
+    sphere->error = 2.0 * s->square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
@@ -6411,11 +6462,11 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
     } else {
         const double *a = paradt__bw_record(bw, vertices[0]), *b = paradt__bw_record(bw, vertices[1]);
         const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
-        paradt__around3 to_a = paradt__around3_of(p, a), to_b = paradt__around3_of(p, b),
-                        to_c = paradt__around3_of(p, c);
+        paradt__around3 to_a = paradt__around3_of(s->making, p, a), to_b = paradt__around3_of(s->making, p, b),
+                        to_c = paradt__around3_of(s->making, p, c);
         paradt__seen3 seen = paradt__seen3_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->sharp, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+        paradt__sphere3_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                              &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
@@ -6721,7 +6772,7 @@ PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
     size_t size = 4 * ((size_t)s->mask + 1), i;
     double to_come = 28.0 * (double)(bw->count - bw->inserted); // cells, at least
     int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16) s->sharp = 1;
+    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
     s->made = s->missed = s->vague = 0;
     if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
     paradt__release(bw->memory, s->large_table);
@@ -6874,8 +6925,8 @@ PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
 
 // The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
 // the four lanes the least power so far is kept, and of which four it is.
-PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                         const paradt__seen3 *seen) {
+PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__bw *bw, paradt__star3 *star,
+                                         const double *x, const paradt__seen3 *seen) {
     paradt__spheres3 *s = bw->spheres;
     const paradt__frame3 frame = s->frame;
     paradt__seen3 p = *seen, next = s->next;
@@ -6883,7 +6934,7 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
     double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
     paradt__around3 *around = s->around, *end = paradt__around3_at(around, s->around_end);
     int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++) *around = paradt__around3_of(x, paradt__bw_record(bw, around->vertex));
+    for (; around < end; around++) *around = paradt__around3_of(making, x, paradt__bw_record(bw, around->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
@@ -6902,7 +6953,7 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
             const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
             const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
             double n[3], d, e;
-            paradt__sphere3_make(sharp, &frame, &p, to_b, to_a, to_c, n, &d, &e);
+            paradt__sphere3_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
             for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
             four.constant[lane] = d;
             four.error[lane] = e;
@@ -6925,13 +6976,20 @@ PARADT__INLINE void paradt__bw3_make_any(int sharp, const paradt__bw *bw, paradt
 
 PARADT__NOINLINE void paradt__bw3_make_sharp_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                                    const paradt__seen3 *seen) {
-    paradt__bw3_make_any(1, bw, star, x, seen);
+    paradt__bw3_make_any(PARADT__MAKE_SHARP, bw, star, x, seen);
+}
+
+PARADT__NOINLINE void paradt__bw3_make_graded(const paradt__bw *bw, paradt__star3 *star, const double *x,
+                                              const paradt__seen3 *seen) {
+    paradt__bw3_make_any(PARADT__MAKE_GRADED, bw, star, x, seen);
 }
 
 static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                    const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!bw->spheres->sharp)) paradt__bw3_make_any(0, bw, star, x, seen);
-    else paradt__bw3_make_sharp_plain(bw, star, x, seen);
+    paradt__making3 making = bw->spheres->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_any(PARADT__MAKE_QUICKLY, bw, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_plain(bw, star, x, seen);
+    else paradt__bw3_make_graded(bw, star, x, seen);
 }
 
 // The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
@@ -7409,8 +7467,10 @@ PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(const paradt__bw 
 
 PARADT__AVX2 static void paradt__bw3_make_avx2(const paradt__bw *bw, paradt__star3 *star, const double *x,
                                                const paradt__seen3 *seen) {
-    if (PARADT__LIKELY(!bw->spheres->sharp)) paradt__bw3_make_four(0, bw, star, x, seen);
-    else paradt__bw3_make_sharp_avx2(bw, star, x, seen);
+    paradt__making3 making = bw->spheres->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_four(0, bw, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_avx2(bw, star, x, seen);
+    else paradt__bw3_make_graded(bw, star, x, seen);
 }
 
 // The spheres of four cells that are not in the table, none of them a ghost
@@ -7434,13 +7494,18 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, c
     }
     for (axis = 0; axis < 3; axis++) p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
     p[3] = paradt__dot_avx2(p, p);
-    paradt__four_spheres(s->sharp, &s->frame, p, corner[1], corner[0], corner[2], sphere, &error);
+    paradt__four_spheres(s->making == PARADT__MAKE_SHARP, &s->frame, p, corner[1], corner[0], corner[2], sphere,
+                         &error);
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
 PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
     const paradt__spheres3 *s = bw->spheres;
     int cells[PARADT__LATE + 3], missing = 0, i;
+    if (s->making == PARADT__MAKE_GRADED) {
+        paradt__bw3_remake_plain(bw, waiting, count);
+        return;
+    }
     for (i = 0; i < count; i++) {
         paradt_index cell = bw->cells.neighbors[waiting[i]] >> 2;
         cells[missing] = cell;
@@ -7494,6 +7559,16 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
     return 1;
 }
 
+// Takes the sagittas where they are so small that without them most powers would tell nothing.
+static void paradt__bw3_grade(paradt__bw *bw) {
+    paradt__spheres3 *s = bw->spheres;
+    double square = bw->grade_limit + bw->grade_error / (16.0 * PARADT__UNIT_ERROR);
+    if (!bw->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    s->making = PARADT__MAKE_GRADED;
+    s->frame.square = square;
+    s->frame.slack = bw->grade_error / (4.0 * PARADT__UNIT_ERROR);
+}
+
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
@@ -7522,7 +7597,9 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
         s->frame.half[axis] = (high - low) * 0.5000001;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
-    s->steep = sqrt(s->frame.square) * paradt__power(60);
+    s->square = s->frame.square;
+    s->steep = sqrt(s->square) * paradt__power(60);
+    paradt__bw3_grade(bw);
     s->nil = bw->space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
     if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, 4)));
     return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, PARADT__FIRST_DIG);
@@ -7801,6 +7878,14 @@ PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
     return paradt__bw_cell(bw, bw->rim[i]);
 }
 
+// Takes records as those of the set are.
+static void paradt__bw_layout(paradt__bw *bw, const paradt__set *set) {
+    bw->width = set->width;
+    bw->graded = set->grade == PARADT__SAGITTA;
+    bw->grade_limit = set->grade_limit;
+    bw->grade_error = set->grade_error;
+}
+
 // Before paradt__bw_build. The order has the points that span the set first then.
 static void paradt__bw_begin(paradt__bw *bw, const paradt__set *set, paradt_index *order, paradt__memory *memory) {
     memset(bw, 0, sizeof *bw);
@@ -7810,7 +7895,7 @@ static void paradt__bw_begin(paradt__bw *bw, const paradt__set *set, paradt_inde
     bw->memory = memory;
     bw->records = set->records;
     bw->order = order;
-    bw->width = set->width;
+    paradt__bw_layout(bw, set);
     bw->count = set->count;
 }
 
@@ -8113,7 +8198,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
 //
-// Near a sphere the questions are asked with sagittas, as in >>search; the insertion has no use for them.
+// Near a sphere the questions are asked with sagittas, as in >>search.
 //
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
@@ -8218,10 +8303,9 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
     return PARADT_OK;
 }
 
-// Begins with the region's own points, in the field, where the insertion can use its records.
+// Begins with the region's own points, in the field: the insertion uses its records.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    if (patch->bw.width != own->set.width) return PARADT_OK;
     patch->origin = (paradt_index *)paradt__alloc(patch->memory, own->room, sizeof *patch->origin);
     if (!patch->origin) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
@@ -8768,7 +8852,7 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     patch->bw.cells.corners = set->space.dim + 1;
     patch->bw.space = set->space;
     memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
-    patch->bw.width = set->width - (set->grade == PARADT__SAGITTA); // the insertion has no use for sagittas
+    paradt__bw_layout(&patch->bw, set);
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
     for (i = 0; i < field_count; i++) {
         patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
@@ -10120,13 +10204,17 @@ static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
 
 // By insertion. When regions in turn give up, the set is left in their order.
 static paradt_status paradt__insert_all(paradt__work *work) {
+    enum { WORTH = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
     int in_vain = 0;
     work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
     if (work->hollow) status = paradt__foretell(work, &in_vain);
     if (!status && in_vain) work->regions = 1;
+    if (!status && work->regions > 1) // for the questions, too
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTH)
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
     if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
-    if (!status) status = paradt__set_grade(&work->set, &work->memory); // for the questions
     if (!status) status = paradt__build_regions(work);
     if (status != PARADT__GAVE_UP) return status;
     paradt__close_set(work);
@@ -10140,7 +10228,7 @@ static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
     paradt_status status;
     if (work->set.space.dim <= 0) return paradt__build_trivial(work);
     if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
-    status = paradt__set_grade(&work->set, &work->memory);
+    status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
     if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
     *sorted = paradt__now();
     if (status) return status;
@@ -10258,7 +10346,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 //
 // paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
 // hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, paradt__remote_sphere, paradt__remote_region, paradt__remote_bytes.
+// side, the last exactly. Doors: these, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
@@ -10672,48 +10760,6 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     return others;
 }
 
-// Grades the set by a reference sphere that is given, as paradt__set_grade does by one it finds. *nearby: whether the
-// set is near to it; if not, the set remains as it is. The largest sagitta is left in set->grade_limit.
-static paradt_status paradt__remote_sphere(paradt__set *set, const double *centre, double radius2,
-                                           paradt__memory *memory, int *nearby) {
-    double largest = 0.0, *records;
-    int64_t o[PARADT_MAX_DIM][3], squared;
-    int ambient = set->space.ambient, top = 0, j;
-    size_t i, width = set->width;
-    while (top < 100 && paradt__power(2 * top) < 4.0 * radius2) top++;
-    while (top > -100 && paradt__power(2 * top - 2) > 4.0 * radius2) top--;
-    *nearby = 1;
-    for (j = 0; j < ambient; j++) {
-        set->centre[j] = centre[j];
-        *nearby &= paradt__abs(centre[j]) < 0.25 * paradt__power(top);
-    }
-    if (!*nearby) return PARADT_OK;
-    for (j = 0; j < ambient; j++) paradt__digits_of(centre[j], top, o[j]);
-    squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
-    records = (double *)paradt__alloc(memory, set->count, (width + 1) * sizeof(double));
-    if (!records) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < set->count && *nearby; i++) {
-        double *to = records + i * (width + 1);
-        memcpy(to, set->records + i * width, width * sizeof(double));
-        *nearby = paradt__largest(to, ambient) < paradt__power(top);
-        if (!*nearby) break;
-        to[ambient] = paradt__sagitta(to, (const int64_t(*)[3])o, squared, top, ambient);
-        largest = paradt__larger(largest, paradt__abs(to[ambient]));
-        *nearby = largest < radius2 * 0.0009765625;
-    }
-    if (*nearby) {
-        paradt__release(memory, set->records);
-        set->records = records;
-        set->width++;
-        set->grade = PARADT__SAGITTA;
-        set->grade_limit = largest;
-        set->grade_error = ambient * paradt__power(2 * top - 77);
-    } else {
-        paradt__release(memory, records);
-    }
-    return PARADT_OK;
-}
-
 // What paradt__remote_region works with
 typedef struct paradt__remote_part {
     paradt__memory memory;
@@ -10735,7 +10781,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     paradt_status status;
     part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
     if (!part->owner) return PARADT_ERROR_MEMORY;
-    status = paradt__set_grade(set, memory);
+    status = paradt__set_grade(set, PARADT__NEAR_SPHERE, memory);
     if (!status) status = paradt__grid_build(&part->grid, set, memory);
     if (status) return status;
     paradt__regions_assign(set, &part->cuts, part->owner);

@@ -1300,13 +1300,15 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     if (!status) {
         all.records = sample;
         all.count = paradt_mpi__sample(w, sample, counts);
-        if (w->rank == 0 && all.count >= 64) sphere[dim + 1] = paradt__fit_sphere(&all, sphere, sphere + dim);
+        if (w->rank == 0 && all.count >= 64)
+            sphere[dim + 1] = paradt__fit_sphere(&all, PARADT__NEAR_SPHERE, sphere, sphere + dim);
         MPI_Bcast(sphere, dim + 2, MPI_DOUBLE, 0, w->comm);
     }
     paradt__release(&w->memory, sample);
     paradt__release(&w->memory, counts);
     if (status || !(sphere[dim + 1] > 0.0)) return status;
-    status = paradt__remote_sphere(set, sphere, sphere[dim], &w->memory, &nearby);
+    memcpy(set->centre, sphere, (size_t)dim * sizeof *sphere);
+    status = paradt__set_sagittas(set, sphere[dim], PARADT__NEAR_SPHERE, set->count, &w->memory, &nearby);
     all_near = nearby;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
@@ -1315,8 +1317,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     if (nearby && !all_near) paradt_mpi__ungrade(set);
     if (!all_near) return PARADT_OK;
     MPI_Allreduce(&set->grade_limit, &limit, 1, MPI_DOUBLE, MPI_MAX, w->comm);
-    set->grade_limit = limit * 1.0000001;
-    set->grade_error += limit * paradt__power(-48);
+    paradt__set_grade_bounds(set, limit);
     return PARADT_OK;
 }
 

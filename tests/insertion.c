@@ -1,7 +1,9 @@
-// Insertion in three dimensions: stars of all sizes, and the numbers that their vertices have.
+// Insertion in three dimensions: stars of all sizes, the numbers that their vertices have, and the errors of powers.
 #define PARADT_STATIC // what is not called is not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
+
+#include <gmp.h>
 
 enum { POINTS = 4000, MOST_POINTS = 30001 };
 
@@ -29,6 +31,7 @@ static void begin(building *b, const double *x, size_t points, int all) {
     assert_int_equal(paradt__set_load(&b->set, &given, NULL, &paradt__alone, &b->memory, b->representative, &bad),
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
+    assert_int_equal(paradt__set_grade(&b->set, PARADT__GRADE_PAYS, &b->memory), PARADT_OK);
     // the set is along a curve, set.origin says whose point each is
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__bw_begin(&b->bw, &b->set, b->order, &b->memory);
@@ -151,11 +154,155 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     }
 }
 
+// --- errors
+
+typedef struct exact_vector {
+    mpq_t at[3], square;
+} exact_vector;
+
+// to - from
+static void exact_begin(exact_vector *v, const double *from, const double *to) {
+    mpq_t x;
+    mpq_init(x);
+    mpq_init(v->square);
+    for (int j = 0; j < 3; j++) {
+        mpq_init(v->at[j]);
+        mpq_set_d(v->at[j], to[j]);
+        mpq_set_d(x, from[j]);
+        mpq_sub(v->at[j], v->at[j], x);
+        mpq_mul(x, v->at[j], v->at[j]);
+        mpq_add(v->square, v->square, x);
+    }
+    mpq_clear(x);
+}
+
+static void exact_end(exact_vector *v) {
+    mpq_clear(v->square);
+    for (int j = 0; j < 3; j++) mpq_clear(v->at[j]);
+}
+
+// sum += factor * det(a, b, c)
+static void exact_add_determinant(mpq_t sum, const mpq_t factor, const exact_vector *a, const exact_vector *b,
+                                  const exact_vector *c) {
+    mpq_t x, y;
+    mpq_init(x);
+    mpq_init(y);
+    for (int j = 0; j < 3; j++) {
+        int k = (j + 1) % 3, l = (j + 2) % 3;
+        mpq_mul(x, b->at[k], c->at[l]);
+        mpq_mul(y, b->at[l], c->at[k]);
+        mpq_sub(x, x, y);
+        mpq_mul(x, x, a->at[j]);
+        mpq_mul(x, x, factor);
+        mpq_add(sum, sum, x);
+    }
+    mpq_clear(x);
+    mpq_clear(y);
+}
+
+// The power of x with regard to the sphere through four points, exactly, less what it is said to be: as a double, rounded
+static double error_of_power(double power, const double *const *v, const double *x) {
+    exact_vector a, b, c, f;
+    mpq_t one, det, sum, said;
+    exact_begin(&a, v[3], v[0]);
+    exact_begin(&b, v[3], v[1]);
+    exact_begin(&c, v[3], v[2]);
+    exact_begin(&f, v[3], x);
+    mpq_inits(one, det, sum, said, NULL);
+    mpq_set_ui(one, 1, 1);
+    exact_add_determinant(det, one, &a, &b, &c);
+    // |f|^2 - w . f, w = (|a|^2 b x c + |b|^2 c x a + |c|^2 a x b) / det
+    exact_add_determinant(sum, a.square, &f, &b, &c);
+    exact_add_determinant(sum, b.square, &f, &c, &a);
+    exact_add_determinant(sum, c.square, &f, &a, &b);
+    mpq_div(sum, sum, det);
+    mpq_sub(sum, f.square, sum);
+    mpq_set_d(said, power);
+    mpq_sub(sum, said, sum);
+    double error = fabs(mpq_get_d(sum));
+    mpq_clears(one, det, sum, said, NULL);
+    exact_end(&a);
+    exact_end(&b);
+    exact_end(&c);
+    exact_end(&f);
+    return error;
+}
+
+// Powers are as exact as they say, which is seldom too little to tell anything.
+static void check_powers(const building *b) {
+    enum { EVERY = 23, OTHERS = 4 };
+    size_t asked = 0, vague = 0;
+    for (size_t cell = 0; cell < b->bw.cells.count; cell += EVERY) {
+        const paradt_index *vertices = b->bw.cells.vertices + 4 * cell;
+        const double *v[4];
+        if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, 4) >= 0) continue;
+        for (int i = 0; i < 4; i++) v[i] = paradt__bw_record(&b->bw, vertices[i]);
+        for (size_t k = 0; k < 4 + OTHERS; k++) { // the points across its facets, and some from anywhere
+            paradt_index other = (paradt_index)(paradt__mix(cell + k) % b->set.count);
+            if (k < 4) other = b->bw.cells.vertices[b->bw.cells.neighbors[4 * cell + k]];
+            if (other < 0) continue;
+            const double *x = paradt__bw_record(&b->bw, other);
+            paradt__seen3 seen = paradt__seen3_of(b->bw.spheres, x);
+            const paradt__sphere3 *sphere = paradt__bw3_sphere_of(&b->bw, (paradt_index)cell);
+            double power = paradt__sphere3_power(sphere, &seen);
+            assert_true(error_of_power(power, v, x) <= sphere->error);
+            asked++;
+            vague += other != vertices[0] && other != vertices[1] && other != vertices[2] && other != vertices[3] &&
+                     !(fabs(power) > sphere->error);
+        }
+    }
+    assert_true(asked > 500);
+    assert_in_range(vague, 0, asked / 50);
+}
+
+static void powers_are_as_exact_as_they_say(void **state) {
+    static double x[3 * POINTS];
+    building b;
+    (void)state;
+    for (int sharp = 0; sharp < 2; sharp++) {
+        for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i) * (sharp && i % 3 == 2 ? 0x1p-10 : 1);
+        begin(&b, x, POINTS, 1);
+        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_QUICKLY);
+        if (sharp) {
+            b.bw.spheres->making = PARADT__MAKE_SHARP;
+            for (size_t i = 0; i <= b.bw.spheres->mask; i++) b.bw.spheres->table[i].tag = PARADT__NO_SPHERE;
+        }
+        check_powers(&b);
+        end(&b);
+    }
+}
+
+// Near a sphere, wherever it is, whatever its size and the noise, they tell what the in-sphere filter can't.
+static void powers_by_sagittas_tell_more(void **state) {
+    static const struct {
+        double centre[3], radius, noise;
+    } cases[] = {{{0, 0, 0}, 1, 0},           {{0, 0, 0}, 1, 1e-13},       {{0, 0, 0}, 3, 1e-9},
+                 {{3.3, -2.1, 0.7}, 1, 0},    {{3.3, -2.1, 0.7}, 1, 1e-9}, {{100, 0, 7}, 1, 0},
+                 {{0, 0, 1e-31}, 1e-30, 0},   {{1e30, 0, 0}, 1e30, 1e-12}};
+    static double x[3 * POINTS];
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        for (size_t i = 0; i < POINTS; i++) {
+            double *p = x + 3 * i, factor = cases[k].radius * (1 + cases[k].noise * random_coordinate(i));
+            on_sphere(p, i);
+            for (size_t j = 0; j < 3; j++) p[j] = cases[k].centre[j] + factor * p[j];
+        }
+        building b;
+        begin(&b, x, POINTS, 1);
+        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_GRADED);
+        assert_in_range(b.bw.space.counters.insphere_calls, 0, POINTS / 20);
+        check_powers(&b);
+        end(&b);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
         cmocka_unit_test(stars_after_a_very_large_one_are_whole),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
+        cmocka_unit_test(powers_are_as_exact_as_they_say),
+        cmocka_unit_test(powers_by_sagittas_tell_more),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
 }
