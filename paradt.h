@@ -3425,11 +3425,18 @@ static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITT
     return -sum;
 }
 
-// The exponent of the least power of two that is twice the radius and more than four times the centre's coordinates.
-static int paradt__sphere_top(const double *centre, double radius2, int ambient) {
-    double reach = 4.0 * radius2;
+// The exponent of a power of two that is twice the radius or more and, as should be, over four times the centre's
+// coordinates; but not so where the set is a small part of a sphere far away: that tells no more than a plane.
+static int paradt__sphere_top(const paradt__set *set, double radius2) {
+    const paradt__space *space = &set->space;
+    double reach = 4.0 * radius2, far = 0.0, extent2 = 0.0;
     int top = 0, j;
-    for (j = 0; j < ambient; j++) reach = paradt__larger(reach, 16.0000001 * centre[j] * centre[j]);
+    for (j = 0; j < space->ambient; j++) {
+        double side = paradt__from_ordered_bits(space->high[j]) - paradt__from_ordered_bits(space->low[j]);
+        far = paradt__larger(far, 16.0000001 * set->centre[j] * set->centre[j]);
+        extent2 += side * side;
+    }
+    if (far > reach && radius2 < extent2) reach = far;
     while (top < 100 && paradt__power(2 * top) < reach) top++;
     while (top > -100 && paradt__power(2 * top - 2) > reach) top--;
     return top;
@@ -3440,7 +3447,7 @@ static int paradt__sphere_top(const double *centre, double radius2, int ambient)
 // set->grade_limit, in set->grade_error what comes of cutting off.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t room,
                                           paradt__memory *memory, int *nearby) {
-    int ambient = set->space.ambient, top = paradt__sphere_top(set->centre, radius2, ambient), j;
+    int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
     size_t i, width = set->width;

@@ -31,7 +31,7 @@ static void begin(building *b, const double *x, size_t points, int all) {
     assert_int_equal(paradt__set_load(&b->set, &given, NULL, &paradt__alone, &b->memory, b->representative, &bad),
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
-    assert_int_equal(paradt__set_grade(&b->set, PARADT__GRADE_PAYS, &b->memory), PARADT_OK);
+    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
     // the set is along a curve, set.origin says whose point each is
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__bw_begin(&b->bw, &b->set, b->order, &b->memory);
@@ -296,6 +296,20 @@ static void powers_by_sagittas_tell_more(void **state) {
     }
 }
 
+// A plane, far from the origin or not, is no part of a large sphere.
+static void near_a_plane_there_are_no_sagittas(void **state) {
+    static double x[3 * POINTS];
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        for (size_t i = 0; i < 3 * POINTS; i++)
+            x[i] = random_coordinate(i) * (i % 3 == 2 ? 0x1p-20 : 1) + (far ? 5.0 + (double)(i % 3) : 0.0);
+        building b;
+        begin(&b, x, POINTS, 1);
+        assert_int_equal(b.set.grade, PARADT__UNGRADED);
+        end(&b);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
@@ -303,6 +317,7 @@ int main(void) {
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
         cmocka_unit_test(powers_are_as_exact_as_they_say),
         cmocka_unit_test(powers_by_sagittas_tell_more),
+        cmocka_unit_test(near_a_plane_there_are_no_sagittas),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
 }
