@@ -3429,14 +3429,14 @@ static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITT
 // coordinates; but not so where the set is a small part of a sphere far away: that tells no more than a plane.
 static int paradt__sphere_top(const paradt__set *set, double radius2) {
     const paradt__space *space = &set->space;
-    double reach = 4.0 * radius2, far = 0.0, extent2 = 0.0;
+    double reach = 4.0 * radius2, distant = 0.0, extent2 = 0.0;
     int top = 0, j;
     for (j = 0; j < space->ambient; j++) {
         double side = paradt__from_ordered_bits(space->high[j]) - paradt__from_ordered_bits(space->low[j]);
-        far = paradt__larger(far, 16.0000001 * set->centre[j] * set->centre[j]);
+        distant = paradt__larger(distant, 16.0000001 * set->centre[j] * set->centre[j]);
         extent2 += side * side;
     }
-    if (far > reach && radius2 < extent2) reach = far;
+    if (distant > reach && radius2 < extent2) reach = distant;
     while (top < 100 && paradt__power(2 * top) < reach) top++;
     while (top > -100 && paradt__power(2 * top - 2) > reach) top--;
     return top;

@@ -1079,15 +1079,16 @@ typedef struct sphere {
     double normal[3], constant, error;
 } sphere;
 
-static const paradt__frame3 unit_cube = {{1, 1, 1}, 3};
+static const paradt__frame3 unit_cube = {{1, 1, 1}, 3, 0};
 
 static sphere plain_sphere(const sample *s, int sharp) {
     const double *a = s->points[1], *b = s->points[0], *c = s->points[2], *p = s->points[3];
     const paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+    const paradt__making3 making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
     sphere made;
-    const paradt__around3 to_a = paradt__around3_of(p, a), to_b = paradt__around3_of(p, b);
-    const paradt__around3 to_c = paradt__around3_of(p, c);
-    paradt__sphere3_make(sharp, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
+    const paradt__around3 to_a = paradt__around3_of(making, p, a), to_b = paradt__around3_of(making, p, b);
+    const paradt__around3 to_c = paradt__around3_of(making, p, c);
+    paradt__sphere3_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
                          &made.error);
     return made;
 }
