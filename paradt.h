@@ -5979,7 +5979,7 @@ typedef struct paradt__spheres3 {
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
 #define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
-#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26
+#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
 
 // The vertex with a number, as an offset
 PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__around3 *around, size_t offset) {
@@ -7589,7 +7589,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     s = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, bytes);
     bw->spheres = s;
     if (!s) return PARADT_ERROR_MEMORY;
-    // few points: allocators keep their pages from the call before, and to find them made takes a seventh of a call
+    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
     if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
     memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
