@@ -3681,14 +3681,20 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
     }
 }
 
-// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated.
-static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes) {
+// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated. Inlined with a
+// constant width.
+PARADT__INLINE void paradt__lay_lanes_of(const paradt__set *set, size_t width, size_t cell, double *lanes) {
     size_t lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
         size_t place = cell * PARADT__LANES + lane;
-        const double *record = set->records + (place < set->count ? place : set->count - 1) * set->width;
-        for (j = 0; j < set->width; j++) lanes[j * PARADT__LANES + lane] = record[j];
+        const double *record = set->records + (place < set->count ? place : set->count - 1) * width;
+        for (j = 0; j < width; j++) lanes[j * PARADT__LANES + lane] = record[j];
     }
+}
+
+static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes) {
+    if (set->width == 3) paradt__lay_lanes_of(set, 3, cell, lanes);
+    else paradt__lay_lanes_of(set, set->width, cell, lanes);
 }
 
 // The same, kept or in `room`, which has PARADT__GRID_ROOM doubles.
@@ -3704,13 +3710,13 @@ static void paradt__grid_fill_box(double *box, const double *below, int count, i
     int axis, lane;
     for (axis = 0; axis < ambient; axis++) {
         const double *low = below + axis * rows * PARADT__LANES, *high = low + (rows - 1) * PARADT__LANES;
-        double *to = box + axis * 2 * PARADT__LANES;
-        to[0] = low[0];
-        to[PARADT__LANES] = high[0];
+        double *to = box + axis * 2 * PARADT__LANES, least = low[0], most = high[0];
         for (lane = 1; lane < count; lane++) {
-            to[0] = low[lane] < to[0] ? low[lane] : to[0];
-            to[PARADT__LANES] = high[lane] > to[PARADT__LANES] ? high[lane] : to[PARADT__LANES];
+            least = low[lane] < least ? low[lane] : least;
+            most = high[lane] > most ? high[lane] : most;
         }
+        to[0] = least;
+        to[PARADT__LANES] = most;
     }
     if (graded) {
         const double *weight = below + ambient * rows * PARADT__LANES;
@@ -5872,7 +5878,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (16 in slices);
+    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
     PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
@@ -7579,7 +7585,7 @@ static void paradt__bw3_grade(paradt__bw *bw) {
 // Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
 static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     paradt__spheres3 *s;
-    size_t size = 64, points = bw->cells.lent ? 16 : 5, room, bytes, i;
+    size_t size = 64, points = bw->cells.lent ? 8 : 5, room, bytes, i;
     int axis;
     if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
     while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
@@ -9903,7 +9909,11 @@ static paradt_status paradt__build_together(paradt__work *work) {
         if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
     }
     paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
+    if (!status) { // what is left to be done takes no coordinates
+        paradt__release(&work->memory, work->set.records);
+        work->set.records = NULL;
+        status = paradt__collect_patches(work);
+    }
     paradt__share_memory(work);
     return status;
 }
