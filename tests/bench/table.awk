@@ -27,6 +27,15 @@ function median(list,    count, numbers, i, k, x) {
     return (numbers[count / 2] + numbers[count / 2 + 1]) / 2
 }
 
+# The least of them.
+function least(list,    count, numbers, i, x) {
+    count = split(list, numbers, " ")
+    x = numbers[1]
+    for (i = 2; i <= count; i++)
+        x = numbers[i] < x ? numbers[i] : x
+    return x
+}
+
 # Two or three digits that count.
 function short(x) {
     return sprintf(x >= 99.95 ? "%.0f" : x >= 9.995 ? "%.1f" : x >= 0.0995 ? "%.2f" : "%.2g", x)
@@ -181,17 +190,9 @@ function paired(alone, other,    a, b, rounds, i, quotients) {
     return median(quotients)
 }
 
-function least(list,    count, numbers, i, x) {
-    count = split(list, numbers, " ")
-    x = numbers[1]
-    for (i = 2; i <= count; i++)
-        x = numbers[i] < x ? numbers[i] : x
-    return x
-}
-
 # Wall time of one job of the same code over wall time; one job: ParaDT undivided, a peer with one thread. Guests of the
-# host slow one processor down for tenths of a second, and one of two threads then waits: the least times tell what a
-# program does where nobody interferes.
+# host slow one processor down for tenths of a second, and one of two threads then waits: the least times are
+# nearest to what a program takes where nobody interferes.
 function print_chart(section,    r, p, row, parts, program, alone, key, speedup, marks, shown) {
     for (r = 1; r <= section_rows[section]; r++)
         for (p = 1; p <= section_programs[section]; p++) {
