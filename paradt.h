@@ -144,9 +144,11 @@
 //     }
 //
 // examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called up to twelve times, and near surfaces, where regions tell each other what they lack,
-// some dozens of times more. One region a thread is right where the points are alike everywhere; a few more even out
-// regions that take longer. The cells do not depend on the regions, nor on the threads.
+// threads, at once. It is called some ten times, for large sets up to forty: the insertion is done in legs, between
+// which regions change hands, so that a slow processor, or one that others use, is not waited for. Near surfaces, where
+// regions tell each other what they lack, it is called some dozens of times more. One region a thread is right where
+// the points are alike everywhere; a few more even out regions that take longer. The cells do not depend on the
+// regions, nor on the threads.
 //
 // Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
 // points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
@@ -612,6 +614,12 @@ extern "C" {
 // function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
+
+// Adds to a count that several threads add to at once; the sum. Where the compiler has nothing for that it is not
+// defined, and done without.
+#if defined(__GNUC__) && !defined(__TINYC__)
+#define PARADT__ADD_AT_ONCE(count, more) __atomic_add_fetch(count, more, __ATOMIC_RELAXED)
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
@@ -6007,6 +6015,12 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
 
 // --- the triangulation under construction
 
+// What insertions at once have in common that are to pause together
+typedef struct paradt__relay {
+    size_t inserted; // points, of them all so far
+    size_t stop;     // they pause when there are so many
+} paradt__relay;
+
 typedef struct paradt__bw {
     paradt__space space; // its own, for the counters
     paradt__memory *memory;
@@ -6016,6 +6030,7 @@ typedef struct paradt__bw {
     int graded; // records have sagittas, of at most grade_limit in size, wrong by grade_error
     double grade_limit, grade_error;
     size_t inserted;         // points so far
+    paradt__relay *relay;    // NULL: it does not pause
     size_t later;            // points that may come after these, as far as can be foreseen: for the room
     double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
     paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
@@ -7813,7 +7828,18 @@ static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
     return paradt__bw3_insert;
 }
 
-// Inserts the points that are left, in their order.
+// Is it time to pause, with so many points inserted?
+static int paradt__relay_pauses(paradt__relay *relay, size_t inserted) {
+#if defined(PARADT__ADD_AT_ONCE)
+    enum { COUNTED = 64 };
+    return relay && inserted % COUNTED == 0 && PARADT__ADD_AT_ONCE(&relay->inserted, COUNTED) >= relay->stop;
+#else
+    (void)relay, (void)inserted;
+    return 0;
+#endif
+}
+
+// Inserts the points that are left, in their order, until it pauses.
 static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(bw);
     paradt_status status = PARADT_OK;
@@ -7823,6 +7849,7 @@ static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progre
             return PARADT_ERROR_CANCELLED;
         status = insert(bw, paradt__bw_point(bw, i));
         bw->inserted = i + 1;
+        if (paradt__relay_pauses(bw->relay, bw->inserted)) break;
     }
     return status;
 }
@@ -8983,12 +9010,19 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
     return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
-// Builds the triangulation of the points that the region begins with.
+// Has the insertion of the points that the region begins with paused?
+static int paradt__patch_pauses(const paradt__patch *patch) {
+    return patch->bw.inserted < patch->bw.count;
+}
+
+// Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
+    paradt__bw *bw = &patch->bw;
     paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
-    if (!status) status = paradt__bw_build(&patch->bw, progress);
+    if (!status) status = bw->inserted ? paradt__bw_insert_rest(bw, progress) : paradt__bw_build(bw, progress);
+    if (!status && paradt__patch_pauses(patch)) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
-    patch->bw.order = patch->order = NULL;
+    bw->order = patch->order = NULL;
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
 
@@ -9424,6 +9458,7 @@ typedef struct paradt__work {
     paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
     paradt__active seam;                    // with insertion: open facets of regions, in the end
     int trusts;                             // with insertion: the first region has its own points alone
+    paradt__relay relay;                    // with insertion
     int translated;                         // the cells have the caller's indices already
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
@@ -9436,7 +9471,10 @@ typedef struct paradt__region {
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
+    int built;   // it has inserted all points that it begins with
     int open;    // it waits for what others have to tell
+    size_t runs; // in a leg of the relay, the region that the task with this one's number goes on with,
+    size_t ran;  // and the points that this task has inserted
     double done; // what a front has reported of the whole work, at most
     paradt_stats stats;
 } paradt__region;
@@ -9595,7 +9633,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     patch->seam = NULL;
 }
 
-// By insertion, third step: the cells. The region remains open if it would rather be told by others what it lacks.
+// By insertion, third step: the cells, unless it pauses. The region remains open if it would rather be told by others
+// what it lacks.
 static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -9603,6 +9642,8 @@ static void paradt__patch_task(void *context, size_t index) {
     size_t turn = work->in_turn ? work->regions - 1 - index : index;
     paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
     region->status = paradt__patch_build(patch, &progress);
+    if (!region->status && paradt__patch_pauses(patch)) return;
+    region->built = 1;
     region->done = progress.begin + progress.length;
     if (!region->status) region->status = paradt__patch_complete(patch, paradt__asks_around(work));
     region->open = !region->status && patch->list_count;
@@ -9701,6 +9742,87 @@ static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *
     }
     return status;
 }
+
+// --- the relay
+//
+// The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
+// So the regions change hands: it is done in legs, each of which ends for all when together they have inserted a part
+// of the points that are left. In the next the region that has most left goes to the task that inserted most, since
+// that is likely to be on the same thread again. What a region builds does not depend on where it pauses.
+
+typedef struct paradt__ranked {
+    size_t amount, number;
+} paradt__ranked;
+
+// The largest amounts first.
+static void paradt__rank(paradt__ranked *list, size_t count) {
+    size_t i, j;
+    for (i = 1; i < count; i++) {
+        paradt__ranked one = list[i];
+        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
+        list[j] = one;
+    }
+}
+
+// What the questions about a region's cells will take after the insertion, as a number of points to be inserted: by the
+// margin, as in paradt__sample_extra.
+static size_t paradt__last_lap(const paradt__work *work, size_t index) {
+    return (work->region[index].patch.bw.count - work->fields[index].set.count) * 5 / 3;
+}
+
+// What a region still has to do, as a number of points.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__bw *bw = &work->region[index].patch.bw;
+    return work->region[index].built ? 0 : bw->count - bw->inserted + paradt__last_lap(work, index);
+}
+
+static void paradt__leg_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *task = work->region + index, *region = work->region + task->runs;
+    size_t before = region->patch.bw.inserted;
+    if (!region->built) paradt__patch_task(work, task->runs);
+    task->ran = region->patch.bw.inserted - before;
+}
+
+// Who runs which region in the next leg. Returns how much is left of them all.
+static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
+    size_t left = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        regions[i].number = tasks[i].number = i;
+        tasks[i].amount = work->region[i].ran;
+        regions[i].amount = paradt__region_left(work, i);
+        left += regions[i].amount;
+    }
+    paradt__rank(regions, work->regions);
+    paradt__rank(tasks, work->regions);
+    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
+    return left;
+}
+
+// The third step. No leg should end while a region is at its questions, which don't pause, nor be so short that to
+// begin it matters. Where regions are many, threads even out their work by taking one after another.
+static paradt_status paradt__run_relay(paradt__work *work) {
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 16 /* cells a region */ };
+    paradt__ranked regions[MOST], tasks[MOST];
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim), laps = 0.0;
+    paradt_status status;
+    size_t i;
+    if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].patch.bw.relay = &work->relay;
+        laps += (double)paradt__last_lap(work, i);
+    }
+    do {
+        size_t left = paradt__assign_leg(work, regions, tasks);
+        int last = (double)left < fewest + 2.5 * laps;
+        work->relay.stop = last ? SIZE_MAX : work->relay.inserted + left / PART;
+        status = paradt__run_regions(work, paradt__leg_task);
+    } while ((!status || status == PARADT__GAVE_UP) && work->relay.stop < SIZE_MAX);
+    for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = NULL;
+    return status;
+}
+
+// --- regions together
 
 // Puts the cells of the regions together, giving their memory back one by one.
 static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *cells, paradt_status status) {
@@ -9899,7 +10021,7 @@ static paradt_status paradt__build_together(paradt__work *work) {
     paradt__share_memory(work);
     if (!status) status = paradt__lend_slices(work);
     paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__patch_task);
+    if (!status) status = paradt__run_relay(work);
     for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
     paradt__share_memory(work);
     if (!status && open) status = paradt__complete_together(work);

@@ -203,6 +203,47 @@ static void regions_may_run_in_any_order_and_on_threads(void **state) {
         }
 }
 
+// Regions of many points are built in legs: all pause together, and go on from another task. Neither where they pause nor
+// who goes on may show in the result: its arrays are those of regions built without a pause.
+static void regions_that_change_hands_build_what_they_build_alone(void **state) {
+    static const struct {
+        const char *family;
+        int dim, count;
+        size_t regions;
+    } sets[] = {{"uniform", 3, 45000, 2}, {"clusters", 3, 80000, 3}, {"lattice", 3, 45000, 2}, {"uniform", 2, 150000, 2}};
+    static const paradt_parallel_for runners[] = {NULL, run_on_threads, run_backwards};
+    (void)state;
+    for (size_t i = 0; i < (SANITIZED ? 1 : sizeof sets / sizeof sets[0]); i++) {
+        sample s = family_make(&families[family_named(sets[i].family)], NULL, sets[i].dim, sets[i].count, 1);
+        paradt_points points = points_of(&s);
+        paradt_triangulation alone = {0}, t;
+        for (size_t runner = 0; runner < (RACES_ONLY ? 2 : sizeof runners / sizeof runners[0]); runner++) {
+            int calls = 0;
+            paradt_options options = {0};
+            options.method = PARADT_BOWYER_WATSON;
+            options.regions = sets[i].regions;
+            options.parallel_for = runners[runner];
+            options.user = &calls;
+            watch(&s, 60);
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            watch(NULL, 0);
+            if (!runner) {
+                alone = t;
+                continue;
+            }
+            size_t indices = t.cell_count * (size_t)(t.dim + 1);
+            if (calls < 12) // it takes 10 steps, one of them in legs
+                fail_on_sample(&s, "regions do not change hands");
+            assert_int_equal(t.cell_count, alone.cell_count);
+            assert_memory_equal(t.cells, alone.cells, indices * sizeof *t.cells);
+            assert_memory_equal(t.neighbors, alone.neighbors, indices * sizeof *t.neighbors);
+            paradt_free(&t);
+        }
+        paradt_free(&alone);
+        sample_free(&s);
+    }
+}
+
 static void large_sets_agree(void **state) {
     static const char *const chosen[] = {"uniform", "sphere", "clusters", "lattice", "near plane", "duplicates"};
     (void)state;
@@ -392,7 +433,7 @@ static void the_hash_is_one_of_a_set(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[FAMILY_COUNT + 8];
+    static struct CMUnitTest tests[FAMILY_COUNT + 9];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT && !RACES_ONLY; f++)
         tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
@@ -408,6 +449,8 @@ int main(void) {
     }
     tests[count++] = named_test(regions_may_run_in_any_order_and_on_threads, NULL,
                                 "regions_may_run_in_any_order_and_on_threads");
+    tests[count++] = named_test(regions_that_change_hands_build_what_they_build_alone, NULL,
+                                "regions_that_change_hands_build_what_they_build_alone");
     tests[count++] = named_test(large_sets_agree, NULL, "large_sets_agree");
     tests[count++] = named_test(many_calls_at_once_do_not_disturb_each_other, NULL,
                                 "many_calls_at_once_do_not_disturb_each_other");
