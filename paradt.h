@@ -8233,7 +8233,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 //
 // Then the region's vertices have all their cells of T(P), and those without a vertex of a later region are its own.
 // Of the cells without a vertex of the region it does not matter whether they are right. Nor need those be asked about
-// whose sphere is inside K.
+// whose sphere is inside K, or, near a sphere, of ghosts the cap that their facet cuts off.
 //
 // The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
@@ -8748,7 +8748,8 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     return status;
 }
 
-// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K.
+// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K, nor
+// beyond a ghost's facet or in its plane where these have no more of the reference sphere than a cap inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
     const paradt__bw *bw = &patch->bw;
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
@@ -8760,7 +8761,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
-    if (ghost < 0 && patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
+    if (patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
         if (i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
