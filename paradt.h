@@ -2931,7 +2931,7 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
     for (i = 0; i < count && margin > 0.0; i++)
         beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
-    extra = 2.5 * (double)beside / (double)WIDTH;
+    extra = 1.9 * (double)beside / (double)WIDTH;
     most = (double)count / 4.0 / (double)loader->cuts->boxes;
     return (size_t)(extra < most ? extra : most);
 }
@@ -6017,8 +6017,8 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
 
 // What insertions at once have in common that are to pause together
 typedef struct paradt__relay {
-    size_t inserted; // points, of them all so far
-    size_t stop;     // they pause when there are so many
+    size_t done; // by them all so far, in points inserted
+    size_t stop; // they pause when it is so much
 } paradt__relay;
 
 typedef struct paradt__bw {
@@ -7828,13 +7828,12 @@ static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
     return paradt__bw3_insert;
 }
 
-// Is it time to pause, with so many points inserted?
-static int paradt__relay_pauses(paradt__relay *relay, size_t inserted) {
+// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
+static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
 #if defined(PARADT__ADD_AT_ONCE)
-    enum { COUNTED = 64 };
-    return relay && inserted % COUNTED == 0 && PARADT__ADD_AT_ONCE(&relay->inserted, COUNTED) >= relay->stop;
+    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, worth) >= relay->stop;
 #else
-    (void)relay, (void)inserted;
+    (void)relay, (void)done, (void)worth;
     return 0;
 #endif
 }
@@ -7849,7 +7848,7 @@ static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progre
             return PARADT_ERROR_CANCELLED;
         status = insert(bw, paradt__bw_point(bw, i));
         bw->inserted = i + 1;
-        if (paradt__relay_pauses(bw->relay, bw->inserted)) break;
+        if (paradt__relay_pauses(bw->relay, bw->inserted, 64)) break;
     }
     return status;
 }
@@ -8292,6 +8291,8 @@ typedef struct paradt__patch {
     // and some where such ones have been
     paradt_index *fringe;
     size_t fringe_count, fringe_capacity;
+    int asks;             // 1: the points that it begins with are inserted
+    size_t asked;         // so many of the list have been taken from it
     size_t dropped;       // cells and ghosts, at the end
     int trusts;           // it is the first region, has its own points alone, and asks about nothing
     paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
@@ -9011,32 +9012,37 @@ static int paradt__patch_is_stuck(const paradt__patch *patch) {
     return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
-// Has the insertion of the points that the region begins with paused?
-static int paradt__patch_pauses(const paradt__patch *patch) {
-    return patch->bw.inserted < patch->bw.count;
-}
-
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
     paradt__bw *bw = &patch->bw;
     paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
     if (!status) status = bw->inserted ? paradt__bw_insert_rest(bw, progress) : paradt__bw_build(bw, progress);
-    if (!status && paradt__patch_pauses(patch)) return PARADT_OK;
+    if (!status && bw->inserted < bw->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
     bw->order = patch->order = NULL;
+    patch->asks = 1;
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
 
+// So many questions, with what is inserted for them, take as long as to insert a point.
+enum { PARADT__QUESTIONS_A_POINT = 2 };
+
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
-// wait for what others have to tell. If it is hasty, no longer than others would take to tell.
+// wait for what others have to tell; or until it pauses. If it is hasty, no longer than others would take to tell.
 static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty) {
     paradt_status status = PARADT_OK;
     while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
+        if (paradt__relay_pauses(patch->bw.relay, ++patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
+}
+
+// Has it paused, inserting or asking?
+static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
+    return !patch->asks || (patch->list_count && !(hasty && paradt__patch_is_hasty(patch)));
 }
 
 // Hears of all points that it has from others. The cells that waited for that go on.
@@ -9472,7 +9478,7 @@ typedef struct paradt__region {
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
-    int built;   // it has inserted all points that it begins with
+    int built;   // it has ended the third step
     int open;    // it waits for what others have to tell
     size_t runs; // in a leg of the relay, the region that the task with this one's number goes on with,
     size_t ran;  // and the points that this task has inserted
@@ -9640,13 +9646,14 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
+    int hasty = paradt__asks_around(work);
     size_t turn = work->in_turn ? work->regions - 1 - index : index;
     paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
-    region->status = paradt__patch_build(patch, &progress);
-    if (!region->status && paradt__patch_pauses(patch)) return;
+    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty);
+    if (!region->status && paradt__patch_pauses(patch, hasty)) return;
     region->built = 1;
     region->done = progress.begin + progress.length;
-    if (!region->status) region->status = paradt__patch_complete(patch, paradt__asks_around(work));
     region->open = !region->status && patch->list_count;
     paradt__count_patch(region);
     if (region->status || region->open || patch->trusts) return;
@@ -9765,24 +9772,26 @@ static void paradt__rank(paradt__ranked *list, size_t count) {
     }
 }
 
-// What the questions about a region's cells will take after the insertion, as a number of points to be inserted: by the
-// margin, as in paradt__sample_extra.
-static size_t paradt__last_lap(const paradt__work *work, size_t index) {
-    return (work->region[index].patch.bw.count - work->fields[index].set.count) * 5 / 3;
+// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    const paradt__bw *bw = &patch->bw;
+    if (work->region[index].built) return 0;
+    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    return bw->count - bw->inserted + bw->count - work->fields[index].set.count;
 }
 
-// What a region still has to do, as a number of points.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__bw *bw = &work->region[index].patch.bw;
-    return work->region[index].built ? 0 : bw->count - bw->inserted + paradt__last_lap(work, index);
+// What it has done, likewise
+static size_t paradt__region_done(const paradt__patch *patch) {
+    return patch->asks ? patch->bw.count + patch->asked / PARADT__QUESTIONS_A_POINT : patch->bw.inserted;
 }
 
 static void paradt__leg_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = region->patch.bw.inserted;
+    size_t before = paradt__region_done(&region->patch);
     if (!region->built) paradt__patch_task(work, task->runs);
-    task->ran = region->patch.bw.inserted - before;
+    task->ran = paradt__region_done(&region->patch) - before;
 }
 
 // Who runs which region in the next leg. Returns how much is left of them all.
@@ -9800,23 +9809,20 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
     return left;
 }
 
-// The third step. No leg should end while a region is at its questions, which don't pause, nor be so short that to
-// begin it matters. Where regions are many, threads even out their work by taking one after another.
+// The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
+// work by taking one after another.
 static paradt_status paradt__run_relay(paradt__work *work) {
     enum { MOST = 64, PART = 4, FEWEST = 1 << 16 /* cells a region */ };
     paradt__ranked regions[MOST], tasks[MOST];
-    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim), laps = 0.0;
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
     paradt_status status;
     size_t i;
     if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].patch.bw.relay = &work->relay;
-        laps += (double)paradt__last_lap(work, i);
-    }
+    for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = &work->relay;
     do {
         size_t left = paradt__assign_leg(work, regions, tasks);
-        int last = (double)left < fewest + 2.5 * laps;
-        work->relay.stop = last ? SIZE_MAX : work->relay.inserted + left / PART;
+        int last = (double)left < fewest;
+        work->relay.stop = last ? SIZE_MAX : work->relay.done + left / PART;
         status = paradt__run_regions(work, paradt__leg_task);
     } while ((!status || status == PARADT__GAVE_UP) && work->relay.stop < SIZE_MAX);
     for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = NULL;
