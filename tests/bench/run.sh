@@ -3,7 +3,7 @@
 # also to standard output, from the raw lines in build/bench/runs.json. Run it from the top folder, as `make bench` does.
 #
 #   BENCH=full|quick          everything (an hour or more), or small sets of a few families (a few minutes)
-#   BENCH_SECTIONS="..."      of families sizes scans dimensions weighted threads small predicates; all by default
+#   BENCH_SECTIONS="..."      of families sizes scans dimensions weighted threads speedup small predicates; all by default
 #   BENCH_SCANS="..."         files of points in space for the section scans; none by default
 #   BENCH_METHODS="..."       methods of ParaDT; auto incode dewall by default
 #   BENCH_PEERS="..."         peers; all that can be built by default
@@ -158,6 +158,7 @@ measure() {
     if [ "$n" -gt 200000 ]; then rounds=3; elif [ "$n" -gt 20000 ]; then rounds=5; else rounds=9; fi
     long=$LONG
     if [ "$section" = threads ]; then rounds=9 long=$((4 * LONG)); fi
+    if [ "$section" = speedup ]; then rounds=25 long=$((2 * LONG)); fi
     [ "$BENCH" = full ] || rounds=3
     slow=
     round=0
@@ -187,7 +188,7 @@ measure() {
 
 # --- the cases --------------------------------------------------------------------------------------------------------
 
-SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted threads small predicates}
+SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted threads speedup small predicates}
 wants() { case " $SECTIONS " in *" $1 "*) ;; *) false ;; esac; }
 
 # The first word of a list, for the method that stands for ParaDT where one is enough.
@@ -238,6 +239,11 @@ measure_all() {
             measure threads "$kind" "$large" 3 0 1 cgal $(for method in $METHODS; do
                 echo "$method $method/k2/j2 $method/k8/j1 $method/k8/j2"
             done) "$main/x2" cgal-tbb/j1 cgal-tbb/j2 hxt/j1 hxt/j2
+        done
+    fi
+    if wants speedup; then # one thread and two by turns, without a peer between, which takes much longer
+        for kind in uniform clusters; do
+            measure speedup "$kind" "$large" 3 0 1 "$main" "$main/k2/j2" "$main/x2"
         done
     fi
     if wants small; then
