@@ -9481,7 +9481,7 @@ typedef struct paradt__region {
     int built;   // it has ended the third step
     int open;    // it waits for what others have to tell
     size_t runs; // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;  // and the points that this task has inserted
+    size_t ran;  // and what this task has done, in points inserted
     double done; // what a front has reported of the whole work, at most
     paradt_stats stats;
 } paradt__region;
@@ -9754,9 +9754,9 @@ static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *
 // --- the relay
 //
 // The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: it is done in legs, each of which ends for all when together they have inserted a part
-// of the points that are left. In the next the region that has most left goes to the task that inserted most, since
-// that is likely to be on the same thread again. What a region builds does not depend on where it pauses.
+// So the regions change hands: it is done in legs, each of which ends for all when together they have done a part of
+// what is left. In the next the region that has most left goes to the task that did most, since that is likely to be on
+// the same thread again. What a region builds does not depend on where it pauses.
 
 typedef struct paradt__ranked {
     size_t amount, number;
@@ -9783,7 +9783,7 @@ static size_t paradt__region_left(const paradt__work *work, size_t index) {
 
 // What it has done, likewise
 static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->asks ? patch->bw.count + patch->asked / PARADT__QUESTIONS_A_POINT : patch->bw.inserted;
+    return patch->bw.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
 }
 
 static void paradt__leg_task(void *context, size_t index) {

@@ -210,7 +210,11 @@ static void regions_that_change_hands_build_what_they_build_alone(void **state) 
         const char *family;
         int dim, count;
         size_t regions;
-    } sets[] = {{"uniform", 3, 45000, 2}, {"clusters", 3, 80000, 3}, {"lattice", 3, 45000, 2}, {"uniform", 2, 150000, 2}};
+    } sets[] = {{"plummer", 3, 100000, 5}, // some pause while they ask, too
+                {"uniform", 3, 45000, 2},
+                {"clusters", 3, 80000, 3},
+                {"lattice", 3, 45000, 2},
+                {"uniform", 2, 150000, 2}};
     static const paradt_parallel_for runners[] = {NULL, run_on_threads, run_backwards};
     (void)state;
     for (size_t i = 0; i < (SANITIZED ? 1 : sizeof sets / sizeof sets[0]); i++) {
