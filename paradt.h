@@ -120,13 +120,13 @@
 //
 // REGIONS AND THREADS
 //
-// options.regions = k divides space into k boxes. Each box is built alone and makes just the cells that it owns, those
-// whose lexicographically smallest vertex lies in it; these are put together, and neighbours are linked across the
-// seams. The cells at a seam are made by more than one region and kept by one: stats.cells_recomputed of them were made
-// in vain, so (cells + cells_recomputed) / cells is the factor of duplication, the price of the division. By insertion
-// a cell is owned by the last box that has a vertex of it. The first box then needs no points but its own; it gets
-// somewhat more of them. The others also get cells among others' points alone, which count too, whether they are in
-// the result or in none.
+// options.regions = k divides space into k boxes. Each box is built alone, every cell is owned by one of them, and what
+// they own is put together, and neighbours are linked across the seams. Some of the cells at a seam are made by more
+// than one region and kept by one: stats.cells_recomputed of them were made in vain, so (cells + cells_recomputed) /
+// cells is the factor of duplication, the price of the division. By InCoDe and DeWall a cell is owned by the box with
+// most of its vertices (>>incode has the rule), by insertion by the last box that has any. The first box then needs no
+// points but its own; it gets somewhat more of them. The others also get cells among others' points alone, which count
+// too, whether they are in the result or in none.
 //
 //     PARADT_BISECTION  boxes of equal numbers of points, by a sample of 65,536: each box is cut across the longest
 //                       side of its points
@@ -289,7 +289,8 @@
 //                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                 recursion              paradt__wall_build, from paradt__dewall
 //     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
-//                 owner by ULF vertex    paradt__owns; which facets a region needs for that: paradt__needs
+//                 owner                  paradt__cell_owner, the box with most vertices instead of the one with the
+//                                        ULF vertex, and which facets a region needs for that: paradt__needs
 //                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
 //                 adaptive partition     the same with PARADT_BISECTION
 //                 joining                paradt__region_compact, paradt__regions_join
@@ -2318,7 +2319,8 @@ PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const 
 // gives each side its share of the points (bisection), or of the volume (uniform). A point on a cut belongs to the
 // upper side; the outer boxes are unbounded. The upper side's boxes come first. Where exactly the cuts are does not
 // matter but for speed, so a sample of the points tells.
-// Doors: paradt__cutter_divide, paradt__cuts_find, paradt__cuts_box, paradt__cuts_end, paradt__spacing.
+// Doors: paradt__cutter_divide, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box, paradt__cuts_end,
+// paradt__spacing.
 
 typedef struct paradt__cut {
     double at;
@@ -2346,6 +2348,22 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
         boxes = boxes / 2 + (boxes & below);
     }
     return first;
+}
+
+// The cut nearest to x of those around its box, of several the first; NULL: there is none. Distances are rounded: all
+// that counts is that they never get smaller as a point moves away from the cut.
+static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
+    const paradt__cut *nearest = NULL;
+    size_t first = 0, boxes = cuts->boxes;
+    int64_t least = 0;
+    while (boxes > 1) {
+        const paradt__cut *cut = cuts->cut + first + boxes / 2;
+        int64_t distance = paradt__ordered_bits(paradt__abs(x[cut->axis] - cut->at));
+        if (!nearest || distance < least) nearest = cut, least = distance;
+        if (paradt__cut_is_above(cut, x)) first += boxes / 2, boxes -= boxes / 2;
+        else boxes /= 2;
+    }
+    return nearest;
 }
 
 // Bounds of a box, where it has any, in place of low and high.
@@ -5316,19 +5334,38 @@ static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) 
 //
 // Incremental construction: from a first cell, a cell on each active facet, until there is none. What is common to all
 // methods that make cells facet by facet is here: the store of the cells, the active face list, and the region for
-// which the cells are made. A region needs the cells whose lexicographically smallest vertex it holds. They are reached
-// through facets that have a vertex in the region which is not their largest: the larger neighbours of a vertex v are
-// connected by edges among themselves (the vertices of the vertex figure of the lifted hull at v on one side of a
-// plane: Balinski's argument), so from one edge (v, w), w > v, all such edges are reached around their ends, and with
-// them all cells that v is the smallest vertex of. Facets without such a vertex end in the seam: they are stored, so
-// that two cells that both were made get linked, but never worked on. A vertex of the region that no edge to a larger
-// one has reached gets a cell of its own to start from. A vertex that no active facet is left at has all its cells, and
-// can't be an apex any more. InCoDe counts the active facets at each vertex and takes grid cells and groups without
-// other points out of the search: it need not look behind the front. Doors: paradt__front_begin, paradt__front_end,
-// paradt__front_seed, paradt__front_build, paradt__incode.
+// which the cells are made. A vertex that no active facet is left at has all its cells, and can't be an apex any more.
+// InCoDe counts the active facets at each vertex and takes grid cells and groups without other points out of the
+// search: it need not look behind the front.
+//
+// Regions. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if
+// equally far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the
+// region's points: needed are the facets in which one does. All such cells are found from one around each vertex: the
+// neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex figure
+// of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others are
+// reached around their ends, and all cells around them. Facets that are not needed end in the seam: they are stored, so
+// that two cells that both were made get linked, but not worked on. A vertex of the region that no edge led away from
+// gets a cell of its own to start from.
+//
+// The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
+// points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
+// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then it is
+// nearest to v too, and one of two points is always the farther. So a cell with two vertices in a region is reached by
+// it, and few cells are made by several: those across a cut with two vertices on either side, and some in which the cut
+// nearest to a vertex is not the one that the cell crosses.
+//
+// A few cells nobody reaches, where boxes meet at an edge or corner. They are in clusters, connected by facets in which
+// no edge leads away. A region that owns a cell with such a facet looks behind it; if it finds one of a cluster there,
+// it goes on to all of the cluster and the cells next to it: these facets are its doors. So whoever owns a cell next to
+// a cluster knows all of them, and the first of these owns the cluster. If there is none, the cluster is all of T(P):
+// then every region has it, since all begin with a cell, and the first that has points owns it.
+//
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_seed, paradt__front_build, paradt__incode,
+// paradt__cell_owner.
 
 typedef struct paradt__region_view {
     const uint32_t *owner; // [set.count] region of each point; NULL: undivided
+    const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
@@ -5361,8 +5398,9 @@ typedef struct paradt__front {
     uint64_t seeding; // predicates for the cells to start from: they come with the region, not with its cells
     uint64_t hull_facets;
     paradt__finished finished;
-    uint64_t *touched; // with regions: a bit for each vertex that an edge to a larger one has reached
-    size_t next_seed;  // positions before it need no seed
+    uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
+    paradt_index doors; // with regions: list of facets to look behind
+    size_t next_seed;   // positions before it need no seed
 } paradt__front;
 
 static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
@@ -5448,6 +5486,7 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     front->grid = grid;
     front->memory = memory;
     front->view = view;
+    front->doors = PARADT__OPEN;
     front->cells.corners = set->space.dim + 1;
     front->expected = points * paradt__cells_a_point(set->space.dim) * paradt__off_hull(points, set->space.dim) + 16.0;
     paradt__search_begin(&front->search, set, grid);
@@ -5461,27 +5500,30 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     return paradt__cells_reserve(&front->cells, (size_t)(front->expected * 1.01) + 64, memory);
 }
 
-// Position of the lexicographically smallest (sign = -1) or largest (1) of the vertices.
-static int paradt__extreme(const paradt__set *set, const paradt_index *vertices, int count, int sign) {
-    int best = 0, i;
-    for (i = 1; i < count; i++) {
-        if (paradt__compare(&set->space, paradt__record(set, vertices[i]), paradt__record(set, vertices[best])) == sign)
-            best = i;
+// Does the edge from a point to another lead away from the cut, the one nearest to it, or NULL?
+static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
+                                   const double *to) {
+    if (cut) {
+        int64_t x = paradt__ordered_bits(from[cut->axis]), y = paradt__ordered_bits(to[cut->axis]);
+        if (x != y) return (y < x) == paradt__cut_is_above(cut, from);
     }
-    return best;
+    return paradt__compare(space, to, from) > 0;
 }
 
-// Does the region own the cell?
-static int paradt__owns(const paradt__region_view *view, const paradt__set *set, const paradt_index *cell,
-                        int corners) {
-    int i, inside = 0;
-    if (!view->owner) return 1;
-    for (i = 0; i < corners; i++) inside += view->owner[cell[i]] == view->region;
-    if (inside == 0 || inside == corners) return inside != 0;
-    return view->owner[cell[paradt__extreme(set, cell, corners, -1)]] == view->region;
+// Does an edge of the simplex lead away from its vertex `place`?
+static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
+                              int count, int place) {
+    const double *x = paradt__record(set, simplex[place]);
+    const paradt__cut *cut = paradt__cuts_nearest(view->cuts, x);
+    int i;
+    for (i = 0; i < count; i++) {
+        const double *to = paradt__record(set, simplex[i]);
+        if (i != place && paradt__edge_leads_away(&set->space, cut, x, to)) return 1;
+    }
+    return 0;
 }
 
-// Has the facet a vertex in the region other than its largest?
+// Has the facet an edge that leads away from a point of the region? Two points of the region have one.
 static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
                          int count) {
     int i, inside = 0, only = 0;
@@ -5490,15 +5532,34 @@ static int paradt__needs(const paradt__region_view *view, const paradt__set *set
         if (view->owner[facet[i]] == view->region) inside++, only = i;
     }
     if (inside != 1) return inside != 0;
-    return paradt__extreme(set, facet, count, 1) != only;
+    return paradt__leads_away(view, set, facet, count, only);
+}
+
+// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
+// PARADT__OPEN: nobody reaches it.
+static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
+                                       const paradt_index *simplex, int count) {
+    paradt_index owner = PARADT__OPEN;
+    int most = 0, i, j;
+    for (i = 0; i < count; i++) {
+        paradt_index region = (paradt_index)view->owner[simplex[i]];
+        int inside = 0;
+        for (j = 0; j < count; j++) inside += view->owner[simplex[j]] == view->owner[simplex[i]];
+        if (inside > count / 2 && inside > 1) return region;
+        if (inside < most || (inside == most && region >= owner)) continue;
+        if (inside == 1 && !paradt__leads_away(view, set, simplex, count, i)) continue;
+        owner = region;
+        most = inside;
+    }
+    return owner;
 }
 
 static void paradt__touch(paradt__front *front, const paradt_index *cell) {
-    int corners = front->cells.corners, i, largest = -1;
+    int corners = front->cells.corners, i;
     for (i = 0; i < corners; i++) {
-        if (front->view.owner[cell[i]] != front->view.region) continue;
-        if (largest < 0) largest = paradt__extreme(front->set, cell, corners, 1);
-        if (i != largest) front->touched[cell[i] / 64] |= (uint64_t)1 << cell[i] % 64;
+        uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
+        if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
+        if (paradt__leads_away(&front->view, front->set, cell, corners, i)) *word |= bit;
     }
 }
 
@@ -5559,6 +5620,28 @@ PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt
     return status;
 }
 
+// Lists the facets of the newest cell behind which there may be a cell that nobody reaches, if it is for the region to
+// look. No two vertices of such a cell are of one region.
+static paradt_status paradt__front_list_doors(paradt__front *front) {
+    const paradt__cells *cells = &front->cells;
+    int corners = cells->corners, foreign = 0, i;
+    size_t base = (cells->count - 1) * (size_t)corners;
+    const paradt_index *cell = cells->vertices + base;
+    paradt_index facet[PARADT_MAX_DIM], owner;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < corners; i++) foreign += front->view.owner[cell[i]] != front->view.region;
+    if (foreign < corners - 2 || front->view.cuts->boxes < (size_t)corners) return PARADT_OK;
+    owner = paradt__cell_owner(&front->view, front->set, cell, corners);
+    if (owner >= 0 && owner != (paradt_index)front->view.region) return PARADT_OK;
+    for (i = 0; i < corners && !status; i++) {
+        if (cells->neighbors[base + (size_t)i] != PARADT__OPEN) continue;
+        paradt__facet_of(cell, corners, i, facet);
+        if (paradt__cell_owner(&front->view, front->set, facet, corners - 1) < 0)
+            status = paradt__list_push(&front->lists, &front->doors, (paradt_index)base + i, front->memory);
+    }
+    return status;
+}
+
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
     paradt_status status = paradt__cells_room(&front->cells, front->memory);
@@ -5568,6 +5651,7 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
     if (front->touched) paradt__touch(front, cell);
     if (front->cells.corners == 4) status = paradt__add_cell(front, cell, across, from, activate, method, 4);
     else status = paradt__add_cell(front, cell, across, from, activate, method, front->cells.corners);
+    if (!status && front->view.owner) status = paradt__front_list_doors(front);
     if (!status && front->cells.count % 1024 == 0) {
         double done = (double)front->cells.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
@@ -5592,8 +5676,44 @@ static paradt_status paradt__front_expand(paradt__front *front, paradt_index han
     return PARADT_OK;
 }
 
-// A vertex of the region that still needs a cell: a cell to start from, or 0 when there is none. Undivided, there is
-// one.
+// A cell behind a door, or 0 when there is none: one of a cluster, or next to it.
+static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
+    int corners = front->cells.corners, unused;
+    while (front->doors >= 0) {
+        paradt_index handle = paradt__list_pop(&front->lists, &front->doors);
+        const paradt_index *from = front->cells.vertices + handle / corners * corners;
+        if (front->cells.neighbors[handle] != PARADT__OPEN) continue;
+        if (paradt__search_apex(&front->search, from, (int)(handle % corners), cell, &unused) < 0) continue;
+        if (paradt__cell_owner(&front->view, front->set, cell, corners) < 0 ||
+            paradt__cell_owner(&front->view, front->set, from, corners) < 0)
+            return 1;
+    }
+    return 0;
+}
+
+// A cell to which an edge leads away from the vertex, or 0 when there is none. The region's first cell may be any.
+static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
+    const paradt__set *set = front->set;
+    const double *x = set->records + vertex * set->width;
+    const paradt__cut *cut = paradt__cuts_nearest(front->view.cuts, x);
+    size_t step, other = 0;
+    int i;
+    for (step = 1; step < set->count; step++) {
+        other = (vertex + step) % set->count;
+        if (paradt__edge_leads_away(&set->space, cut, x, set->records + other * set->width)) break;
+    }
+    if (step == set->count && front->cells.count) return 0;
+    cell[0] = (paradt_index)vertex;
+    cell[1] = (paradt_index)other;
+    paradt__cell_towards(&front->search, cell, 2);
+    for (i = 0; i < front->cells.corners; i++) {
+        if (cell[i] == (paradt_index)vertex) return 1;
+    }
+    return 0;
+}
+
+// A cell to start from: behind a door, or at a vertex of the region that still needs one; or 0 when there is none.
+// Undivided, there is one.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -5602,23 +5722,11 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    for (; front->next_seed < set->count; front->next_seed++) {
-        size_t at = front->next_seed, step;
-        const double *x = set->records + at * set->width;
-        int corners = front->cells.corners, i;
+    if (paradt__front_pass_door(front, cell)) return 1;
+    while (front->next_seed < set->count) {
+        size_t at = front->next_seed++;
         if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
-        front->touched[at / 64] |= (uint64_t)1 << at % 64;
-        for (step = 1; step < set->count; step++) {
-            size_t other = (at + step) % set->count;
-            if (paradt__compare(&set->space, set->records + other * set->width, x) > 0) break;
-        }
-        if (step == set->count) continue; // the largest of all is no cell's smallest
-        cell[0] = (paradt_index)at;
-        cell[1] = (paradt_index)((at + step) % set->count);
-        paradt__cell_towards(&front->search, cell, 2);
-        for (i = 0; i < corners; i++) {
-            if (cell[i] == (paradt_index)at) return 1;
-        }
+        if (paradt__front_seed_at(front, at, cell)) return 1;
     }
     return 0;
 }
@@ -8111,10 +8219,10 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions
 //
-// Each box of space is a region. A cell belongs to the box that holds its lexicographically smallest vertex (by
-// insertion: to the last box that holds any). Each region is built alone and keeps the cells it owns; the facets
-// between cells of different regions are matched when all have ended. Doors: paradt__regions_assign,
-// paradt__regions_deal, paradt__region_compact, paradt__regions_join.
+// Each box of space is a region. A cell belongs to the box with most of its vertices, as told in >>incode; by insertion
+// to the last box that holds any. Each region is built alone and keeps the cells it owns; the facets between cells of
+// different regions are matched when all have ended. Doors: paradt__regions_assign, paradt__regions_deal,
+// paradt__region_compact, paradt__regions_join.
 
 // Fills owner[set->count] with the region of each point.
 static void paradt__regions_assign(const paradt__set *set, const paradt__cuts *cuts, uint32_t *owner) {
@@ -8138,18 +8246,58 @@ static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, siz
     paradt__regions_deal(set, cuts, cut->begin, end, first + boxes / 2, boxes - boxes / 2);
 }
 
+// Gives the cluster of a cell that nobody reaches to its owner, see >>incode. owners: [cells->count], PARADT__OPEN for
+// such cells; cluster: room for all of them.
+static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *owner, paradt_index *owners,
+                                 paradt_index *cluster, paradt_index first) {
+    enum { MET = -3 };
+    paradt_index beside = PARADT__NOWHERE, within = PARADT__NOWHERE, corners = cells->corners, i, j, count = 1;
+    cluster[0] = first;
+    owners[first] = MET;
+    for (i = 0; i < count; i++) {
+        for (j = cluster[i] * corners; j < (cluster[i] + 1) * corners; j++) {
+            paradt_index neighbor = cells->neighbors[j], region = (paradt_index)owner[cells->vertices[j]];
+            if (region < within) within = region;
+            if (neighbor < 0) continue;
+            if (owners[neighbor] == PARADT__OPEN) owners[neighbor] = MET, cluster[count++] = neighbor;
+            else if (owners[neighbor] != MET && owners[neighbor] < beside) beside = owners[neighbor];
+        }
+    }
+    for (i = 0; i < count; i++) owners[cluster[i]] = beside < PARADT__NOWHERE ? beside : within;
+}
+
+// Fills owners[cells->count].
+static paradt_status paradt__cells_find_owners(const paradt__cells *cells, const paradt__set *set,
+                                               const paradt__region_view *view, paradt__memory *memory,
+                                               paradt_index *owners) {
+    size_t corners = (size_t)cells->corners, unreached = 0, i;
+    paradt_index *cluster;
+    for (i = 0; i < cells->count; i++) {
+        owners[i] = paradt__cell_owner(view, set, cells->vertices + i * corners, cells->corners);
+        unreached += owners[i] < 0;
+    }
+    if (!unreached) return PARADT_OK;
+    cluster = (paradt_index *)paradt__alloc(memory, unreached, sizeof *cluster);
+    if (!cluster) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < cells->count; i++) {
+        if (owners[i] < 0) paradt__cluster_give(cells, view->owner, owners, cluster, (paradt_index)i);
+    }
+    paradt__release(memory, cluster);
+    return PARADT_OK;
+}
+
 // Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
 static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__set *set,
                                             const paradt__region_view *view, paradt__memory *memory,
                                             uint64_t *foreign) {
     size_t corners = (size_t)cells->corners, i, kept = 0;
     paradt_index *place = (paradt_index *)paradt__alloc(memory, cells->count, sizeof *place);
-    if (!place) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < cells->count; i++) {
-        int owned = paradt__owns(view, set, cells->vertices + i * corners, cells->corners);
+    paradt_status status = place ? paradt__cells_find_owners(cells, set, view, memory, place) : PARADT_ERROR_MEMORY;
+    for (i = 0; i < cells->count && !status; i++) {
+        int owned = place[i] == (paradt_index)view->region;
         place[i] = owned ? (paradt_index)kept++ : (paradt_index)PARADT__OPEN;
     }
-    for (i = 0; i < cells->count; i++) {
+    for (i = 0; i < cells->count && !status; i++) {
         paradt_index *to;
         size_t j;
         if (place[i] < 0) continue;
@@ -8160,10 +8308,12 @@ static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__
             to[j] = neighbor < 0 ? neighbor : place[neighbor];
         }
     }
-    *foreign = cells->count - kept;
-    cells->count = kept;
+    if (!status) {
+        *foreign = cells->count - kept;
+        cells->count = kept;
+    }
     paradt__release(memory, place);
-    return PARADT_OK;
+    return status;
 }
 
 // Appends the cells of a region.
@@ -9532,7 +9682,7 @@ static double paradt__front_done(const paradt__front *front) {
 
 static paradt_status paradt__build_undivided(paradt__work *work) {
     paradt__front front;
-    paradt__region_view view = {NULL, 0};
+    paradt__region_view view = {NULL, NULL, 0};
     paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
     front.progress = paradt__part_of_progress(work, 0, 1);
     front.impatient = work->impatient;
@@ -9563,6 +9713,7 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
 static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
     paradt__region_view view;
     view.owner = work->owner;
+    view.cuts = &work->cuts;
     view.region = (uint32_t)index;
     return view;
 }
@@ -10802,13 +10953,24 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
+// The lexicographically smallest of the vertices
+static paradt_index paradt__smallest_vertex(const paradt__set *set, const paradt_index *vertices, int count) {
+    paradt_index best = vertices[0];
+    int i;
+    for (i = 1; i < count; i++) {
+        if (paradt__compare(&set->space, paradt__record(set, vertices[i]), paradt__record(set, best)) < 0)
+            best = vertices[i];
+    }
+    return best;
+}
+
 // Is what is at a place of the fringe an own cell, one whose smallest vertex is?
 PARADT__INLINE int paradt__remote_engine_owns(const paradt__set *set, const paradt_index *vertices, size_t corners) {
     paradt_index own = (paradt_index)set->count;
     int share = 0;
     size_t j;
     for (j = 0; j < corners; j++) share |= vertices[j] < own;
-    return share && vertices[paradt__extreme(set, vertices, (int)corners, -1)] < own;
+    return share && paradt__smallest_vertex(set, vertices, (int)corners) < own;
 }
 
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.
@@ -10932,6 +11094,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     if (status) return status;
     paradt__regions_assign(set, &part->cuts, part->owner);
     view.owner = part->owner;
+    view.cuts = &part->cuts;
     view.region = (uint32_t)region;
     status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
     front.progress.call = options->progress;

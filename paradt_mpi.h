@@ -2598,7 +2598,7 @@ static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, siz
 PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, int k, const paradt_index *cell) {
     if (PARADT__LIKELY(paradt__vertices_among(cell, k, 0, (paradt_index)w->set.count))) return 1;
     if (w->options.flags & PARADT_MPI_REPLICATED) return 1;
-    return (size_t)cell[paradt__extreme(&w->set, cell, k, -1)] < w->set.count;
+    return (size_t)paradt__smallest_vertex(&w->set, cell, k) < w->set.count;
 }
 
 // In the neighbours of a cell, if it is one, the number of a cell becomes another. It is there once; where cannot be

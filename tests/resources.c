@@ -657,6 +657,31 @@ static void some_regions_of_a_lattice_tell_others(void **state) {
     sample_free(&s);
 }
 
+// Facet by facet, regions make again little more than what crosses their borders with two vertices on either side.
+static void regions_make_few_cells_again(void **state) {
+    static const struct {
+        int dim, count;
+        size_t regions;
+        double share;
+    } cases[] = {{2, 8000, 5, 0.005}, {3, 8000, 4, 0.06}, {3, 100000, 2, 0.015}, {4, 3000, 2, 0.15}};
+    (void)state;
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, cases[i / 2].dim, cases[i / 2].count, 1);
+        paradt_points points = points_of(&s);
+        paradt_options options = {0};
+        paradt_triangulation t;
+        options.method = i % 2 ? PARADT_DEWALL : PARADT_INCODE;
+        options.regions = cases[i / 2].regions;
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        double share = (double)t.stats.cells_recomputed / (double)t.cell_count;
+        if (share > cases[i / 2].share)
+            fail_msg("%d points in %zu regions, d = %d: %.4f of the cells made again", cases[i / 2].count, options.regions,
+                     cases[i / 2].dim, share);
+        paradt_free(&t);
+        sample_free(&s);
+    }
+}
+
 // Of these two regions the first hears of the other's points, but gives up; then it takes in the other's points.
 static void memory_may_run_out_where_regions_are_given_up(void **state) {
     sample s = points_of_a_sheet(5000);
@@ -874,6 +899,7 @@ int main(void) {
         cmocka_unit_test(points_that_are_all_equal_make_one_region),
         cmocka_unit_test(regions_near_a_surface_tell_each_other),
         cmocka_unit_test(some_regions_of_a_lattice_tell_others),
+        cmocka_unit_test(regions_make_few_cells_again),
         cmocka_unit_test(memory_may_run_out_where_regions_are_given_up),
         cmocka_unit_test(regions_give_up_on_points_measured_from_a_sphere),
         cmocka_unit_test(errno_the_rounding_mode_and_the_input_are_left_alone),
