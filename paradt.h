@@ -2754,15 +2754,13 @@ static size_t paradt__loader_share(const paradt__loader *loader, size_t count, s
     return index + 1 == tasks ? count : count / tasks * (index + 1);
 }
 
-// Looks at all coordinates of a task's points.
-PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim) {
+// Looks at all coordinates of a task's points [i, end).
+PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, size_t i, size_t end, int dim) {
     paradt__source source = *loader->source; // copies, that no store through a pointer can change
-    paradt__space space = loader->set->space;
-    size_t i, end = paradt__loader_share(loader, source.points.count, index, &i);
-    int largest = 0;
+    paradt__space space = loader->space[index];
+    int largest = loader->exponent[index];
     double record[PARADT_MAX_DIM + 1];
     source.points.dim = space.ambient = dim;
-    loader->bad[index] = SIZE_MAX;
     for (; i < end; i++) {
         int exponent = paradt__read_record(&source, i, record);
         paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
@@ -2778,11 +2776,11 @@ PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, int dim
     loader->exponent[index] = largest;
 }
 
-// A point of each of as many equal shares of all, at random: a regular choice might meet a pattern of the points.
-static void paradt__sample(paradt__loader *loader, size_t index) {
+// All points make loader->sampled equal shares. Samples a point of each of the shares [i, end), at random: a regular
+// choice might meet a pattern of the points.
+static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     const paradt_points *points = &loader->source->points;
     double step = (double)points->count / (double)loader->sampled;
-    size_t i, end = paradt__loader_share(loader, loader->sampled, index, &i);
     for (; i < end; i++) {
         size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
         size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
@@ -2800,12 +2798,27 @@ static void paradt__loader_pages(const paradt__loader *loader, size_t index) {
     paradt__make_pages(loader->representative, first * sizeof(paradt_index), end * sizeof(paradt_index));
 }
 
+// The points are sampled while they are in the cache.
 static void paradt__survey_task(void *context, size_t index) {
+    enum { TOGETHER = 1 << 12 };
     paradt__loader *loader = (paradt__loader *)context;
+    size_t count = loader->source->points.count, i, shares_end, share, next;
+    size_t end = paradt__loader_share(loader, count, index, &i);
+    int dim = loader->source->points.dim;
     paradt__loader_pages(loader, index);
-    if (loader->source->points.dim == 3) paradt__survey(loader, index, 3);
-    else paradt__survey(loader, index, loader->source->points.dim);
-    paradt__sample(loader, index);
+    loader->space[index] = loader->set->space;
+    loader->exponent[index] = 0;
+    loader->bad[index] = SIZE_MAX;
+    shares_end = paradt__loader_share(loader, loader->sampled, index, &share);
+    for (; i < end && loader->bad[index] == SIZE_MAX; i = next) {
+        size_t met;
+        next = end - i < TOGETHER ? end : i + TOGETHER;
+        if (dim == 3) paradt__survey(loader, index, i, next, 3);
+        else paradt__survey(loader, index, i, next, dim);
+        met = (size_t)((double)next / (double)count * (double)loader->sampled);
+        if (met > shares_end || next == end) met = shares_end;
+        if (met > share) paradt__sample(loader, share, met), share = met;
+    }
 }
 
 // Measures the set. *bad is the first point with a coordinate or weight that is no number.
@@ -2949,7 +2962,7 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
     for (i = 0; i < count && margin > 0.0; i++)
         beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
-    extra = 1.9 * (double)beside / (double)WIDTH;
+    extra = 2.2 * (double)beside / (double)WIDTH;
     most = (double)count / 4.0 / (double)loader->cuts->boxes;
     return (size_t)(extra < most ? extra : most);
 }
@@ -3731,37 +3744,52 @@ PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const 
     return room;
 }
 
-// One box of a level from the lanes of `count` boxes or points below it. Points have one row an axis, boxes two.
-static void paradt__grid_fill_box(double *box, const double *below, int count, int ambient, int graded, int rows) {
-    int axis, lane;
-    for (axis = 0; axis < ambient; axis++) {
-        const double *low = below + axis * rows * PARADT__LANES, *high = low + (rows - 1) * PARADT__LANES;
+// One box of the lowest level, around `count` points, and the largest weight where they are graded. Inlined with a
+// constant width.
+PARADT__INLINE void paradt__grid_bound_points(double *box, const double *record, size_t width, size_t count,
+                                              int ambient, int graded) {
+    size_t i;
+    int axis;
+    for (axis = 0; axis < ambient + graded; axis++) {
+        double *to = box + axis * 2 * PARADT__LANES, least = record[axis], most = least;
+        for (i = 1; i < count; i++) {
+            double x = record[i * width + (size_t)axis];
+            least = x < least ? x : least;
+            most = x > most ? x : most;
+        }
+        to[0] = axis < ambient ? least : most;
+        if (axis < ambient) to[PARADT__LANES] = most;
+    }
+}
+
+// One box of a higher level, around `count` boxes.
+static void paradt__grid_bound_boxes(double *box, const double *below, size_t count, int ambient, int graded) {
+    size_t lane;
+    int axis;
+    for (axis = 0; axis < ambient + graded; axis++) {
+        const double *low = below + axis * 2 * PARADT__LANES, *high = axis < ambient ? low + PARADT__LANES : low;
         double *to = box + axis * 2 * PARADT__LANES, least = low[0], most = high[0];
         for (lane = 1; lane < count; lane++) {
             least = low[lane] < least ? low[lane] : least;
             most = high[lane] > most ? high[lane] : most;
         }
-        to[0] = least;
-        to[PARADT__LANES] = most;
-    }
-    if (graded) {
-        const double *weight = below + ambient * rows * PARADT__LANES;
-        double *to = box + ambient * 2 * PARADT__LANES;
-        to[0] = weight[0];
-        for (lane = 1; lane < count; lane++) to[0] = weight[lane] > to[0] ? weight[lane] : to[0];
+        to[0] = axis < ambient ? least : most;
+        if (axis < ambient) to[PARADT__LANES] = most;
     }
 }
 
 static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
-    size_t below_count = level ? grid->box_count[level - 1] : set->count, i;
-    double room[PARADT__GRID_ROOM];
+    size_t below = level ? grid->box_count[level - 1] : set->count, i;
+    int ambient = set->space.ambient, graded = set->grade != PARADT__UNGRADED;
     for (i = 0; i < grid->box_count[level]; i++) {
-        const double *below =
-            level ? grid->boxes[level - 1] + i * grid->group_width : paradt__grid_lanes(grid, set, i, room);
         double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
-        size_t count = below_count - i * PARADT__LANES;
-        paradt__grid_fill_box(box, below, count < PARADT__LANES ? (int)count : PARADT__LANES, set->space.ambient,
-                              set->grade != PARADT__UNGRADED, level ? 2 : 1);
+        const double *record = set->records + i * PARADT__LANES * set->width;
+        size_t left = below - i * PARADT__LANES, count = left < PARADT__LANES ? left : (size_t)PARADT__LANES;
+        if (level)
+            paradt__grid_bound_boxes(box, grid->boxes[level - 1] + i * grid->group_width, count, ambient, graded);
+        else if (set->width == 3 && !graded && count == PARADT__LANES)
+            paradt__grid_bound_points(box, record, 3, PARADT__LANES, 3, 0);
+        else paradt__grid_bound_points(box, record, set->width, count, ambient, graded);
     }
 }
 
@@ -7946,6 +7974,15 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 #endif
 }
 
+// The others do not pause while one does what takes as long as so many points and can't be paused.
+static void paradt__relay_waits(paradt__relay *relay, size_t points) {
+#if defined(PARADT__ADD_AT_ONCE)
+    if (relay) PARADT__ADD_AT_ONCE(&relay->done, 0 - points);
+#else
+    (void)relay, (void)points;
+#endif
+}
+
 // Inserts the points that are left, in their order, until it pauses.
 static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(bw);
@@ -8328,31 +8365,51 @@ static void paradt__cells_append(paradt__cells *all, const paradt__cells *part) 
     all->count += part->count;
 }
 
-// Links an open facet to its twin, if that was seen before.
-static paradt_status paradt__join_facet(paradt__active *active, paradt__cells *all, paradt_index handle,
-                                        paradt__memory *memory) {
-    int corners = all->corners, opposite = (int)(handle % corners);
-    const paradt_index *cell = all->vertices + (handle - opposite);
-    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
+enum { PARADT__JOINED = 8 }; // facets at once: there is room for those of a cell
+
+// Links open facets to their twins, if these were seen before. Each step waits for memory, for all of them together.
+static paradt_status paradt__join_facets(paradt__active *active, paradt__cells *all, const paradt_index *handles,
+                                         size_t count, paradt__memory *memory) {
+    paradt_index corners = all->corners, *chain[PARADT__JOINED], smallest[PARADT__JOINED];
+    uint32_t key[PARADT__JOINED];
     paradt_status status = paradt__active_room(active, memory);
-    paradt_index smallest = paradt__smallest_but(cell, corners, opposite), twin;
-    if (status) return status;
-    twin =
-        paradt__active_match(active, all, paradt__active_chain(active, smallest, key), smallest, key, handle, corners);
-    if (twin >= 0) {
-        all->neighbors[handle] = twin / (paradt_index)corners;
-        all->neighbors[twin] = handle / (paradt_index)corners;
+    size_t i;
+    for (i = 0; i < count && !status; i++) {
+        int opposite = (int)(handles[i] % corners);
+        const paradt_index *cell = all->vertices + (handles[i] - opposite);
+        key[i] = paradt__facet_key(paradt__cell_sum(cell, all->corners) - paradt__vertex_key(cell[opposite]));
+        smallest[i] = paradt__smallest_but(cell, all->corners, opposite);
+        chain[i] = paradt__active_chain(active, smallest[i], key[i]);
+        PARADT__PREFETCH(chain[i]);
     }
-    return PARADT_OK;
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] >= 0) PARADT__PREFETCH(active->links + *chain[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] < 0) continue;
+        PARADT__PREFETCH(all->vertices + active->links[*chain[i]].handle);
+        PARADT__PREFETCH(all->neighbors + active->links[*chain[i]].handle);
+    }
+    for (i = 0; i < count && !status; i++) {
+        paradt_index twin = paradt__active_match(active, all, chain[i], smallest[i], key[i], handles[i], all->corners);
+        if (twin < 0) continue;
+        all->neighbors[handles[i]] = twin / corners;
+        all->neighbors[twin] = handles[i] / corners;
+    }
+    return status;
 }
 
 // Links the open facets of all regions to each other. What finds no partner is the hull.
 static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *memory, uint64_t *hull_facets) {
     paradt__active active;
-    size_t facets = all->count * (size_t)all->corners, i;
+    size_t facets = all->count * (size_t)all->corners, count = 0, i;
+    paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__active_begin(&active, 0, memory);
     for (i = 0; i < facets && !status; i++) {
-        if (all->neighbors[i] == PARADT__OPEN) status = paradt__join_facet(&active, all, (paradt_index)i, memory);
+        if (all->neighbors[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
+        if (count < PARADT__JOINED && i + 1 < facets) continue;
+        status = paradt__join_facets(&active, all, open, count, memory);
+        count = 0;
     }
     for (i = 0; i < facets; i++) {
         if (all->neighbors[i] == PARADT__OPEN) all->neighbors[i] = PARADT__HULL;
@@ -8766,9 +8823,12 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
     return status;
 }
 
+// To look for them takes as long as the insertion of a few points, in which the other regions go on.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
+    enum { CELLS_A_POINT = 400 };
     paradt_status status = paradt__patch_states(patch);
     if (status) return status;
+    paradt__relay_waits(patch->bw.relay, patch->bw.cells.count / CELLS_A_POINT);
     paradt__bw_mark_free(&patch->bw);
     if (patch->bw.cells.corners == 4) return paradt__patch_list_suspects(patch, 4);
     return paradt__patch_list_suspects(patch, (size_t)patch->bw.cells.corners);
@@ -9809,7 +9869,7 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__count_patch(region);
     if (region->status || region->open || patch->trusts) return;
     paradt__end_questions(work, index);
-    paradt__patch_rest(patch);
+    if (!patch->bw.relay) paradt__patch_rest(patch); // else the others would wait for that
 }
 
 // Fourth step: leaves only the region's cells.
@@ -9854,17 +9914,24 @@ static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
 
 // Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
 static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    enum { AHEAD = 8 };
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
-    size_t i;
-    for (i = 0; i < patch->list_count && !status; i++) {
-        paradt_index soon = patch->list[i + AHEAD < patch->list_count ? i + AHEAD : i];
-        PARADT__PREFETCH(work->cells.vertices + soon);
-        PARADT__PREFETCH(work->cells.neighbors + soon);
-        status = paradt__join_facet(&work->seam, &work->cells, patch->list[i], memory);
+    size_t i, j, end;
+    for (i = 0; i < patch->list_count && !status; i = end) {
+        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
+        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->cells.vertices + patch->list[j]);
+            PARADT__PREFETCH(work->cells.neighbors + patch->list[j]);
+        }
+        status = paradt__join_facets(&work->seam, &work->cells, patch->list + i, end - i, memory);
     }
     return status;
+}
+
+// What is left to be done takes no coordinates.
+static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
+    paradt__release(memory, work->set.records);
+    work->set.records = NULL;
 }
 
 // By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
@@ -9882,6 +9949,7 @@ static void paradt__emit_task(void *context, size_t index) {
     if (index || region->status) return;
     region->status = paradt__active_begin(&work->seam, region->patch.list_count, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
+    paradt__release_records(work, &region->memory);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
@@ -9963,7 +10031,7 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
 // The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
 // work by taking one after another.
 static paradt_status paradt__run_relay(paradt__work *work) {
-    enum { MOST = 64, PART = 4, FEWEST = 1 << 16 /* cells a region */ };
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
     paradt__ranked regions[MOST], tasks[MOST];
     double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
     paradt_status status;
@@ -10090,8 +10158,12 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     if (!lent) paradt__cells_free(&work->slices, &work->memory);
     // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
     in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
-    if (in_place) *cells = work->slices;
-    else status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    if (in_place) {
+        *cells = work->slices;
+    } else {
+        paradt__release_records(work, &work->memory);
+        status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    }
     cells->count = total;
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__emit_task);
@@ -10189,11 +10261,7 @@ static paradt_status paradt__build_together(paradt__work *work) {
         if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
     }
     paradt__share_memory(work);
-    if (!status) { // what is left to be done takes no coordinates
-        paradt__release(&work->memory, work->set.records);
-        work->set.records = NULL;
-        status = paradt__collect_patches(work);
-    }
+    if (!status) status = paradt__collect_patches(work);
     paradt__share_memory(work);
     return status;
 }
