@@ -9945,11 +9945,11 @@ static void paradt__emit_task(void *context, size_t index) {
     to.vertices = stays ? region->patch.bw.cells.vertices : work->cells.vertices + first;
     to.neighbors = stays ? region->patch.bw.cells.neighbors : work->cells.neighbors + first;
     to.offset = (paradt_index)region->offset;
+    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
     region->status = paradt__patch_emit(&region->patch, &to);
     if (index || region->status) return;
     region->status = paradt__active_begin(&work->seam, region->patch.list_count, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-    paradt__release_records(work, &region->memory);
 }
 
 // Runs a task for each region; the first status that is not PARADT_OK.
