@@ -1,6 +1,6 @@
 // Prints, for every sample in a file, the hash of its triangulation by every method and the certificate's verdict. Built with flags that
 // break careless floating-point code, and run in modes that do, it has to print the same. Usage: hashes FILE SHARE [MODE...]
-//   SHARE            what it prints: -1 all lines; 0 to 4 every fifth of them, beginning with that one
+//   SHARE            what it prints: -1 all lines; 0 to 6 every seventh of them, beginning with that one
 //   up, down, zero   the rounding mode
 //   ftz              subnormal results and operands are zeros (SSE)
 //   single, double   the precision of x87 registers
@@ -55,8 +55,8 @@ static void *get(FILE *file, size_t size) {
     return memory;
 }
 
-// Five has no divisor in common with the number of lines of a sample, so a share has lines of all methods alike.
-enum { SHARES = 5 };
+// Seven has no divisor in common with the number of lines of a sample, so a share has lines of all methods alike.
+enum { SHARES = 7 };
 
 static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
     paradt_options options = {PARADT_AUTO};
