@@ -2798,26 +2798,26 @@ static void paradt__loader_pages(const paradt__loader *loader, size_t index) {
     paradt__make_pages(loader->representative, first * sizeof(paradt_index), end * sizeof(paradt_index));
 }
 
+// How many of the sample's shares end up to a point. In integers: where a task ends the next one begins.
+static size_t paradt__shares_until(const paradt__loader *loader, size_t point) {
+    return (size_t)((uint64_t)point * loader->sampled / loader->source->points.count);
+}
+
 // The points are sampled while they are in the cache.
 static void paradt__survey_task(void *context, size_t index) {
     enum { TOGETHER = 1 << 12 };
     paradt__loader *loader = (paradt__loader *)context;
-    size_t count = loader->source->points.count, i, shares_end, share, next;
-    size_t end = paradt__loader_share(loader, count, index, &i);
     int dim = loader->source->points.dim;
+    size_t i, next, end = paradt__loader_share(loader, loader->source->points.count, index, &i);
     paradt__loader_pages(loader, index);
     loader->space[index] = loader->set->space;
     loader->exponent[index] = 0;
     loader->bad[index] = SIZE_MAX;
-    shares_end = paradt__loader_share(loader, loader->sampled, index, &share);
     for (; i < end && loader->bad[index] == SIZE_MAX; i = next) {
-        size_t met;
         next = end - i < TOGETHER ? end : i + TOGETHER;
         if (dim == 3) paradt__survey(loader, index, i, next, 3);
         else paradt__survey(loader, index, i, next, dim);
-        met = (size_t)((double)next / (double)count * (double)loader->sampled);
-        if (met > shares_end || next == end) met = shares_end;
-        if (met > share) paradt__sample(loader, share, met), share = met;
+        paradt__sample(loader, paradt__shares_until(loader, i), paradt__shares_until(loader, next));
     }
 }
 
@@ -3744,34 +3744,18 @@ PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const 
     return room;
 }
 
-// One box of the lowest level, around `count` points, and the largest weight where they are graded. Inlined with a
-// constant width.
-PARADT__INLINE void paradt__grid_bound_points(double *box, const double *record, size_t width, size_t count,
-                                              int ambient, int graded) {
-    size_t i;
-    int axis;
-    for (axis = 0; axis < ambient + graded; axis++) {
-        double *to = box + axis * 2 * PARADT__LANES, least = record[axis], most = least;
-        for (i = 1; i < count; i++) {
-            double x = record[i * width + (size_t)axis];
-            least = x < least ? x : least;
-            most = x > most ? x : most;
-        }
-        to[0] = axis < ambient ? least : most;
-        if (axis < ambient) to[PARADT__LANES] = most;
-    }
-}
-
-// One box of a higher level, around `count` boxes.
-static void paradt__grid_bound_boxes(double *box, const double *below, size_t count, int ambient, int graded) {
-    size_t lane;
-    int axis;
-    for (axis = 0; axis < ambient + graded; axis++) {
-        const double *low = below + axis * 2 * PARADT__LANES, *high = axis < ambient ? low + PARADT__LANES : low;
+// One box, around `count` points or boxes, with the largest weight where they are graded. From one of these to the next
+// it is `step` doubles, from axis to axis `stride`, and from the lower bound to the upper `rise`. Inlined with
+// constants.
+PARADT__INLINE void paradt__grid_bound(double *box, const double *below, size_t count, size_t step, size_t stride,
+                                       size_t rise, size_t ambient, int graded) {
+    size_t axis, i;
+    for (axis = 0; axis < ambient + (size_t)graded; axis++) {
+        const double *low = below + axis * stride, *high = axis < ambient ? low + rise : low;
         double *to = box + axis * 2 * PARADT__LANES, least = low[0], most = high[0];
-        for (lane = 1; lane < count; lane++) {
-            least = low[lane] < least ? low[lane] : least;
-            most = high[lane] > most ? high[lane] : most;
+        for (i = 1; i < count; i++) {
+            least = low[i * step] < least ? low[i * step] : least;
+            most = high[i * step] > most ? high[i * step] : most;
         }
         to[0] = axis < ambient ? least : most;
         if (axis < ambient) to[PARADT__LANES] = most;
@@ -3779,17 +3763,19 @@ static void paradt__grid_bound_boxes(double *box, const double *below, size_t co
 }
 
 static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
-    size_t below = level ? grid->box_count[level - 1] : set->count, i;
-    int ambient = set->space.ambient, graded = set->grade != PARADT__UNGRADED;
+    enum { ROWS = 2 * PARADT__LANES };
+    size_t below = level ? grid->box_count[level - 1] : set->count, width = set->width, i;
+    size_t ambient = (size_t)set->space.ambient;
+    int graded = set->grade != PARADT__UNGRADED;
     for (i = 0; i < grid->box_count[level]; i++) {
         double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
-        const double *record = set->records + i * PARADT__LANES * set->width;
+        const double *from =
+            level ? grid->boxes[level - 1] + i * grid->group_width : set->records + i * PARADT__LANES * width;
         size_t left = below - i * PARADT__LANES, count = left < PARADT__LANES ? left : (size_t)PARADT__LANES;
-        if (level)
-            paradt__grid_bound_boxes(box, grid->boxes[level - 1] + i * grid->group_width, count, ambient, graded);
-        else if (set->width == 3 && !graded && count == PARADT__LANES)
-            paradt__grid_bound_points(box, record, 3, PARADT__LANES, 3, 0);
-        else paradt__grid_bound_points(box, record, set->width, count, ambient, graded);
+        if (level) paradt__grid_bound(box, from, count, 1, ROWS, PARADT__LANES, ambient, graded);
+        else if (width == 3 && ambient == 3 && count == PARADT__LANES)
+            paradt__grid_bound(box, from, PARADT__LANES, 3, 1, 0, 3, 0);
+        else paradt__grid_bound(box, from, count, width, 1, 0, ambient, graded);
     }
 }
 
@@ -5388,8 +5374,8 @@ static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) 
 // a cluster knows all of them, and the first of these owns the cluster. If there is none, the cluster is all of T(P):
 // then every region has it, since all begin with a cell, and the first that has points owns it.
 //
-// Doors: paradt__front_begin, paradt__front_end, paradt__front_seed, paradt__front_build, paradt__incode,
-// paradt__cell_owner.
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_seed,
+// paradt__incode, paradt__cell_owner.
 
 typedef struct paradt__region_view {
     const uint32_t *owner; // [set.count] region of each point; NULL: undivided
@@ -5719,7 +5705,8 @@ static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// A cell to which an edge leads away from the vertex, or 0 when there is none. The region's first cell may be any.
+// A cell with an edge that leads away from the vertex, or 0 when there is none. The region's first cell may be any at
+// it.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -8330,11 +8317,15 @@ static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__
     size_t corners = (size_t)cells->corners, i, kept = 0;
     paradt_index *place = (paradt_index *)paradt__alloc(memory, cells->count, sizeof *place);
     paradt_status status = place ? paradt__cells_find_owners(cells, set, view, memory, place) : PARADT_ERROR_MEMORY;
-    for (i = 0; i < cells->count && !status; i++) {
+    if (status) {
+        paradt__release(memory, place);
+        return status;
+    }
+    for (i = 0; i < cells->count; i++) {
         int owned = place[i] == (paradt_index)view->region;
         place[i] = owned ? (paradt_index)kept++ : (paradt_index)PARADT__OPEN;
     }
-    for (i = 0; i < cells->count && !status; i++) {
+    for (i = 0; i < cells->count; i++) {
         paradt_index *to;
         size_t j;
         if (place[i] < 0) continue;
@@ -8345,12 +8336,10 @@ static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__
             to[j] = neighbor < 0 ? neighbor : place[neighbor];
         }
     }
-    if (!status) {
-        *foreign = cells->count - kept;
-        cells->count = kept;
-    }
+    *foreign = cells->count - kept;
+    cells->count = kept;
     paradt__release(memory, place);
-    return status;
+    return PARADT_OK;
 }
 
 // Appends the cells of a region.
@@ -9869,7 +9858,7 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__count_patch(region);
     if (region->status || region->open || patch->trusts) return;
     paradt__end_questions(work, index);
-    if (!patch->bw.relay) paradt__patch_rest(patch); // else the others would wait for that
+    paradt__patch_rest(patch);
 }
 
 // Fourth step: leaves only the region's cells.

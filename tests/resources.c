@@ -674,6 +674,7 @@ static void regions_make_few_cells_again(void **state) {
         options.regions = cases[i / 2].regions;
         assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
         double share = (double)t.stats.cells_recomputed / (double)t.cell_count;
+        assert_int_equal(t.stats.regions, options.regions);
         if (share > cases[i / 2].share)
             fail_msg("%d points in %zu regions, d = %d: %.4f of the cells made again", cases[i / 2].count, options.regions,
                      cases[i / 2].dim, share);
