@@ -5810,6 +5810,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 enum {
     PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
     PARADT__DEAD = -3,     // first vertex of a free place
+    PARADT__CONFLICT = 1,  // a mark: in conflict with the point that is being inserted
     PARADT__GROW_PART = 16,
     PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected at once
     PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
@@ -6073,7 +6074,7 @@ typedef enum paradt__making3 {
 typedef struct paradt__spheres3 {
     paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
     paradt__tag mask;
-    int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.conflict
+    int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.marks
     double centre[3]; // of the bounding box
     paradt__frame3 frame;
     double square;      // H as it is without sagittas
@@ -6152,14 +6153,14 @@ typedef struct paradt__bw {
     size_t width, count;
     int graded; // records have sagittas, of at most grade_limit in size, wrong by grade_error
     double grade_limit, grade_error;
-    size_t inserted;         // points so far
-    paradt__relay *relay;    // NULL: it does not pause
-    size_t later;            // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at;    // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__cells cells;     // cells.count: places in use or free; neighbors are handles of facets
-    size_t paged;            // so many cells have pages for their rows already
-    unsigned char *conflict; // [cells.capacity] 1: in conflict with the point that is being inserted
-    paradt_index *spare;     // [spare_capacity] places that are free
+    size_t inserted;      // points so far
+    paradt__relay *relay; // NULL: it does not pause
+    size_t later;         // points that may come after these, as far as can be foreseen: for the room
+    double rate, rate_at; // cells a point when there was last made room, and 1 + the points then; 0: never
+    paradt__cells cells;  // cells.count: places in use or free; neighbors are handles of facets
+    size_t paged;         // so many cells have pages for their rows already
+    unsigned char *marks; // [cells.capacity] PARADT__CONFLICT, and bits of those who go on with the cells; 0 at first
+    paradt_index *spare;  // [spare_capacity] places that are free
     size_t spare_count, spare_capacity;
     // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by. In three
     // dimensions each becomes four times the cell's place once its facets are looked at, and the same of the places
@@ -6189,7 +6190,7 @@ PARADT__INLINE paradt_index paradt__bw_cell(const paradt__bw *bw, paradt_index h
 }
 
 static void paradt__bw_end(paradt__bw *bw) {
-    paradt__release(bw->memory, bw->conflict);
+    paradt__release(bw->memory, bw->marks);
     paradt__release(bw->memory, bw->spare);
     paradt__release(bw->memory, bw->cavity);
     paradt__release(bw->memory, bw->rim);
@@ -6200,23 +6201,23 @@ static void paradt__bw_end(paradt__bw *bw) {
 // Room for `capacity` cells
 static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
     size_t before = bw->cells.capacity;
-    void *array = bw->conflict;
+    void *array = bw->marks;
     paradt_status status;
     if (capacity <= before) return PARADT_OK;
     status = paradt__cells_reserve(&bw->cells, capacity, bw->memory);
     if (status) return status;
     bw->paged = bw->cells.count;
     if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
-    bw->conflict = (unsigned char *)array;
-    paradt__make_pages(bw->conflict, before, bw->cells.capacity);
-    memset(bw->conflict + before, 0, bw->cells.capacity - before);
+    bw->marks = (unsigned char *)array;
+    paradt__make_pages(bw->marks, before, bw->cells.capacity);
+    memset(bw->marks + before, 0, bw->cells.capacity - before);
     return PARADT_OK;
 }
 
 // Lends it the places of the cells from `first` on.
 static paradt_status paradt__bw_lend(paradt__bw *bw, paradt_index *vertices, paradt_index *neighbors, size_t capacity) {
-    bw->conflict = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
-    if (!bw->conflict) return PARADT_ERROR_MEMORY;
+    bw->marks = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
+    if (!bw->marks) return PARADT_ERROR_MEMORY;
     bw->cells.vertices = vertices;
     bw->cells.neighbors = neighbors;
     bw->cells.capacity = capacity;
@@ -6379,7 +6380,7 @@ static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const do
     size_t head;
     bw->cavity_count = bw->rim_count = 0;
     bw->cavity[bw->cavity_count++] = first * corners;
-    bw->conflict[first] = 1;
+    bw->marks[first] |= PARADT__CONFLICT;
     for (head = 0; head < bw->cavity_count; head++) {
         paradt_index base = bw->cavity[head] - bw->cavity[head] % corners;
         paradt_status status = paradt__bw_list(bw, &bw->cavity, bw->cavity_count, &bw->cavity_capacity,
@@ -6389,9 +6390,9 @@ static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const do
         if (status) return status;
         for (i = 0; i < corners; i++) {
             paradt_index other = paradt__bw_cell(bw, bw->cells.neighbors[base + i]);
-            if (bw->conflict[other]) continue;
+            if (bw->marks[other] & PARADT__CONFLICT) continue;
             if (paradt__bw_conflicts(bw, other, x)) {
-                bw->conflict[other] = 1;
+                bw->marks[other] |= PARADT__CONFLICT;
                 bw->cavity[bw->cavity_count++] = bw->cells.neighbors[base + i];
             } else {
                 bw->rim[bw->rim_count++] = base + i;
@@ -6466,7 +6467,7 @@ static paradt_status paradt__bw_clear(paradt__bw *bw) {
     if (status) return status;
     for (i = 0; i < bw->cavity_count; i++) {
         paradt_index cell = paradt__bw_cell(bw, bw->cavity[i]);
-        bw->conflict[cell] = 0;
+        bw->marks[cell] = 0;
         bw->spare[bw->spare_count + i] = cell;
     }
     bw->spare_count += bw->cavity_count;
@@ -6624,12 +6625,12 @@ PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell
 }
 
 // A sphere that is not in the table gets its place in it. The mark of the one that is driven out, if the cavity is
-// being dug, is kept in bw.conflict.
+// being dug, is kept in bw.marks.
 PARADT__INLINE paradt__sphere3 *paradt__bw3_drive_out(const paradt__bw *bw, paradt_index cell) {
     paradt__spheres3 *s = bw->spheres;
     paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
     if (sphere->tag & PARADT__KNOWN) {
-        bw->conflict[sphere->tag & ~PARADT__KNOWN] = 1;
+        bw->marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
         s->driven_out = 1;
     }
     s->missed++;
@@ -6640,7 +6641,7 @@ PARADT__INLINE paradt__sphere3 *paradt__bw3_drive_out(const paradt__bw *bw, para
 PARADT__NOINLINE void paradt__bw3_missed(const paradt__bw *bw, paradt_index cell) {
     paradt__sphere3 *sphere = paradt__bw3_drive_out(bw, cell);
     paradt__bw3_sphere(bw, cell);
-    if (bw->conflict[cell]) sphere->tag |= PARADT__KNOWN;
+    if (bw->marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
 }
 
 PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
@@ -7230,7 +7231,7 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
         s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
     if (bw->inserted + PARADT__AHEAD < bw->count)
         PARADT__PREFETCH(paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + PARADT__AHEAD)));
-    for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->conflict[bw->cavity[i] >> 2] = 0;
+    for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->marks[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
     s->made += bw->rim_count;
     if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) status = paradt__bw3_adapt(bw);
@@ -7668,7 +7669,8 @@ PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const par
     for (i = 0; i < missing; i += 4) paradt__bw3_remake_four(bw, cells + i);
     for (i = 0; i < missing; i++) {
         paradt__sphere3 *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
-        if (bw->conflict[cells[i]] && sphere->tag == (paradt__tag)cells[i]) sphere->tag |= PARADT__KNOWN;
+        if (bw->marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
+            sphere->tag |= PARADT__KNOWN;
     }
 }
 
@@ -7987,7 +7989,7 @@ static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progre
 
 static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, PARADT__FIRST_DIG);
-    if (bw->cells.lent) memset(bw->conflict, 0, bw->cells.capacity);
+    if (bw->cells.lent) memset(bw->marks, 0, bw->cells.capacity);
     if (!status && bw->cells.corners <= 4)
         status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
     if (!status) status = paradt__bw_first(bw);
@@ -8030,14 +8032,30 @@ PARADT__INLINE void paradt__bw3_fetch_around(const paradt__bw *bw, paradt_index 
     }
 }
 
-// Inserts a point that has just been counted. cell: as above; if one is given, it is in conflict with the point.
+// The first place from `place` on of a ghost, or of a cell with a vertex that is none of the first `own` points; behind
+// all places if there is none. Free places are marked.
+PARADT__INLINE size_t paradt__bw_fringe_from(const paradt__cells *cells, size_t corners, paradt_index own,
+                                             size_t place) {
+    for (; place < cells->count; place++) {
+        const paradt_index *vertices = cells->vertices + place * corners;
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+        if (vertices[0] != PARADT__DEAD) break;
+    }
+    return place;
+}
+
+// Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
+// orientations, for the spheres on the way are in no table.
 static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
-    paradt_status status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
+    paradt_status status;
+    if (bw->spheres && cell < 0) cell = paradt__bw_walk(bw, bw->spheres->start, paradt__bw_record(bw, point));
+    status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
     bw->order = NULL;
     bw->inserted = bw->count - 1;
     if (bw->spheres) {
         bw->spheres->missed = 0; // such points are here and there: no larger table would have their spheres
-        if (cell >= 0) paradt__bw3_fetch_around(bw, cell);
+        paradt__bw3_fetch_around(bw, cell);
     }
     return status ? status : paradt__choose_inserter(bw)(bw, point);
 }
@@ -8456,12 +8474,11 @@ typedef struct paradt__field {
     int has_cells; // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
-// What is known of a cell
+// What is known of a cell: marks of it
 enum {
-    PARADT__UNKNOWN,
-    PARADT__WAITING,  // it is in the list of cells to be asked about, or of wrong ones
-    PARADT__ASKED,    // it is one of T(P)
-    PARADT__GHOST = 4 // a bit beside, in the first region: it is a ghost in the fringe
+    PARADT__WAITING = 2, // it is in the list of cells to be asked about, or of wrong ones
+    PARADT__ASKED = 4,   // it is one of T(P)
+    PARADT__LISTED = 8   // it is in the list of the fringe; not in all regions
 };
 
 typedef struct paradt__patch {
@@ -8475,12 +8492,12 @@ typedef struct paradt__patch {
     size_t capacity;                 // points that the arrays below have room for
     double *records;                 // [capacity][bw.width]
     int lent;                        // these are those of the field
-    paradt_index *origin;            // [capacity] positions in the set; at the end the caller's indices
+    paradt_index *others;            // [capacity - own points] positions of others' points in the set
+    paradt_index *origin;            // at the end, the caller's indices of all points:
+    paradt_index *table;             // in this, or, if it is NULL, in the field's part of set.origin
     double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
     size_t outer;                    // vertices from this one on may be outside of K
     int roomy;                       // there is a margin: all points in K are in the set, with those on its border
-    unsigned char *state;            // [state_capacity] of cells
-    size_t state_capacity;
     paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
     size_t list_count, list_capacity;
     // [fringe_capacity] places of all cells and ghosts that have not only vertices of the region; some more than once,
@@ -8526,16 +8543,17 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->bw.count, width = patch->bw.width;
-    void *records = patch->lent ? NULL : patch->records, *origin = patch->origin;
+    size_t used = patch->bw.count, width = patch->bw.width, own = patch->fields[patch->own].set.count;
+    void *records = patch->lent ? NULL : patch->records, *others = patch->others;
     if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
     patch->lent = 0;
     patch->records = (double *)records;
     patch->bw.records = patch->records;
-    if (!paradt__grow(patch->memory, &origin, used, capacity, sizeof *patch->origin)) return PARADT_ERROR_MEMORY;
-    patch->origin = (paradt_index *)origin;
+    used = used > own ? used - own : 0;
+    if (!paradt__grow(patch->memory, &others, used, capacity - own, sizeof *patch->others)) return PARADT_ERROR_MEMORY;
+    patch->others = (paradt_index *)others;
     patch->capacity = capacity;
     return PARADT_OK;
 }
@@ -8543,8 +8561,8 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
 // Begins with the region's own points, in the field: the insertion uses its records.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    patch->origin = (paradt_index *)paradt__alloc(patch->memory, own->room, sizeof *patch->origin);
-    if (!patch->origin) return PARADT_ERROR_MEMORY;
+    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
+    if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
     patch->bw.records = patch->records;
     patch->capacity = own->room;
@@ -8557,7 +8575,7 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
-    patch->origin[at] = (paradt_index)position;
+    patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
     patch->bw.count++;
     return PARADT_OK;
 }
@@ -8566,11 +8584,34 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
 static void paradt__patch_add_own(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
     size_t width = patch->bw.width, i;
-    for (i = 0; i < own->set.count; i++) {
-        if (!patch->lent) paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
-        patch->origin[i] = (paradt_index)(own->begin + i);
-    }
+    for (i = 0; i < own->set.count && !patch->lent; i++)
+        paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
     patch->bw.count = own->set.count;
+}
+
+// The position of a vertex in the set
+PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
+    const paradt__field *own = patch->fields + patch->own;
+    if ((size_t)vertex < own->set.count) return (paradt_index)own->begin + vertex;
+    return patch->others[(size_t)vertex - own->set.count];
+}
+
+// Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
+static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
+    const paradt__field *own = patch->fields + patch->own;
+    size_t count = own->set.count, i;
+    patch->origin = patch->set->origin + own->begin;
+    if (patch->bw.count > own->room) {
+        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->table);
+        if (!patch->table) return PARADT_ERROR_MEMORY;
+        memcpy(patch->table, patch->origin, count * sizeof *patch->table);
+        patch->origin = patch->table;
+    }
+    for (i = count; i < patch->bw.count; i++) {
+        paradt_index position = patch->others[i - count];
+        patch->origin[i] = position < end ? patch->set->origin[position] : -1;
+    }
+    return PARADT_OK;
 }
 
 // Is the point in K?
@@ -8680,7 +8721,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
     if (paradt__spans(&known)) return PARADT_OK;
     for (i = 0; i <= known.space.dim && !status; i++) {
-        for (j = 0; j < known.count && patch->origin[j] != whole[i];) j++;
+        for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != whole[i];) j++;
         if (j == known.count) status = paradt__patch_add(patch, (size_t)whole[i]);
     }
     return status;
@@ -8762,51 +8803,37 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     for (i = 0; i < patch->bw.cells.corners; i++) {
         if (vertices[i] < 0) continue;
         if (paradt__patch_has(patch, vertices[i])) share++;
-        else if (patch->origin[vertices[i]] >= end) return 0;
+        else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
     }
     return share == 1 && patch->own > 0;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
-    if (patch->state[cell] != PARADT__UNKNOWN) return PARADT_OK;
-    patch->state[cell] = PARADT__WAITING;
+    if (patch->bw.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
+    patch->bw.marks[cell] |= PARADT__WAITING;
     return PARADT__PATCH_LIST(patch, list, cell);
 }
 
-// Room for the states of all cells
-static paradt_status paradt__patch_states(paradt__patch *patch) {
-    size_t before = patch->state_capacity, after = patch->bw.cells.capacity;
-    void *state = patch->state;
-    if (after <= before) return PARADT_OK;
-    if (!paradt__grow(patch->memory, &state, before, after, 1)) return PARADT_ERROR_MEMORY;
-    patch->state = (unsigned char *)state;
-    patch->state_capacity = after;
-    memset(patch->state + before, PARADT__UNKNOWN, after - before);
-    return PARADT_OK;
-}
-
-// Could a cell or ghost be wrong that has not only vertices of the region? Free places are marked.
+// Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
     for (i = 0; i < patch->bw.cells.corners; i++) {
         share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
-    return vertices[0] != PARADT__DEAD && (share == 1 || (share && outer));
+    return share == 1 || (share && outer);
 }
 
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
-    const paradt_index *vertices = patch->bw.cells.vertices;
-    paradt_index own_count = (paradt_index)patch->fields[patch->own].set.count;
-    size_t cell, count = patch->bw.cells.count;
+    const paradt__cells *cells = &patch->bw.cells;
+    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+    size_t cell = paradt__bw_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
-    for (cell = 0; cell < count; cell++, vertices += corners) {
-        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own_count))) continue;
-        if (!status) status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
-        if (!status && paradt__patch_is_suspect(patch, vertices))
+    for (; cell < cells->count && !status; cell = paradt__bw_fringe_from(cells, corners, own, cell + 1)) {
+        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
             status = paradt__patch_wait(patch, (paradt_index)cell);
     }
     return status;
@@ -8815,8 +8842,6 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
 // To look for them takes as long as the insertion of a few points, in which the other regions go on.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     enum { CELLS_A_POINT = 400 };
-    paradt_status status = paradt__patch_states(patch);
-    if (status) return status;
     paradt__relay_waits(patch->bw.relay, patch->bw.cells.count / CELLS_A_POINT);
     paradt__bw_mark_free(&patch->bw);
     if (patch->bw.cells.corners == 4) return paradt__patch_list_suspects(patch, 4);
@@ -8832,7 +8857,7 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
     int dim = bw->cells.corners - 1, i, count = 0;
     for (i = 0; i <= dim; i++) {
         nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[count++] = paradt__record(patch->set, patch->origin[vertices[i]]);
+        if (i != ghost) corners[count++] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
     }
     if (ghost < 0) {
         paradt__search_sphere(&patch->search, corners, nowhere);
@@ -8886,7 +8911,8 @@ static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__fi
     int i;
     for (i = 0; i < patch->bw.cells.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
-        if (vertices[i] < 0 || (size_t)patch->origin[vertices[i]] - field->begin >= field->set.count) continue;
+        if (vertices[i] < 0) continue;
+        if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
         if (other >= patch->told_count) untold = other;
         else if (patch->told[other] > (other ? patch->told[other - 1] : 0)) return other;
     }
@@ -8911,7 +8937,7 @@ static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field 
     size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
     int i, count = 0;
     for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (i != ghost) positions[count++] = patch->origin[vertices[i]];
+        if (i != ghost) positions[count++] = paradt__patch_position(patch, vertices[i]);
     }
     if (ghost >= 0) positions[count] = PARADT__NOWHERE;
     return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
@@ -8933,14 +8959,11 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__bw_insert_one_more(bw, (paradt_index)(bw->count - 1), cell);
-    if (!status) status = paradt__patch_states(patch);
     patch->late_cells += bw->rim_count;
-    for (i = 0; i < bw->cavity_count && !status; i++) {
-        patch->state[paradt__bw_cell(bw, bw->cavity[i])] = PARADT__UNKNOWN;
-    }
+    for (i = 0; i < bw->cavity_count && !status; i++) bw->marks[paradt__bw_cell(bw, bw->cavity[i])] = 0;
     for (i = 0; i < bw->rim_count && !status; i++) {
         paradt_index made = paradt__bw_made(bw, i);
-        patch->state[made] = PARADT__UNKNOWN;
+        bw->marks[made] = 0;
         if (patch->around) paradt__patch_note_around(patch, made);
         status = PARADT__PATCH_LIST(patch, fringe, made);
         if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
@@ -8951,13 +8974,13 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
 // Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K, nor
 // beyond a ghost's facet or in its plane where these have no more of the reference sphere than a cap inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    const paradt__bw *bw = &patch->bw;
+    paradt__bw *bw = &patch->bw;
     int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
     if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
-    patch->state[cell] = PARADT__ASKED;
+    bw->marks[cell] = PARADT__ASKED;
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
@@ -9022,7 +9045,7 @@ static paradt_status paradt__patch_show(paradt__patch *patch) {
 // Notes a neighbour of a point of another region, by its number there.
 PARADT__INLINE paradt_status paradt__patch_note_near(paradt__patch *patch, const paradt__patch *other,
                                                      paradt_index neighbor) {
-    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, nearby, other->origin[neighbor]);
+    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
 }
 
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
@@ -9055,7 +9078,7 @@ static void paradt__patch_rest(paradt__patch *patch) {
     paradt__spheres3_free(patch->bw.spheres, patch->memory);
     paradt__release(patch->memory, patch->order);
     if (!patch->lent) paradt__release(patch->memory, patch->records);
-    paradt__release(patch->memory, patch->state);
+    paradt__release(patch->memory, patch->bw.marks);
     paradt__release(patch->memory, patch->around);
     paradt__release(patch->memory, patch->late);
     paradt__release(patch->memory, patch->told);
@@ -9065,8 +9088,7 @@ static void paradt__patch_rest(paradt__patch *patch) {
     patch->bw.order = patch->order = NULL;
     patch->records = NULL;
     patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
-    patch->state = NULL;
-    patch->state_capacity = 0;
+    patch->bw.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
@@ -9075,7 +9097,8 @@ static void paradt__patch_end(paradt__patch *patch) {
     paradt__release(patch->memory, patch->fringe);
     paradt__release(patch->memory, patch->seam);
     paradt__bw_end(&patch->bw);
-    paradt__release(patch->memory, patch->origin);
+    paradt__release(patch->memory, patch->others);
+    paradt__release(patch->memory, patch->table);
     paradt__cells_free(&patch->bw.cells, patch->memory);
 }
 
@@ -9142,13 +9165,12 @@ static void paradt__patch_drop_fringe(paradt__patch *patch) {
 
 // Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
 // of them is not the region's.
-static void paradt__patch_compact(paradt__patch *patch) {
+static paradt_status paradt__patch_compact(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
     paradt__bw *bw = &patch->bw;
-    paradt_index after = (paradt_index)(own->begin + own->set.count);
+    paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
     size_t end = bw->cells.count, i;
-    for (i = 0; i < bw->count; i++)
-        patch->origin[i] = patch->origin[i] < after ? patch->set->origin[patch->origin[i]] : -1;
+    if (status) return status;
     paradt__bw_mark_free(bw);
     for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
     paradt__patch_drop_fringe(patch);
@@ -9160,6 +9182,7 @@ static void paradt__patch_compact(paradt__patch *patch) {
     paradt__release(patch->memory, patch->fringe);
     patch->fringe = NULL;
     patch->made += bw->cells.count;
+    return PARADT_OK;
 }
 
 // Lists the open facets of the cell with that number.
@@ -9232,7 +9255,7 @@ static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty) {
     paradt_status status = PARADT_OK;
     while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
-        if (patch->state[cell] == PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+        if (patch->bw.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
         if (paradt__relay_pauses(patch->bw.relay, ++patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
@@ -9249,7 +9272,7 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
     size_t own = patch->fields[patch->own].set.count, i;
     paradt_status status = PARADT_OK;
     while (own + patch->told_count < patch->bw.count && !status) {
-        paradt_index position = patch->origin[own + patch->told_count];
+        paradt_index position = patch->others[patch->told_count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
         if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
@@ -9284,10 +9307,10 @@ static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
     for (at = 0; at < patch->border_count && !status; at++) {
         paradt_index cell = patch->border[at], apex = -1;
         const paradt_index *vertices = paradt__patch_cell(patch, cell);
-        if (patch->state[cell] != PARADT__ASKED || !paradt__patch_on_seam(patch, cell)) continue;
-        patch->state[cell] = PARADT__UNKNOWN; // it may be there twice
+        if (!(patch->bw.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
+        patch->bw.marks[cell] = 0; // it may be there twice
         for (i = 0; i < corners && !status; i++) {
-            paradt_index position = vertices[i] < 0 ? vertices[i] : patch->origin[vertices[i]];
+            paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
             if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
             else status = PARADT__PATCH_LIST(patch, seam, position);
         }
@@ -9404,7 +9427,7 @@ static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt
         paradt__fetch_listed(&patch->bw.cells, patch->list, patch->list_count, next);
         for (handle = base; handle < base + corners && !status; handle++) {
             paradt_index other = patch->bw.cells.neighbors[handle] / corners;
-            if (patch->state[other] == PARADT__UNKNOWN && !paradt__seam_meets(seam, patch, handle))
+            if (!(patch->bw.marks[other] & PARADT__WAITING) && !paradt__seam_meets(seam, patch, handle))
                 status = paradt__patch_wait(patch, other);
         }
     }
@@ -9441,13 +9464,6 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     return status;
 }
 
-// The marks of conflict, all clear, become the states, since nothing more is inserted: no new pages for these.
-static void paradt__patch_reuse_marks(paradt__patch *patch) {
-    patch->state = patch->bw.conflict;
-    patch->state_capacity = patch->bw.cells.capacity;
-    patch->bw.conflict = NULL;
-}
-
 // Lists the ghosts that are reached from those in the fringe, through facets.
 static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
     paradt_index corners = (paradt_index)patch->bw.cells.corners, i;
@@ -9458,8 +9474,8 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
         paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, next);
         for (i = base; i < base + corners && !status; i++) {
             paradt_index other = patch->bw.cells.neighbors[i] / corners;
-            if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->state[other] & PARADT__GHOST) continue;
-            patch->state[other] |= PARADT__GHOST;
+            if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->bw.marks[other] & PARADT__LISTED) continue;
+            patch->bw.marks[other] |= PARADT__LISTED;
             status = PARADT__PATCH_LIST(patch, fringe, other);
         }
     }
@@ -9473,7 +9489,7 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
     size_t cell;
     paradt_status status = PARADT_OK;
     if (patch->list_count && paradt__bw_ghost(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->state[patch->list[0]] |= PARADT__GHOST;
+        patch->bw.marks[patch->list[0]] |= PARADT__LISTED;
         status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
@@ -9490,9 +9506,7 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
 // Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
 static paradt_status paradt__patch_judge(paradt__patch *patch) {
     paradt__seam seam;
-    paradt_status status;
-    paradt__patch_reuse_marks(patch);
-    status = paradt__seam_begin(&seam, patch);
+    paradt_status status = paradt__seam_begin(&seam, patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
     if (!status) status = paradt__patch_list_ghosts(patch);
     paradt__seam_free(&seam, patch->memory);
@@ -9510,7 +9524,7 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     paradt_status status = has ? PARADT_OK : PARADT_ERROR_MEMORY;
     if (!status && patch->capacity < patch->set->count) status = paradt__patch_reserve(patch, patch->set->count);
     if (!status) memset(has, 0, end);
-    for (i = 0; i < before && !status; i++) has[patch->origin[i]] = 1;
+    for (i = 0; i < before && !status; i++) has[paradt__patch_position(patch, (paradt_index)i)] = 1;
     for (field = patch->fields; field <= last; field++) {
         for (i = field->begin; i < field->begin + field->set.count && !status; i++) {
             if (!has[i]) status = paradt__patch_add(patch, i);
@@ -9531,7 +9545,6 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
 static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
     paradt__bw *bw = &patch->bw;
     paradt_status status;
-    size_t i;
     bw->inserted = bw->count;
     bw->later = 0;
     status = paradt__patch_add_all(patch);
@@ -9540,9 +9553,9 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
         status = paradt__bw_go_on(bw, paradt__bw_point(bw, bw->inserted), bw->count, -1);
     if (!status) status = paradt__bw_insert_rest(bw, progress);
     if (status) return status;
-    for (i = 0; i < bw->count; i++) patch->origin[i] = patch->set->origin[patch->origin[i]];
-    patch->hull_facets = paradt__bw_close(bw, patch->origin);
-    return PARADT_OK;
+    status = paradt__patch_translate(patch, PARADT__NOWHERE);
+    if (!status) patch->hull_facets = paradt__bw_close(bw, patch->origin);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9867,7 +9880,7 @@ static void paradt__compact_task(void *context, size_t index) {
     paradt__patch *patch = &region->patch;
     region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
     paradt__count_patch(region);
-    if (!region->status) paradt__patch_compact(patch);
+    if (!region->status) region->status = paradt__patch_compact(patch);
     region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
@@ -10815,8 +10828,8 @@ static paradt_index paradt__remote_any(paradt__search *s) {
 typedef struct paradt__remote_engine {
     paradt__bw bw;
     paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some more
-    // than once, and some where such ones have been
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
+    // such ones have been, and few more than once
     paradt_index *fringe;
     size_t fringe_count, fringe_capacity;
 } paradt__remote_engine;
@@ -10875,35 +10888,45 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
     return order;
 }
 
-// Room for `more` places in the fringe
-static paradt_status paradt__remote_fringe_room(paradt__remote_engine *engine, size_t more) {
+// Puts a place on the list of the fringe.
+PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
     size_t count = engine->fringe_count;
-    return paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + more);
+    paradt_status status = paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + 1);
+    if (status) return status;
+    engine->bw.marks[place] |= PARADT__LISTED;
+    engine->fringe[engine->fringe_count++] = (paradt_index)place;
+    return PARADT_OK;
 }
 
-// Lists the fringe; own: so many positions are the own points'. Free places are marked. Room in the list is made for
-// many places at once, so that the pass over all of them does not ask for it.
-static paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own) {
-    enum { ROOM = 1024 };
-    const paradt__cells *cells = &engine->bw.cells;
-    size_t corners = (size_t)cells->corners, end = 0, place = 0;
-    paradt_status status = PARADT_OK;
-    paradt__bw_mark_free(&engine->bw);
+// Forgets the list of the fringe, to make it anew.
+static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
+    size_t i;
+    for (i = 0; i < engine->fringe_count; i++) engine->bw.marks[engine->fringe[i]] = 0;
     engine->fringe_count = 0;
-    for (; place < cells->count && !status; end += ROOM) {
-        status = paradt__remote_fringe_room(engine, ROOM);
-        for (; place < cells->count && place < end && !status; place++) {
-            const paradt_index *vertices = cells->vertices + place * corners;
-            PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-            if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
-            engine->fringe[engine->fringe_count] = (paradt_index)place;
-            engine->fringe_count += vertices[0] != PARADT__DEAD;
-        }
-    }
+    paradt__bw_mark_free(&engine->bw);
+}
+
+// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
+// positions are the own points'.
+PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
+                                                        size_t *place) {
+    const paradt__cells *cells = &engine->bw.cells;
+    *place = cells->corners == 4 ? paradt__bw_fringe_from(cells, 4, own, *place)
+                                 : paradt__bw_fringe_from(cells, (size_t)cells->corners, own, *place);
+    return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
+}
+
+// Lists all of it.
+static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__remote_engine_relist(engine); place < engine->bw.cells.count && !status; place++)
+        status = paradt__remote_engine_list(engine, own, &place);
     return status;
 }
 
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe.
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
+// where such cells were.
 static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
                                                   paradt_index position) {
     paradt__bw *bw = &engine->bw;
@@ -10912,8 +10935,10 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
     bw->records = set->records;
     bw->count++;
     status = paradt__bw_insert_one_more(bw, position, -1);
-    if (!status) status = paradt__remote_fringe_room(engine, bw->rim_count);
-    for (i = 0; i < bw->rim_count && !status; i++) engine->fringe[engine->fringe_count++] = paradt__bw_made(bw, i);
+    for (i = 0; i < bw->rim_count && !status; i++) {
+        paradt_index made = paradt__bw_made(bw, i);
+        if (!(bw->marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
+    }
     return status;
 }
 
@@ -10993,7 +11018,7 @@ static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__me
     engine->bw.spare = NULL;
     paradt__bw_end(&engine->bw);
     paradt__release(memory, engine->order);
-    engine->bw.conflict = NULL;
+    engine->bw.marks = NULL;
     engine->bw.cavity = engine->bw.rim = engine->order = NULL;
     engine->bw.ridges = NULL;
     engine->bw.spheres = NULL;

@@ -370,7 +370,7 @@ typedef struct paradt_mpi__directory {   // boxes around all points of all ranks
 } paradt_mpi__directory;
 
 typedef struct paradt_mpi__places { // to be looked at, in this order
-    unsigned char *seen;            // [places] 1: it is in the list
+    unsigned char *marks;           // [places] of the insertion: PARADT__WAITING
     size_t *items;                  // [capacity] those that were looked at stay
     size_t count, capacity;
 } paradt_mpi__places;
@@ -2216,11 +2216,11 @@ static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questio
 // Puts a place on the list unless it was there already.
 static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *list, size_t place) {
     void *items;
-    if (list->seen[place]) return PARADT_OK;
+    if (list->marks[place] & PARADT__WAITING) return PARADT_OK;
     items = paradt_mpi__one_more(w, list->items, list->count, &list->capacity, sizeof *list->items);
     if (!items) return PARADT_ERROR_MEMORY;
     list->items = (size_t *)items;
-    list->seen[place] = 1;
+    list->marks[place] |= PARADT__WAITING;
     list->items[list->count++] = place;
     return PARADT_OK;
 }
@@ -2268,7 +2268,7 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const par
     if (at + SOON >= list->count) return;
     paradt__remote_engine_fetch_points(&w->engine, list->items[at + SOON]);
     for (j = 0; j <= w->set.space.dim; j++)
-        PARADT__PREFETCH(list->seen + paradt__remote_engine_across(&w->engine, list->items[at + SOON], j));
+        PARADT__PREFETCH(list->marks + paradt__remote_engine_across(&w->engine, list->items[at + SOON], j));
 }
 
 // Lists the questions while points are inserted, when not all cells need be looked at. What is in conflict with a point
@@ -2277,7 +2277,7 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const par
 // room make a convex set, and p is not in it. Such suspects are looked at first, then what is reached from them through
 // cells whose spheres are not inside of the room: no sphere in conflict with p is, and with weights cells with others'
 // vertices never count as such. What has no own vertex does not matter.
-static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q, size_t count) {
+static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q) {
     paradt_index own = (paradt_index)w->set.count;
     unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
@@ -2285,17 +2285,15 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     size_t at;
     int open, j;
     memset(&list, 0, sizeof list);
-    list.seen = (unsigned char *)paradt__alloc(&w->memory, count, 1);
-    if (!outer || !list.seen) status = PARADT_ERROR_MEMORY;
-    if (!status) memset(list.seen, 0, count);
-    if (!status) status = paradt__remote_engine_list(&w->engine, own);
-    for (at = 0; at < w->engine.fringe_count && !status; at++) {
-        size_t place = (size_t)w->engine.fringe[at];
-        paradt__fetch_listed(&w->engine.bw.cells, w->engine.fringe, w->engine.fringe_count, at);
-        if (!paradt__remote_engine_is_seam(&w->engine, place, own)) continue;
-        status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
-        if (!status && paradt__remote_engine_is_suspect(&w->engine, place, own, outer))
-            status = paradt_mpi__wait(w, &list, place);
+    list.marks = w->engine.bw.marks;
+    if (!outer) status = PARADT_ERROR_MEMORY;
+    for (paradt__remote_engine_relist(&w->engine), at = 0; !status; at++) {
+        status = paradt__remote_engine_list(&w->engine, own, &at);
+        if (status || at == w->engine.bw.cells.count) break;
+        if (!paradt__remote_engine_is_seam(&w->engine, at, own)) continue;
+        status = paradt_mpi__tell_vertices(w, &q->to_tell, at);
+        if (!status && paradt__remote_engine_is_suspect(&w->engine, at, own, outer))
+            status = paradt_mpi__wait(w, &list, at);
     }
     for (at = 0; at < list.count && !status && !w->stuck; at++) {
         paradt_mpi__fetch_ahead(w, &list, at);
@@ -2304,7 +2302,7 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
         for (j = 0; j <= w->set.space.dim && open && !status; j++)
             status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, list.items[at], j));
     }
-    paradt__release(&w->memory, list.seen);
+    for (at = 0; at < list.count; at++) list.marks[list.items[at]] &= (unsigned char)~PARADT__WAITING;
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
     return status;
@@ -2315,7 +2313,7 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     size_t count = w->ready ? paradt_mpi__place_count(w) : 0, place;
     paradt_status status = PARADT_OK;
     int open;
-    if (w->inserting) return paradt_mpi__collect_from_seam(w, q, count);
+    if (w->inserting) return paradt_mpi__collect_from_seam(w, q);
     for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
     for (place = 0; place < count && !status && !w->stuck; place++) {
         status = paradt_mpi__look(w, q, place, &open);
@@ -2565,7 +2563,7 @@ static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
         if (news || w->stuck) status = paradt_mpi__triangulate_known(w);
     }
     if (!status && w->inserting && (w->ranks == 1 || w->stuck)) // else the fringe was listed for the questions
-        status = paradt__remote_engine_list(&w->engine, (paradt_index)w->set.count);
+        status = paradt__remote_engine_list_all(&w->engine, (paradt_index)w->set.count);
     if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
     return status;
 }
@@ -2725,9 +2723,9 @@ static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_i
     return status;
 }
 
-// The row of a facet: returns the rank that it is sent to.
-static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint64_t *row) {
-    size_t k = (size_t)w->out->dim + 1, base = handle / k * k, i, j, count = 0;
+// The row of a facet of a cell of k vertices: returns the rank that it is sent to.
+PARADT__INLINE int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t k, size_t handle, uint64_t *row) {
+    size_t base = handle / k * k, i, j, count = 0;
     uint64_t h = 0;
     for (i = 0; i < k; i++) {
         uint64_t id;
@@ -2735,10 +2733,22 @@ static int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t handle, uint6
         id = (uint64_t)w->out->vertices[w->out->cells[base + i]];
         for (j = count++; j > 0 && row[j - 1] > id; j--) row[j] = row[j - 1];
         row[j] = id;
+        h += paradt__mix(id);
     }
     row[count] = w->out->first_cell + handle / k;
-    for (i = 0; i < count; i++) h = paradt__mix(h + row[i]) + UINT64_C(0x9e3779b97f4a7c15);
-    return (int)(h % (uint64_t)w->ranks);
+    return (int)((paradt__mix(h) >> 32) * (uint64_t)w->ranks >> 32);
+}
+
+// The rows of all facets, and the ranks that they are sent to. The facets are in the order of their cells, which are
+// here and there.
+PARADT__INLINE void paradt_mpi__facet_rows(const paradt_mpi__work *w, size_t k, const paradt_mpi__facets *f,
+                                           uint64_t *rows, int *rank) {
+    enum { AHEAD = 16 };
+    size_t i;
+    for (i = 0; i < f->count; i++) {
+        if (i + AHEAD < f->count) PARADT__PREFETCH(w->out->cells + f->handles[i + AHEAD]);
+        rank[i] = paradt_mpi__facet_row(w, k, f->handles[i], rows + i * k);
+    }
 }
 
 // The rows of the facets, and these in the order of ranks; fills w->to. Not collective.
@@ -2753,7 +2763,9 @@ static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__fa
     if (handles && rows && rank && f->rows) {
         size_t *unsorted = f->handles;
         memset(w->to, 0, (size_t)w->ranks * sizeof *w->to);
-        for (i = 0; i < f->count; i++) w->to[rank[i] = paradt_mpi__facet_row(w, unsorted[i], rows + i * width)]++;
+        if (width == 4) paradt_mpi__facet_rows(w, 4, f, rows, rank);
+        else paradt_mpi__facet_rows(w, width, f, rows, rank);
+        for (i = 0; i < f->count; i++) w->to[rank[i]]++;
         paradt_mpi__begin_sorting(w);
         for (i = 0; i < f->count; i++) {
             size_t place = w->next[rank[i]]++;
