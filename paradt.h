@@ -10713,7 +10713,8 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 //
 // paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
 // hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, paradt__remote_region, paradt__remote_bytes.
+// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_region,
+// paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
@@ -10983,6 +10984,25 @@ static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine,
 PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
     size_t corners = (size_t)engine->bw.cells.corners;
     return (size_t)paradt__bw_cell(&engine->bw, engine->bw.cells.neighbors[place * corners + (size_t)facet]);
+}
+
+// Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
+PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
+    unsigned char *mark = engine->bw.marks + place;
+    if (*mark & PARADT__WAITING) return 0;
+    *mark |= PARADT__WAITING;
+    return 1;
+}
+
+static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
+    engine->bw.marks[place] &= (unsigned char)~PARADT__WAITING;
+}
+
+// Fetches the marks of what is around a place.
+PARADT__INLINE void paradt__remote_engine_fetch_marks(const paradt__remote_engine *engine, size_t place) {
+    int i;
+    for (i = 0; i < engine->bw.cells.corners; i++)
+        PARADT__PREFETCH(engine->bw.marks + paradt__remote_engine_across(engine, place, i));
 }
 
 // Fetches what is at a place ahead of its use.

@@ -369,8 +369,7 @@ typedef struct paradt_mpi__directory {   // boxes around all points of all ranks
     double vicinity[2 * PARADT_MAX_DIM]; // some way around that
 } paradt_mpi__directory;
 
-typedef struct paradt_mpi__places { // to be looked at, in this order
-    unsigned char *marks;           // [places] of the insertion: PARADT__WAITING
+typedef struct paradt_mpi__places { // to be looked at, in this order; marked
     size_t *items;                  // [capacity] those that were looked at stay
     size_t count, capacity;
 } paradt_mpi__places;
@@ -2216,11 +2215,10 @@ static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questio
 // Puts a place on the list unless it was there already.
 static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *list, size_t place) {
     void *items;
-    if (list->marks[place] & PARADT__WAITING) return PARADT_OK;
+    if (!paradt__remote_engine_mark(&w->engine, place)) return PARADT_OK;
     items = paradt_mpi__one_more(w, list->items, list->count, &list->capacity, sizeof *list->items);
     if (!items) return PARADT_ERROR_MEMORY;
     list->items = (size_t *)items;
-    list->marks[place] |= PARADT__WAITING;
     list->items[list->count++] = place;
     return PARADT_OK;
 }
@@ -2263,12 +2261,10 @@ static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
 // Fetches what is looked at next: what is at the places first, then what that leads to.
 PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi__places *list, size_t at) {
     enum { SOON = 4, LATER = 8 };
-    int j;
     if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, list->items[at + LATER]);
     if (at + SOON >= list->count) return;
     paradt__remote_engine_fetch_points(&w->engine, list->items[at + SOON]);
-    for (j = 0; j <= w->set.space.dim; j++)
-        PARADT__PREFETCH(list->marks + paradt__remote_engine_across(&w->engine, list->items[at + SOON], j));
+    paradt__remote_engine_fetch_marks(&w->engine, list->items[at + SOON]);
 }
 
 // Lists the questions while points are inserted, when not all cells need be looked at. What is in conflict with a point
@@ -2285,7 +2281,6 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     size_t at;
     int open, j;
     memset(&list, 0, sizeof list);
-    list.marks = w->engine.bw.marks;
     if (!outer) status = PARADT_ERROR_MEMORY;
     for (paradt__remote_engine_relist(&w->engine), at = 0; !status; at++) {
         status = paradt__remote_engine_list(&w->engine, own, &at);
@@ -2302,7 +2297,7 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
         for (j = 0; j <= w->set.space.dim && open && !status; j++)
             status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, list.items[at], j));
     }
-    for (at = 0; at < list.count; at++) list.marks[list.items[at]] &= (unsigned char)~PARADT__WAITING;
+    for (at = 0; at < list.count; at++) paradt__remote_engine_unmark(&w->engine, list.items[at]);
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
     return status;
