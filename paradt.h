@@ -9485,7 +9485,8 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
 // The fringe of the first region are the ghosts. If any is wrong, so is the first that was listed. Else they are looked
 // for everywhere.
 static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
-    int corners = patch->bw.cells.corners;
+    const paradt__cells *cells = &patch->bw.cells;
+    int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
     if (patch->list_count && paradt__bw_ghost(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
@@ -9494,12 +9495,10 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
     paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count && !status; cell++) {
-        const paradt_index *vertices = paradt__patch_cell(patch, (paradt_index)cell);
-        if (!PARADT__LIKELY(paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE)) &&
-            vertices[0] != PARADT__DEAD)
-            status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
-    }
+    cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
+    for (; cell < cells->count && !status;
+         cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
+        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
     return status;
 }
 
