@@ -83,11 +83,11 @@
 // Space is cut into as many boxes as there are ranks: a box is halved across the longest side of its points, so that
 // each side gets its share of the points, until one rank is left for each (recursive coordinate bisection), or its
 // share of space (PARADT_UNIFORM). A rank's share is larger where its box has sides beyond which there is nothing. The
-// cut is found by counting, digit by digit of the coordinates' bits, so that no rank has all points at any time. A
-// point on a cut belongs to the upper side. Each rank gets the points of its box,
-// its own points, and triangulates a few of them: where that makes expect that a rank has more than 1.25 times the mean
-// work, as with a lattice here and points in general position there, or the same point often, points weigh what they
-// take, at least a quarter of the mean, and space is cut anew. Then each rank:
+// cut is found by counting, in parts that are divided again, so that no rank has all points at any time. A point on a
+// cut belongs to the upper side. Each rank gets the points of its box, its own points, and triangulates a few of them:
+// where that makes expect that a rank has more than 1.25 times the mean work, as with a lattice here and points in
+// general position there, or the same point often, points weigh what they take, at least a quarter of the mean, and
+// space is cut anew. Then each rank:
 //
 //     1. sends to others those of its points that are near to theirs, and all that are within some margin of their
 //        boxes: a guess that saves work; so each knows a room around its box in which it has all points;
@@ -388,7 +388,8 @@ typedef struct paradt_mpi__list { // own points to be sent: `place` to `rank`
 
 enum {
     PARADT_MPI__GROUPS = 8, // of boxes a rank tells the others
-    PARADT_MPI__DIGIT = 8   // bits of a coordinate that are counted at a time
+    PARADT_MPI__PART_BITS = 8,
+    PARADT_MPI__PARTS = 1 << PARADT_MPI__PART_BITS // into which space is divided where it is to be cut
 };
 
 typedef struct paradt_mpi__work {
@@ -722,39 +723,46 @@ static paradt_status paradt_mpi__read(paradt_mpi__work *w, const paradt_points *
 //
 // Boxes with more than one rank are halved, all at once, until each has one. The cut is the coordinate below which the
 // lower half's ranks have their share of the points, or of what these weigh, and some more or less where they have
-// fewer or more sides towards others than the upper half's: it is found in the ordered bits of the coordinates, as
-// offsets from the smallest, by counting how many points have each value of the next eight bits; so ties and extreme
-// coordinates are like any other. Where many points have the coordinate of the cut they all go to the side that is
-// nearer to its share. A rank's rows are kept in the order of the boxes, so that each pass over those of a box has
+// fewer or more sides towards others than the upper half's. It is found by rounds: the coordinates between which it
+// lies are divided into 256, the points in each part are counted, and those in the part with the cut are looked at in
+// the next round, until few are left or all have one coordinate: then they all go to the side that is nearer to its
+// share. Parts have the same length in the first round; then as many values of the ordered bits, so that nine rounds do
+// for any coordinates. A rank's rows are kept in the order of the boxes, so that each pass over those of a box has
 // nothing to look up; in the end it is that of the ranks. Doors: paradt_mpi__partition.
 
 typedef struct paradt_mpi__box {
     int first, ranks;              // ranks that share the box
     int64_t from[PARADT_MAX_DIM];  // the box: from <= ordered bits < to; INT64_MIN and INT64_MAX: unbounded
     int64_t to[PARADT_MAX_DIM];    //
-    int64_t low[PARADT_MAX_DIM];   // around its points
+    int64_t low[PARADT_MAX_DIM];   // around its points; at last, across the axis, around those that may be on the cut
     int64_t high[PARADT_MAX_DIM];  //
     int axis;                      // across which it is cut
-    uint64_t wanted, below, equal; // what points weigh: for the lower half; below the cut, on it
-    uint64_t offset;               // of the cut from low[axis], its upper bits so far
-    int bits;                      // of the offset, that are not known yet
+    double origin, scale;          // of half the coordinates, the first and parts a unit; 0: parts of the ordered bits
+    uint64_t wanted, below, equal; // what points weigh: for the lower half; below those that may be on the cut; these
+    uint64_t enough;               // of the last: so few need not be told apart
+    unsigned part;                 // that the cut is in
     int64_t cut;                   // ordered bits of the first coordinate of the upper half
     size_t begin, end;             // the rows that are this rank's
-    size_t open;                   // of these, that may be on the cut
+    size_t open;                   // of these, that may be on the cut: all, or if they are `listed`, so many
+    int listed;
 } paradt_mpi__box;
 
 // What a side with others' points beyond costs a rank, in layers of own points: those that it gets from there, with its
 // questions about them, and what is dropped of the cells in the end. Measured for 125,000 uniform points in space.
 #define PARADT_MPI__LAYERS 1.6
 
+// A cut is as near to what is wanted as this part of a rank's share: nearer, a round would cost more than it saves.
+enum { PARADT_MPI__EVEN = 1024 };
+
 typedef struct paradt_mpi__cutter {
     double *rows, *spare; // [count][width]
     size_t count, width;
     uint64_t weight, mean;  // of each point of this rank, and of a point that takes the mean work
-    size_t *open;           // rows that may be on the cut of their box, of box after box
+    size_t *open;           // [count] rows that may be on the cut of their box, where its rows begin
+    unsigned char *parts;   // [count] that these are in
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
-    uint64_t *counts; // [ranks][2^PARADT_MPI__DIGIT]
+    uint64_t *counts; // [ranks][PARADT_MPI__PARTS]
     int64_t *bounds;  // [ranks][2 * dim]
 } paradt_mpi__cutter;
 
@@ -864,9 +872,11 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     double length[PARADT_MAX_DIM], longest = -1.0, mean = (double)c->mean;
     int axis;
     box->wanted = total / all * lower + total % all * lower / all;
-    box->below = box->offset = 0;
-    box->bits = box->axis = 0;
+    box->below = 0;
+    box->axis = box->listed = 0;
+    box->open = box->end - box->begin;
     box->equal = total;
+    box->enough = total / all / PARADT_MPI__EVEN;
     if (!total) return;
     for (axis = 0; axis < w->dim; axis++) {
         length[axis] =
@@ -876,97 +886,109 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
             box->axis = axis;
         }
     }
-    box->bits = paradt__bit_length((uint64_t)box->high[box->axis] - (uint64_t)box->low[box->axis]);
+    box->origin = paradt__from_ordered_bits(box->low[box->axis]) * 0.5;
+    box->scale = longest > 0.0 ? PARADT_MPI__PARTS / longest : 0.0;
+    if (!(box->scale < PARADT__FAR)) box->scale = 0.0;
     for (axis = 0; axis < w->dim && longest > 0.0; axis++) length[axis] /= longest;
     if (box->ranks > 1)
         box->wanted +=
             (uint64_t)(int64_t)(paradt_mpi__lean(box, (double)total / (mean * box->ranks), length, w->dim) * mean);
 }
 
-// How many bits of the offset remain when the next digit is known
-static int paradt_mpi__digit_shift(const paradt_mpi__box *box) {
-    return box->bits > PARADT_MPI__DIGIT ? box->bits - PARADT_MPI__DIGIT : 0;
+// Has a box to be cut by counting once more?
+static int paradt_mpi__seeks(const paradt_mpi__work *w, const paradt_mpi__box *box) {
+    return box->ranks > 1 && w->options.local.partition != PARADT_UNIFORM && box->equal > box->enough &&
+           box->low[box->axis] < box->high[box->axis];
 }
 
-// Counts the first digit of the offsets of a box's points.
-static void paradt_mpi__count_first(const paradt_mpi__cutter *c, const paradt_mpi__box *box, uint64_t *counts) {
-    const double *rows = c->rows + box->axis;
-    uint64_t low = (uint64_t)box->low[box->axis];
-    int shift = paradt_mpi__digit_shift(box);
-    size_t i;
-    for (i = box->begin; i < box->end; i++) {
-        paradt_mpi__fetch_row(c, i + PARADT__POINTS_AHEAD);
-        counts[((uint64_t)paradt__ordered_bits(rows[i * c->width]) - low) >> shift] += c->weight;
-    }
-}
-
-// Counts a later digit, of those of a box's points that have the digits found so far: of `count` rows in a list, or, if
-// there is none yet, of all. They become the list `open`, which may be the same one or begin before it. Returns their
-// number.
-static size_t paradt_mpi__count_open(const paradt_mpi__cutter *c, const paradt_mpi__box *box, const size_t *list,
-                                     size_t count, size_t *open, uint64_t *counts) {
-    const double *rows = c->rows + box->axis;
-    uint64_t low = (uint64_t)box->low[box->axis], mask;
-    int shift = paradt_mpi__digit_shift(box);
-    size_t kept = 0, i;
-    mask = ((uint64_t)1 << (box->bits - shift)) - 1;
-    if (!list) count = box->end - box->begin;
+// Counts the points of a box that may be on its cut, part by part. even: in parts of one length. The smallest
+// coordinate is in the first part and the largest in a later one, so less remains each time.
+PARADT__INLINE void paradt_mpi__count_parts(const paradt_mpi__cutter *c, const paradt_mpi__box *box, int even,
+                                            uint64_t *counts) {
+    const size_t *list = box->listed ? c->open + box->begin : NULL;
+    const double *rows = c->rows + box->axis, origin = box->origin, scale = box->scale;
+    unsigned char *parts = c->parts + box->begin;
+    size_t begin = box->begin, count = box->open, width = c->width, i;
+    uint64_t low = (uint64_t)box->low[box->axis], weight = c->weight;
+    int bits = paradt__bit_length((uint64_t)box->high[box->axis] - low);
+    int shift = bits > PARADT_MPI__PART_BITS ? bits - PARADT_MPI__PART_BITS : 0;
     for (i = 0; i < count; i++) {
-        size_t row = list ? list[i] : box->begin + i;
-        uint64_t offset = (uint64_t)paradt__ordered_bits(rows[row * c->width]) - low;
-        paradt_mpi__fetch_row(c, row + PARADT__POINTS_AHEAD);
-        if (offset >> box->bits != box->offset) continue;
-        open[kept++] = row;
-        counts[offset >> shift & mask] += c->weight;
-    }
-    return kept;
-}
-
-// Counts the next digit of the offsets of the points that have those found so far, and finds it for every box. From the
-// second digit on these points are listed, those of the first box first.
-static void paradt_mpi__next_digit(paradt_mpi__work *w, paradt_mpi__cutter *c, int number) {
-    const size_t values = (size_t)1 << PARADT_MPI__DIGIT;
-    size_t next = 0, kept = 0;
-    int b;
-    memset(c->counts, 0, (size_t)c->box_count * values * sizeof *c->counts);
-    for (b = 0; b < c->box_count; b++) {
-        paradt_mpi__box *box = c->boxes + b;
-        uint64_t *counts = c->counts + (size_t)b * values;
-        size_t listed = box->open;
-        box->open = 0;
-        if (box->bits && number == 0) paradt_mpi__count_first(c, box, counts);
-        else if (box->bits)
-            box->open =
-                paradt_mpi__count_open(c, box, number > 1 ? c->open + next : NULL, listed, c->open + kept, counts);
-        next += listed;
-        kept += box->open;
-    }
-    MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * (int)values, MPI_UINT64_T, MPI_SUM, w->comm);
-    for (b = 0; b < c->box_count; b++) {
-        paradt_mpi__box *box = c->boxes + b;
-        const uint64_t *counts = c->counts + (size_t)b * values;
-        int low = paradt_mpi__digit_shift(box);
-        uint64_t digit = 0;
-        if (!box->bits) continue;
-        while (digit + 1 < (uint64_t)1 << (box->bits - low) && box->below + counts[digit] <= box->wanted)
-            box->below += counts[digit++];
-        box->equal = counts[digit];
-        box->offset = box->offset << (box->bits - low) | digit;
-        box->bits = low;
+        double x = rows[(list ? list[i] : begin + i) * width];
+        unsigned part = even ? (unsigned)(int)((x * 0.5 - origin) * scale)
+                             : (unsigned)(((uint64_t)paradt__ordered_bits(x) - low) >> shift);
+        PARADT__FETCH(rows, (begin + i + PARADT__POINTS_AHEAD) * width);
+        if (part >= PARADT_MPI__PARTS) part = PARADT_MPI__PARTS - 1;
+        parts[i] = (unsigned char)part;
+        counts[part] += weight;
     }
 }
 
-// The cut of a box whose points below and on it are counted.
+// Finds the part with the cut.
+static void paradt_mpi__find_part(paradt_mpi__box *box, const uint64_t *counts) {
+    box->part = 0;
+    while (box->part + 1 < PARADT_MPI__PARTS && box->below + counts[box->part] <= box->wanted)
+        box->below += counts[box->part++];
+    box->equal = counts[box->part];
+    box->scale = 0.0;
+}
+
+// Lists the points in that part. bounds: as those of a box, but across its axis alone
+static void paradt_mpi__list_part(const paradt_mpi__cutter *c, paradt_mpi__box *box, int64_t *bounds) {
+    const unsigned char *parts = c->parts + box->begin, part = (unsigned char)box->part;
+    const double *rows = c->rows + box->axis;
+    size_t *list = c->open + box->begin, count = box->open, kept = 0, i;
+    bounds[0] = bounds[1] = INT64_MAX;
+    for (i = 0; i < count; i++) {
+        if (parts[i] == part) list[kept++] = box->listed ? list[i] : box->begin + i;
+    }
+    for (i = 0; i < kept; i++) {
+        int64_t x = paradt__ordered_bits(rows[list[i] * c->width]);
+        bounds[0] = x < bounds[0] ? x : bounds[0];
+        bounds[1] = ~x < bounds[1] ? ~x : bounds[1];
+    }
+    box->listed = 1;
+    box->open = kept;
+}
+
+// One round for all boxes whose cut is not found. 0: there are none.
+static int paradt_mpi__divide(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    int b, several = 0;
+    memset(c->counts, 0, (size_t)c->box_count * PARADT_MPI__PARTS * sizeof *c->counts);
+    for (b = 0; b < c->box_count; b++) {
+        const paradt_mpi__box *box = c->boxes + b;
+        uint64_t *counts = c->counts + (size_t)b * PARADT_MPI__PARTS;
+        if (!paradt_mpi__seeks(w, box)) continue;
+        if (box->scale > 0.0) paradt_mpi__count_parts(c, box, 1, counts);
+        else paradt_mpi__count_parts(c, box, 0, counts);
+        several = 1;
+    }
+    if (!several) return 0;
+    MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * PARADT_MPI__PARTS, MPI_UINT64_T, MPI_SUM, w->comm);
+    for (b = 0; b < c->box_count; b++) {
+        c->bounds[2 * b] = c->bounds[2 * b + 1] = INT64_MAX;
+        if (!paradt_mpi__seeks(w, c->boxes + b)) continue;
+        paradt_mpi__find_part(c->boxes + b, c->counts + (size_t)b * PARADT_MPI__PARTS);
+        paradt_mpi__list_part(c, c->boxes + b, c->bounds + 2 * b);
+    }
+    paradt_mpi__smallest(w, c->bounds, 2 * c->box_count);
+    for (b = 0; b < c->box_count; b++) {
+        paradt_mpi__box *box = c->boxes + b;
+        if (c->bounds[2 * b] == INT64_MAX) continue; // it was not narrowed
+        box->low[box->axis] = c->bounds[2 * b];
+        box->high[box->axis] = ~c->bounds[2 * b + 1];
+    }
+    return 1;
+}
+
+// The cut of a box: before or behind the points that may be on it.
 static void paradt_mpi__cut(const paradt_mpi__work *w, paradt_mpi__box *box) {
     uint64_t above = box->below + box->equal, missing = box->wanted - box->below;
-    int axis = box->axis;
-    box->cut = (int64_t)((uint64_t)box->low[axis] + box->offset);
+    int64_t low = box->low[box->axis], high = box->high[box->axis];
+    box->cut = above - box->wanted < missing ? high + 1 : low;
     if (w->options.local.partition == PARADT_UNIFORM) {
         double part = (double)(box->ranks / 2) / (double)box->ranks;
-        box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[axis]) * (1.0 - part) +
-                                        paradt__from_ordered_bits(box->high[axis]) * part);
-    } else if (above - box->wanted < missing) {
-        box->cut++;
+        box->cut = paradt__ordered_bits(paradt__from_ordered_bits(low) * (1.0 - part) +
+                                        paradt__from_ordered_bits(high) * part);
     }
 }
 
@@ -998,21 +1020,14 @@ static void paradt_mpi__cut_box(const paradt_mpi__work *w, paradt_mpi__cutter *c
 
 // Halves all boxes that have several ranks. 0: there are none.
 static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
-    int b, boxes = c->box_count, several = 0, more = 1, digit = 0;
+    int b, boxes = c->box_count, several = 0;
     for (b = 0; b < boxes; b++) several |= c->boxes[b].ranks > 1;
     if (!several) return 0;
     paradt_mpi__measure_boxes(w, c);
     paradt_mpi__bound(w, c);
     MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
-    for (b = 0; b < boxes; b++) {
-        paradt_mpi__aim(w, c, c->boxes + b, c->counts[b]);
-        if (c->boxes[b].ranks == 1 || w->options.local.partition == PARADT_UNIFORM) c->boxes[b].bits = 0;
-    }
-    while (more) {
-        more = 0;
-        for (b = 0; b < boxes; b++) more |= c->boxes[b].bits;
-        if (more) paradt_mpi__next_digit(w, c, digit++);
-    }
+    for (b = 0; b < boxes; b++) paradt_mpi__aim(w, c, c->boxes + b, c->counts[b]);
+    while (paradt_mpi__divide(w, c)) continue;
     for (b = 0; b < boxes; b++) {
         if (c->boxes[b].ranks > 1) paradt_mpi__cut_box(w, c, c->boxes + b);
     }
@@ -1047,11 +1062,12 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.mean = mean;
     c.box_count = 1;
     c.open = (size_t *)paradt__alloc(&w->memory, c.count, sizeof *c.open);
+    c.parts = (unsigned char *)paradt__alloc(&w->memory, c.count, 1);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
-    c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks << PARADT_MPI__DIGIT, sizeof *c.counts);
+    c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks, PARADT_MPI__PARTS * sizeof *c.counts);
     c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
     c.spare = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *c.spare);
-    if (!c.open || !c.boxes || !c.counts || !c.bounds || !c.spare) status = PARADT_ERROR_MEMORY;
+    if (!c.open || !c.parts || !c.boxes || !c.counts || !c.bounds || !c.spare) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
         memset(c.boxes, 0, sizeof *c.boxes);
@@ -1069,6 +1085,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     paradt__release(&w->memory, c.bounds);
     paradt__release(&w->memory, c.counts);
     paradt__release(&w->memory, c.boxes);
+    paradt__release(&w->memory, c.parts);
     paradt__release(&w->memory, c.open);
     if (status) return status;
     status = paradt_mpi__exchange(w, PARADT_OK, c.rows, c.width * sizeof *c.rows, &got, count);
