@@ -501,27 +501,46 @@ static void eight_ranks_hold_less_than_double_an_eighth(void) {
     finish_test("eight ranks hold less than double an eighth");
 }
 
+// Own points of the ranks of comms[with]; on other ranks zeros.
+static void share_out(const sample *s, int with, uint64_t *own) {
+    memset(own, 0, (size_t)sizes[with] * sizeof *own);
+    if (comms[with] == MPI_COMM_NULL) return;
+    int *order = (int *)need((size_t)s->count, sizeof *order);
+    sample share = share_of(s, DEALT, rank, sizes[with], order);
+    paradt_points points = points_of(&share);
+    paradt_mpi_triangulation t;
+    if (paradt_mpi_triangulate(&t, comms[with], &points, NULL)) note(s, sizes[with], DEALT, "no triangulation");
+    MPI_Allgather(&t.stats.points, 1, MPI_UINT64_T, own, 1, MPI_UINT64_T, comms[with]);
+    paradt_mpi_free(&t);
+    sample_free(&share);
+    free(order);
+}
+
+static void two_ranks_have_half_of_the_points_each(void) {
+    static const char *const names[] = {"uniform", "plummer", "clusters", "mixed magnitudes", "huge", "rough sphere"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
+        sample s = family_make(&families[family_named(names[i])], NULL, 3, 500, 3);
+        uint64_t own[2];
+        share_out(&s, 1, own);
+        if (own[0] > own[1] + 1 || own[1] > own[0] + 1) note(&s, 2, DEALT, "the shares differ");
+        sample_free(&s);
+    }
+    finish_test("two ranks have half of the points each");
+}
+
 // Four ranks side by side: the inner ones have others on two sides, and less than their share of the points for that.
 static void ranks_between_others_have_fewer_points(void) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 4000, 5);
+    uint64_t own[4];
     for (int i = 0; i < s.count; i++) s.x[3 * i] *= 4;
+    share_out(&s, 3, own);
     if (comms[3] != MPI_COMM_NULL) {
-        int *order = (int *)need((size_t)s.count, sizeof *order);
-        sample share = share_of(&s, DEALT, rank, 4, order);
-        paradt_points points = points_of(&share);
-        paradt_mpi_triangulation t;
-        uint64_t own[4];
-        if (paradt_mpi_triangulate(&t, comms[3], &points, NULL)) note(&s, 4, DEALT, "no triangulation");
-        MPI_Allgather(&t.stats.points, 1, MPI_UINT64_T, own, 1, MPI_UINT64_T, comms[3]);
         if (own[0] + own[1] + own[2] + own[3] != 4000) note(&s, 4, DEALT, "points are missing");
         if (own[0] > own[3] + 20 || own[3] > own[0] + 20 || own[1] > own[2] + 20 || own[2] > own[1] + 20)
             note(&s, 4, DEALT, "ranks that have as many sides differ");
         for (int inner = 1; inner <= 2; inner++) {
             if (own[inner] + 40 > own[0] || own[inner] + 130 < own[0]) note(&s, 4, DEALT, "the shares are wrong");
         }
-        paradt_mpi_free(&t);
-        sample_free(&share);
-        free(order);
     }
     sample_free(&s);
     finish_test("ranks between others have fewer points");
@@ -574,7 +593,10 @@ static void options_and_errors(void) {
     failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
     eight_ranks_hold_less_than_double_an_eighth();
-    ranks_between_others_have_fewer_points();
+    if (PARADT_MPI__WORTH > 0) { // else points weigh what they take
+        two_ranks_have_half_of_the_points_each();
+        ranks_between_others_have_fewer_points();
+    }
     wrong_arguments_of_gathering_are_agreed_on();
 }
 
