@@ -229,6 +229,7 @@ run() { # name of a group, of the program
 build plain -O2
 run families plain
 run many plain
+run shares plain
 # Weights, where points that come late make others hidden, and errors: with the sanitizers where they work. Errors also
 # where space is cut anew, as for all sets in this program.
 anew="-DPARADT_MPI__WORTH=0 -DPARADT_MPI__MUCH=0.0"

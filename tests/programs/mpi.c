@@ -593,11 +593,13 @@ static void options_and_errors(void) {
     failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
     eight_ranks_hold_less_than_double_an_eighth();
-    if (PARADT_MPI__WORTH > 0) { // else points weigh what they take
-        two_ranks_have_half_of_the_points_each();
-        ranks_between_others_have_fewer_points();
-    }
     wrong_arguments_of_gathering_are_agreed_on();
+}
+
+// Where all sets are cut anew, points weigh what they take, and shares are others.
+static void shares(void) {
+    two_ranks_have_half_of_the_points_each();
+    ranks_between_others_have_fewer_points();
 }
 
 static const struct {
@@ -606,6 +608,7 @@ static const struct {
 } groups[] = {
     {"families", same_cells_on_families},
     {"many", same_cells_of_many_points},
+    {"shares", shares},
     {"weights", weights_and_replicas},
     {"errors", options_and_errors},
 };
