@@ -752,7 +752,7 @@ typedef struct paradt_mpi__box {
 #define PARADT_MPI__LAYERS 1.6
 
 // A cut is as near to what is wanted as this part of a rank's share: nearer, a round would cost more than it saves.
-enum { PARADT_MPI__EVEN = 1024 };
+enum { PARADT_MPI__PRECISION = 1024 };
 
 typedef struct paradt_mpi__cutter {
     double *rows, *spare; // [count][width]
@@ -876,7 +876,7 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     box->axis = box->listed = 0;
     box->open = box->end - box->begin;
     box->equal = total;
-    box->enough = total / all / PARADT_MPI__EVEN;
+    box->enough = total / all / PARADT_MPI__PRECISION;
     if (!total) return;
     for (axis = 0; axis < w->dim; axis++) {
         length[axis] =
