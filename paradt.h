@@ -5,7 +5,8 @@
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
 //
-// A whole program. It triangulates the corners of a cube and prints the cells, four point indices a line:
+// A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
+// triangulates the corners of a cube and prints the cells, four point indices a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -207,16 +208,16 @@
 //
 // Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
 // has them ready, and adds a third on a virtual machine whose host has to provide them anew. On Linux from 5.14 on
-// small pages are made some ahead of their use, by madvise; that takes 3 to 5 hundredths off.
+// small pages are made somewhat ahead of their use, by madvise; that takes 3 to 5 hundredths off.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// Arrays may have room for a third more at their ends, where regions made that much in vain.
-// In two and three dimensions insertion (PARADT_AUTO too) then builds regions one after another, if they don't run at
-// once: those that are asked for, or five of 500,000 points and more. Each gives its links back before the next begins:
-// 10^6 uniform points in space need 190 bytes a point instead of 274, and a third more time. memory_limit bounds the
-// bytes that one call holds at any time, the result included; regions get equal shares of what the points have left of
-// it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions: an upper bound, the sum
-// of their peaks).
+// Arrays may have room for up to a third more at their ends, and of a few hundred points for some kilobytes more.
+// Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
+// don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
+// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and a tenth to a fifth more time.
+// memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
+// the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
+// an upper bound, the sum of their peaks).
 //
 // The stack is used moderately: the exact predicates take up to 64 KB of it for numbers of extreme exponents. Recursion
 // is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
@@ -250,12 +251,13 @@
 // two skew lines in space, are examples. The counters of paradt_stats tell what a run cost in terms that do not depend
 // on the machine:
 //
-//     distance_evaluations / cells   candidates looked at for a cell (InCoDe, DeWall; so are the next and the last)
-//     grid_cells_visited / cells     how far the searches went
-//     exact_* / insphere_calls       how much of the work was too close for floating point
+//     distance_evaluations / cells   candidates looked at for a cell, eight a grid cell (InCoDe, DeWall; with regions
+//                                    insertion, too)
+//     grid_cells_visited / cells     how far these searches went
+//     exact_* / cells                predicates too close for floating point, orientations included
 //     perturbed                      ties
-//     cells_recomputed / cells       the price of regions
-//     active_peak                    the size of the front
+//     cells_recomputed / cells       the price of regions, but for those that were given up
+//     active_peak                    the size of the front (InCoDe, DeWall)
 //
 // paradt_check takes expected linear time. The predicates alone (paradt_orient, paradt_insphere) measure their
 // arguments anew at each call; the triangulation does that once for all points, and is faster for each of them.
@@ -431,13 +433,13 @@ typedef struct paradt_options {
 typedef struct paradt_stats {
     uint64_t cells;                // cells of the triangulation
     uint64_t hull_facets;          // facets with a cell on one side only
-    uint64_t duplicates;           // points that another point stands for
+    uint64_t duplicates;           // points at the place of another
     uint64_t hidden;               // places of weighted points that are no vertex
-    uint64_t distance_evaluations; // Delaunay distances computed by InCoDe and DeWall
+    uint64_t distance_evaluations; // Delaunay distances computed by searches, in lanes of eight
     uint64_t grid_cells_visited;   // grid cells whose points were looked at
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
-    uint64_t insphere_calls;       // in-sphere predicates
+    uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
     uint64_t exact_small;          // predicates settled in small integers
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
@@ -10493,7 +10495,7 @@ static void paradt__begin_again(paradt__work *work) {
 }
 
 // Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
-// points makes regions for that: five need 190 bytes a point where one needs 274, and a third more time.
+// points makes regions for that: five need 190 bytes a point where one needs 280, and a tenth to a fifth more time.
 static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
     enum { TURNS = 5, LEAST_POINTS = 500000 };
     work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&

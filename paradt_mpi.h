@@ -97,8 +97,8 @@
 //        its facet on the hull, it sends the rank that may have it the cell;
 //     3. answers for itself: has it a point in conflict with a cell that it got, by the exact test? Then it adds those
 //        of the cell's vertices that are the sender's own points;
-//     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion it triangulates
-//        again), and keeps the cells whose lexicographically smallest vertex is its own.
+//     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion, or in regions of
+//        its own, it triangulates again), and keeps the cells whose lexicographically smallest vertex is its own.
 //
 //
 // WHY THE CELLS ARE RIGHT
@@ -131,9 +131,9 @@
 // REPLICATED POINTS
 //
 // With PARADT_MPI_REPLICATED every rank hands in all points, the same on each. They are not sent anywhere: each rank
-// makes the cells of its box by InCoDe (or DeWall), as the regions of paradt.h do, and they talk only to agree on
-// errors and to number and link the cells. That is the thesis' ParaInCoDe. Global ids are the indices, and
-// representative is filled on all ranks alike.
+// makes the cells of its box by InCoDe (by DeWall if that is the method; the others do not matter here), as the regions
+// of paradt.h do, and they talk only to agree on errors and to number and link the cells. That is the thesis'
+// ParaInCoDe. Global ids are the indices, and representative is filled on all ranks alike.
 //
 //
 // ERRORS
@@ -158,6 +158,7 @@
 //
 // options.local is for what a rank does alone, which is a paradt_triangulate: method, regions and parallel_for (threads
 // within a rank), progress, memory_limit, allocator. It may differ between ranks but for the partition and the flags.
+// PARADT_AUTO inserts in four dimensions, too, where there are several ranks.
 //
 //
 // MEMORY
@@ -170,11 +171,12 @@
 //
 // COST
 //
-// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods; all points
-// once more where all are sent. Beside that, points are sent once, to their ranks, or twice where they weigh what they
-// take; the cuts take O(n / p log p) time and about 8 log2 p reductions each time; each cell is looked at once more;
-// and what is sent in steps 1 and 2 is proportional to the number of points near the border, for points spread without
-// structure. The rounds do not grow with the number of ranks. stats.seconds_* tell where the time goes.
+// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods or where
+// options.local has regions; all points once more where all are sent. Beside that, points are sent once, to their
+// ranks, or twice where they weigh what they take; the cuts take O(n / p log p) time and about 8 log2 p reductions each
+// time; each cell is looked at once more; and what is sent in steps 1 and 2 is proportional to the number of points
+// near the border, for points spread without structure. The rounds do not grow with the number of ranks.
+// stats.seconds_* tell where the time goes.
 //
 //
 // LIMITS
@@ -221,10 +223,10 @@ typedef struct paradt_mpi_options {
     X(cells_asked, "cells sent to others in question")                                                                 \
     X(rounds, "times that cells were sent in question")                                                                \
     X(triangulations, "times that this rank triangulated")                                                             \
-    X(duplicates, "points that another point stands for")                                                              \
+    X(duplicates, "points at the place of another")                                                                    \
     X(hidden, "places of weighted points that are no vertex")                                                          \
     X(hull_facets, "facets with a cell on one side only; 0 with PARADT_NO_NEIGHBORS")                                  \
-    X(bytes_sent, "to other ranks, in messages of step 0 to 4 and those that link cells")                              \
+    X(bytes_sent, "to other ranks, in messages that cut space, of steps 1 to 4, and that link cells")                  \
     X(messages_sent, "their number")                                                                                   \
     X(peak_bytes, "most memory held at once")
 #define PARADT_MPI_TIMERS(X)                                                                                           \
@@ -2016,10 +2018,10 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
 }
 
 // Can the triangulation be gone on with when more points come? Insertion can, undivided. It has no use for sagittas.
+// Other methods build it twice then, so where there are several ranks insertion pays in one dimension more.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
-    paradt_method method = w->options.local.method;
-    return (method == PARADT_AUTO || method == PARADT_BOWYER_WATSON) && w->options.local.regions <= 1 &&
-           w->set.space.dim > 0;
+    int dim = w->set.space.dim;
+    return dim > 0 && paradt__inserts(w->options.local.method, dim - (w->ranks > 1)) && w->options.local.regions <= 1;
 }
 
 // The local engine: triangulates all that this rank knows. Not collective.

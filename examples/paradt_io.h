@@ -258,7 +258,7 @@ static int paradt_io__settle_dim(paradt_io__reader *r, int available) {
     if (r->dim > PARADT_MAX_DIM)
         return paradt_io__bad(r, "more than %d coordinates", PARADT_MAX_DIM);
     if (r->dim < 2)
-        return paradt_io__bad(r, "%d coordinates where 2 to %d are possible", r->dim, PARADT_MAX_DIM);
+        return paradt_io__bad(r, "2 to %d coordinates are wanted, not %d", PARADT_MAX_DIM, r->dim);
     return 1;
 }
 
