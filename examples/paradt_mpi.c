@@ -93,7 +93,7 @@ static const struct {
     {"--dim", "D", take_dim, 0, "dimension, 2 to 8: the first D columns are coordinates"},
     {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: boxes of equal points) or uniform"},
-    {"--replicated", NULL, NULL, offsetof(settings, replicated), "every rank gets all points, by --method incode"},
+    {"--replicated", NULL, NULL, offsetof(settings, replicated), "every rank gets all points, by incode or dewall"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result on rank 0 in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
@@ -109,7 +109,7 @@ static void print_help(void) {
     int i;
     printf("mpiexec -n RANKS paradt_mpi [options] INPUT\n\n"
            "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly, on many ranks.\n\n"
-           "INPUT: %s or gen:KIND:N:SEED (paradt --help lists the kinds)\n\n",
+           "INPUT: %s, - (standard input, as .txt) or gen:KIND:N:SEED (paradt --help lists the kinds)\n\n",
            paradt_io_inputs());
     for (i = 0; i < OPTIONS; i++) {
         char left[40];
