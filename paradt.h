@@ -244,12 +244,12 @@
 // For points that are spread without structure the work on a cell is expected not to grow with n: InCoDe and DeWall
 // look at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is
 // proportional to the number of cells, but for sorting the points. Exceptions: when all points lie exactly on one
-// sphere, every point ties with every sphere, and a search of InCoDe or DeWall looks at all of them; and coordinates
-// that are too far apart in size for floating point (see NUMBERS) are searched one by one. Insertion has neither. How
-// many cells there are depends on the points: proportional to n for most input in a fixed dimension, with a factor that
-// grows quickly with the dimension; at worst they grow like n^ceil(d/2), for which a moment curve in any dimension, or
-// two skew lines in space, are examples. The counters of paradt_stats tell what a run cost in terms that do not depend
-// on the machine:
+// sphere, or in a slanting plane but for rounding, every point ties with every sphere, and a search of InCoDe or DeWall
+// looks at all of them; and points whose coordinates or weights are too large or too far apart in size for floating
+// point (see NUMBERS) are searched one by one. Insertion has neither. How many cells there are depends on the points:
+// proportional to n for most input in a fixed dimension, with a factor that grows quickly with the dimension; at worst
+// they grow like n^ceil(d/2), for which a moment curve in any dimension, or two skew lines in space, are examples. The
+// counters of paradt_stats tell what a run cost in terms that do not depend on the machine:
 //
 //     distance_evaluations / cells   candidates looked at for a cell, eight a grid cell (InCoDe, DeWall; with regions
 //                                    insertion, too)

@@ -154,7 +154,8 @@
 // yours. Its error handler is that of your communicator; where that lets MPI calls return, what follows a failed one is
 // undefined. Calls from several threads at once need MPI_THREAD_MULTIPLE and a communicator each. The header neither
 // starts nor ends MPI, prints nothing and aborts nothing. Messages are cut into pieces of PARADT_MPI_PIECE bytes, so
-// that none has too many for an int. All ranks have the same byte order.
+// that none has too many for an int. All ranks have the same byte order. Their compilers, flags and processors may
+// differ, but with PARADT_MPI_REPLICATED not the results of floating-point arithmetic: there each cuts space by itself.
 //
 // options.local is for what a rank does alone, which is a paradt_triangulate: method, regions and parallel_for (threads
 // within a rank), progress, memory_limit, allocator. It may differ between ranks but for the partition and the flags.
@@ -164,9 +165,9 @@
 // MEMORY
 //
 // All memory but that of MPI itself comes from the rank's options.local.allocator, within its memory_limit. At no time
-// has a rank more than its share of the points (up to five times as many where its points weigh little; all that are
-// equal), those it handed in, and those near its border, unless all points are sent to all ranks (see above): then each
-// has the memory and the limits of a call of its own for all of them.
+// has a rank more than its share of the points (up to five times as many where its points weigh little; more where many
+// are equal or have a coordinate in common), those it handed in, and those near its border, unless all points are sent
+// to all ranks (see above): then each has the memory and the limits of a call of its own for all of them.
 //
 //
 // COST
@@ -571,6 +572,12 @@ static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
     return options;
 }
 
+// A triangulation that is made alone has an account of its own, whose peak is added to the rank's.
+static void paradt_mpi__add_peak(paradt_mpi__work *w, const paradt_triangulation *t) {
+    size_t peak = w->memory.held + (size_t)t->stats.peak_bytes;
+    if (peak > w->memory.peak) w->memory.peak = peak;
+}
+
 // Room for one more item in a list: returns the items, or NULL when there is no memory.
 static void *paradt_mpi__one_more(paradt_mpi__work *w, void *items, size_t count, size_t *capacity, size_t size) {
     size_t larger = *capacity * 2 + 64;
@@ -743,7 +750,7 @@ typedef struct paradt_mpi__box {
     uint64_t wanted, below, equal; // what points weigh: for the lower half; below those that may be on the cut; these
     uint64_t enough;               // of the last: so few need not be told apart
     unsigned part;                 // that the cut is in
-    int64_t cut;                   // ordered bits of the first coordinate of the upper half
+    int64_t cut;                   // ordered bits of the first coordinate of the upper half; PARADT_UNIFORM aims at it
     size_t begin, end;             // the rows that are this rank's
     size_t open;                   // of these, that may be on the cut: all, or if they are `listed`, so many
     int listed;
@@ -765,7 +772,7 @@ typedef struct paradt_mpi__cutter {
     paradt_mpi__box *boxes; // [ranks]
     int box_count;
     uint64_t *counts; // [ranks][PARADT_MPI__PARTS]
-    int64_t *bounds;  // [ranks][2 * dim]
+    int64_t *facts;   // [ranks][2 * PARADT_MAX_DIM] bounds of points, or aims, for all ranks to agree on
 } paradt_mpi__cutter;
 
 // Fetches a point ahead of its use, by its first and last coordinate: they may be in two of the cache's lines.
@@ -774,8 +781,19 @@ PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t po
     PARADT__FETCH(c->rows, (point + 1) * c->width - 1);
 }
 
+// Bounds the points of a box across one axis by their bits.
+static void paradt_mpi__bound_axis(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t axis,
+                                   int64_t *bounds) {
+    size_t i;
+    for (i = box->begin; i < box->end; i++) {
+        int64_t x = paradt__ordered_bits(c->rows[i * c->width + axis]);
+        bounds[0] = x < bounds[0] ? x : bounds[0];
+        bounds[1] = ~x < bounds[1] ? ~x : bounds[1];
+    }
+}
+
 // Bounds the points of a box: of each axis the smallest of the ordered bits, and ~ that of the largest, which turns the
-// order and does not overflow.
+// order and does not overflow. Where subnormals are taken for zero, comparisons can't tell them apart, but the bits do.
 PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t dim,
                                            int64_t *bounds) {
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -794,18 +812,21 @@ PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const pa
     for (j = 0; j < dim; j++) {
         bounds[2 * j] = paradt__ordered_bits(low[j]);
         bounds[2 * j + 1] = ~paradt__ordered_bits(high[j]);
+        if (!paradt__biased_exponent(low[j]) || !paradt__biased_exponent(high[j]))
+            paradt_mpi__bound_axis(c, box, j, bounds + 2 * j);
     }
 }
 
 // Puts the rows of a box that are below its cut before the others, all in the order that they had. Which side cannot be
 // foreseen, so there is no branch: a row is written to both. Returns where the others begin.
 PARADT__INLINE size_t paradt_mpi__part(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t width) {
-    double *rows = c->rows + box->begin * width, cut = paradt__from_ordered_bits(box->cut);
+    double *rows = c->rows + box->begin * width;
     size_t i, lower = 0, upper = 0, count = box->end - box->begin;
+    const int64_t cut = box->cut;
     for (i = 0; i < count; i++) {
         const double *row = rows + i * width;
         double *above = c->spare + upper * width;
-        size_t is_above = row[box->axis] >= cut;
+        size_t is_above = paradt__ordered_bits(row[box->axis]) >= cut;
         paradt_mpi__fetch_row(c, box->begin + i + PARADT__POINTS_AHEAD);
         memcpy(above, row, width * sizeof *row);
         memcpy(rows + lower * width, above, width * sizeof *row);
@@ -820,11 +841,11 @@ PARADT__INLINE size_t paradt_mpi__part(const paradt_mpi__cutter *c, const paradt
 static void paradt_mpi__bound(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     size_t dim = (size_t)w->dim, j;
     int b;
-    paradt_mpi__smallest(w, c->bounds, (int)((size_t)c->box_count * 2 * dim));
+    paradt_mpi__smallest(w, c->facts, (int)((size_t)c->box_count * 2 * dim));
     for (b = 0; b < c->box_count; b++) {
         for (j = 0; j < dim; j++) {
-            c->boxes[b].low[j] = c->bounds[((size_t)b * dim + j) * 2];
-            c->boxes[b].high[j] = ~c->bounds[((size_t)b * dim + j) * 2 + 1];
+            c->boxes[b].low[j] = c->facts[((size_t)b * dim + j) * 2];
+            c->boxes[b].high[j] = ~c->facts[((size_t)b * dim + j) * 2 + 1];
         }
     }
 }
@@ -867,7 +888,7 @@ static double paradt_mpi__lean(const paradt_mpi__box *box, double points, double
     return cost * (bare_below - part * (bare_below + bare_above));
 }
 
-// Chooses the axis and what is wanted below the cut.
+// Chooses the axis and what is wanted below the cut, or, for boxes of equal size, the cut.
 static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter *c, paradt_mpi__box *box,
                             uint64_t total) {
     uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
@@ -888,6 +909,11 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
             box->axis = axis;
         }
     }
+    if (w->options.local.partition == PARADT_UNIFORM) {
+        double part = (double)lower / (double)all;
+        box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[box->axis]) * (1.0 - part) +
+                                        paradt__from_ordered_bits(box->high[box->axis]) * part);
+    }
     box->origin = paradt__from_ordered_bits(box->low[box->axis]) * 0.5;
     box->scale = longest > 0.0 ? PARADT_MPI__PARTS / longest : 0.0;
     if (!(box->scale < PARADT__FAR)) box->scale = 0.0;
@@ -895,6 +921,32 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     if (box->ranks > 1)
         box->wanted +=
             (uint64_t)(int64_t)(paradt_mpi__lean(box, (double)total / (mean * box->ranks), length, w->dim) * mean);
+}
+
+// Rank 0's aims become those of all. They are chosen in floating-point arithmetic, which may differ from rank to rank:
+// by the compiler, its library, the processor and its mode.
+static void paradt_mpi__share_aims(paradt_mpi__work *w, paradt_mpi__cutter *c) {
+    enum { FACTS = 5 };
+    int b;
+    for (b = 0; b < c->box_count; b++) {
+        const paradt_mpi__box *box = c->boxes + b;
+        int64_t *facts = c->facts + (size_t)b * FACTS;
+        facts[0] = box->axis;
+        facts[1] = (int64_t)box->wanted;
+        facts[2] = box->cut;
+        facts[3] = (int64_t)paradt_mpi__bits_at(&box->origin);
+        facts[4] = (int64_t)paradt_mpi__bits_at(&box->scale);
+    }
+    MPI_Bcast(c->facts, c->box_count * FACTS, MPI_INT64_T, 0, w->comm);
+    for (b = 0; b < c->box_count; b++) {
+        paradt_mpi__box *box = c->boxes + b;
+        const int64_t *facts = c->facts + (size_t)b * FACTS;
+        box->axis = (int)facts[0];
+        box->wanted = (uint64_t)facts[1];
+        box->cut = facts[2];
+        paradt_mpi__put_bits(&box->origin, (uint64_t)facts[3]);
+        paradt_mpi__put_bits(&box->scale, (uint64_t)facts[4]);
+    }
 }
 
 // Has a box to be cut by counting once more?
@@ -967,31 +1019,26 @@ static int paradt_mpi__divide(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     if (!several) return 0;
     MPI_Allreduce(MPI_IN_PLACE, c->counts, c->box_count * PARADT_MPI__PARTS, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < c->box_count; b++) {
-        c->bounds[2 * b] = c->bounds[2 * b + 1] = INT64_MAX;
+        c->facts[2 * b] = c->facts[2 * b + 1] = INT64_MAX;
         if (!paradt_mpi__seeks(w, c->boxes + b)) continue;
         paradt_mpi__find_part(c->boxes + b, c->counts + (size_t)b * PARADT_MPI__PARTS);
-        paradt_mpi__list_part(c, c->boxes + b, c->bounds + 2 * b);
+        paradt_mpi__list_part(c, c->boxes + b, c->facts + 2 * b);
     }
-    paradt_mpi__smallest(w, c->bounds, 2 * c->box_count);
+    paradt_mpi__smallest(w, c->facts, 2 * c->box_count);
     for (b = 0; b < c->box_count; b++) {
         paradt_mpi__box *box = c->boxes + b;
-        if (c->bounds[2 * b] == INT64_MAX) continue; // it was not narrowed
-        box->low[box->axis] = c->bounds[2 * b];
-        box->high[box->axis] = ~c->bounds[2 * b + 1];
+        if (c->facts[2 * b] == INT64_MAX) continue; // it was not narrowed
+        box->low[box->axis] = c->facts[2 * b];
+        box->high[box->axis] = ~c->facts[2 * b + 1];
     }
     return 1;
 }
 
-// The cut of a box: before or behind the points that may be on it.
-static void paradt_mpi__cut(const paradt_mpi__work *w, paradt_mpi__box *box) {
+// The cut of a box that is found by counting: before or behind the points that may be on it.
+static void paradt_mpi__cut(paradt_mpi__box *box) {
     uint64_t above = box->below + box->equal, missing = box->wanted - box->below;
     int64_t low = box->low[box->axis], high = box->high[box->axis];
     box->cut = above - box->wanted < missing ? high + 1 : low;
-    if (w->options.local.partition == PARADT_UNIFORM) {
-        double part = (double)(box->ranks / 2) / (double)box->ranks;
-        box->cut = paradt__ordered_bits(paradt__from_ordered_bits(low) * (1.0 - part) +
-                                        paradt__from_ordered_bits(high) * part);
-    }
 }
 
 // Bounds and weighs the points of all boxes, on this rank.
@@ -1000,7 +1047,7 @@ static void paradt_mpi__measure_boxes(const paradt_mpi__work *w, paradt_mpi__cut
     int b;
     for (b = 0; b < c->box_count; b++) {
         const paradt_mpi__box *box = c->boxes + b;
-        int64_t *bounds = c->bounds + (size_t)b * 2 * dim;
+        int64_t *bounds = c->facts + (size_t)b * 2 * dim;
         if (dim == 3) paradt_mpi__bound_rows(c, box, 3, bounds);
         else paradt_mpi__bound_rows(c, box, dim, bounds);
         c->counts[b] = (box->end - box->begin) * c->weight;
@@ -1010,7 +1057,7 @@ static void paradt_mpi__measure_boxes(const paradt_mpi__work *w, paradt_mpi__cut
 // Makes two boxes of one, the upper half behind all others.
 static void paradt_mpi__cut_box(const paradt_mpi__work *w, paradt_mpi__cutter *c, paradt_mpi__box *box) {
     paradt_mpi__box *upper = c->boxes + c->box_count++;
-    paradt_mpi__cut(w, box);
+    if (w->options.local.partition != PARADT_UNIFORM) paradt_mpi__cut(box);
     *upper = *box;
     upper->from[box->axis] = box->to[box->axis] = box->cut;
     upper->first += box->ranks / 2;
@@ -1029,6 +1076,7 @@ static int paradt_mpi__halve(paradt_mpi__work *w, paradt_mpi__cutter *c) {
     paradt_mpi__bound(w, c);
     MPI_Allreduce(MPI_IN_PLACE, c->counts, boxes, MPI_UINT64_T, MPI_SUM, w->comm);
     for (b = 0; b < boxes; b++) paradt_mpi__aim(w, c, c->boxes + b, c->counts[b]);
+    paradt_mpi__share_aims(w, c);
     while (paradt_mpi__divide(w, c)) continue;
     for (b = 0; b < boxes; b++) {
         if (c->boxes[b].ranks > 1) paradt_mpi__cut_box(w, c, c->boxes + b);
@@ -1067,9 +1115,9 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.parts = (unsigned char *)paradt__alloc(&w->memory, c.count, 1);
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks, PARADT_MPI__PARTS * sizeof *c.counts);
-    c.bounds = (int64_t *)paradt__alloc(&w->memory, ranks * 2 * (size_t)w->dim, sizeof *c.bounds);
+    c.facts = (int64_t *)paradt__alloc(&w->memory, ranks, 2 * PARADT_MAX_DIM * sizeof *c.facts);
     c.spare = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *c.spare);
-    if (!c.open || !c.parts || !c.boxes || !c.counts || !c.bounds || !c.spare) status = PARADT_ERROR_MEMORY;
+    if (!c.open || !c.parts || !c.boxes || !c.counts || !c.facts || !c.spare) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
         memset(c.boxes, 0, sizeof *c.boxes);
@@ -1084,7 +1132,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
         for (b = 0; b < c.box_count; b++) w->to[c.boxes[b].first] = c.boxes[b].end - c.boxes[b].begin;
     }
     paradt__release(&w->memory, c.spare);
-    paradt__release(&w->memory, c.bounds);
+    paradt__release(&w->memory, c.facts);
     paradt__release(&w->memory, c.counts);
     paradt__release(&w->memory, c.boxes);
     paradt__release(&w->memory, c.parts);
@@ -1253,11 +1301,11 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     paradt_index own[PARADT_MAX_DIM + 1];
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
-    uint64_t count = 0;
+    size_t count = 0;
     int axes[PARADT_MAX_DIM], dim, axis, taken, r;
     if (set->count) {
         basis[0] = set->records;
-        count = (uint64_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
+        count = (size_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
     }
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
@@ -1329,7 +1377,7 @@ static void paradt_mpi__measure(paradt_mpi__work *w, int dim) {
 static size_t paradt_mpi__sample(paradt_mpi__work *w, double *sample, size_t *counts) {
     const paradt__set *set = &w->set;
     size_t width = set->width, i, total = 0;
-    uint64_t count = set->count < 64 ? set->count : 64;
+    size_t count = set->count < 64 ? set->count : 64;
     double mine[64 * PARADT_MAX_DIM];
     int r;
     memset(mine, 0, sizeof mine);
@@ -1539,6 +1587,7 @@ static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
         if (w->weighted) points.weights = weights;
         status = paradt_triangulate(&t, &points, &options);
         if (!status) sum += (double)t.stats.cells + PARADT_MPI__PREDICATE * (double)t.stats.insphere_calls;
+        paradt_mpi__add_peak(w, &t);
         paradt_free(&t);
     }
     *work = (double)w->received_count * PARADT_MPI__READING;
@@ -1939,10 +1988,9 @@ typedef struct paradt_mpi__questions {
     paradt_mpi__list to_tell; // points to be sent without a question
 } paradt_mpi__questions;
 
-// The local triangulation has an account of its own: its peak and what it goes on to hold are added to the rank's.
+// What the local triangulation goes on to hold is added to the rank's account.
 static void paradt_mpi__account(paradt_mpi__work *w) {
-    size_t peak = w->memory.held + (size_t)w->local.stats.peak_bytes;
-    if (peak > w->memory.peak) w->memory.peak = peak;
+    paradt_mpi__add_peak(w, &w->local);
     w->local_bytes = paradt__remote_bytes(&w->local);
     w->memory.held += w->local_bytes;
 }
@@ -2455,9 +2503,14 @@ static void paradt_mpi__mail_free(paradt_mpi__work *w, paradt_mpi__mail *mail) {
 static paradt_status paradt_mpi__pack(paradt_mpi__work *w, const paradt_mpi__questions *q, paradt_mpi__mail *mail) {
     size_t k = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), ranks = (size_t)w->ranks;
     size_t i, points = 0, cells = 0, room = 0;
-    int32_t *place = (int32_t *)paradt__alloc(&w->memory, w->known, sizeof *place);
+    int32_t *place;
     int r;
-    for (r = 0; r < w->ranks; r++) room += w->to[r] * k < w->known ? w->to[r] * k : w->known;
+    for (r = 0; r < w->ranks; r++) {
+        size_t most = w->to[r] * k < w->known ? w->to[r] * k : w->known;
+        if (most > (size_t)INT32_MAX) return PARADT_ERROR_TOO_LARGE; // for their positions on the wire
+        room += most;
+    }
+    place = (int32_t *)paradt__alloc(&w->memory, w->known, sizeof *place);
     mail->points = (double *)paradt__alloc(&w->memory, room, width * sizeof *mail->points);
     mail->cells = (int32_t *)paradt__alloc(&w->memory, q->count, (k + 1) * sizeof *mail->cells);
     mail->point_count = (size_t *)paradt__alloc(&w->memory, ranks, sizeof *mail->point_count);

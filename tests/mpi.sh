@@ -94,6 +94,13 @@ npy('floats.npy', 4, 'f', 'f4', points)
 npy('nan.npy', 3, 'd', 'f8', points[:700] + [[0, float('nan'), 0]])
 npy('deep.npy', 3, 'd', 'f8', points, '500, 3, 2')
 npy('huge.npy', 8, 'd', 'f8', [], '2305843009213693952, 8')
+for seed in 28, 39, 49: # with these the cut is on points for the one, and beside them for the other
+    random.seed(seed)
+    step = 1 + random.random()
+    npy('steps_%d.npy' % seed, 2, 'd', 'f8',
+        [[step * (random.randrange(10) + 3), random.randrange(40) * 0.01] for _ in range(1200)])
+few = [[random.randrange(10**6) * 5e-324, random.randrange(3 * 10**6) * 5e-324] for _ in range(200)]
+npy('subnormal.npy', 2, 'd', 'f8', [few[i // 5] for i in range(1000)])
 def ply(name, between):
     with open(sys.argv[1] + '/' + name, 'wb') as file:
         file.write(b'ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\n'
@@ -119,6 +126,22 @@ END
     [ "$(on 2 "$tool" --quiet --hash "$work/pipe.ply" 2>&1)" = "$("$work/paradt" --quiet --hash "$work/scan.ply")" ]
     report $? reads_a_pipe_once
     ends nan_is_an_input_error 3 'not finite' "$work/nan.npy"
+    # Ranks that multiply and add at once, or take subnormals for zero, beside others that don't: where points lie on
+    # the cut, all must agree on which side.
+    mixed() { # name, ranks of the one build and of the other, arguments
+        name=$1 some=$2 others=$3
+        shift 3
+        serial=$("$work/paradt" --quiet --hash "$@" 2>&1)
+        found=$(timeout -k 5 60 mpiexec -n "$some" "$tool" --quiet --hash "$@" : \
+            -n "$others" "$work/fast" --quiet --hash "$@" 2>&1)
+        [ -n "$serial" ] && [ "$serial" = "$found" ]
+        report $? "$name"
+    }
+    mpicc -Ofast -march=native -w -I. -o "$work/fast" examples/paradt_mpi.c -pthread -lm 2>"$work/log" ||
+        mpicc -Ofast -w -I. -o "$work/fast" examples/paradt_mpi.c -pthread -lm 2>"$work/log"
+    mixed builds_agree_on_boxes_of_equal_size 1 2 --partition uniform "$work/steps_28.npy"
+    mixed builds_agree_on_boxes_of_equal_size_again 1 2 --partition uniform "$work/steps_39.npy"
+    mixed builds_agree_on_subnormal_cuts 2 2 "$work/subnormal.npy"
 fi
 printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1.5\n' >"$work/few.xyz"
 same reads_text_on_rank_0 "$work/few.xyz"
@@ -206,6 +229,11 @@ report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
 $CC -O2 -Wall -Wextra -Wshadow -Wno-unused-function -Werror -Itests/bench/alone -I. -o "$work/ranks" \
     tests/programs/ranks.c -pthread -lm 2>"$work/log" && timeout 300 "$work/ranks" 700 >>"$work/log" 2>&1
 report $? small_sets_on_up_to_twelve_ranks_have_the_serial_cells "$work/log"
+if printf '#include <stdio.h>\nint main(void) { return 0; }\n' | $CC -m32 -msse2 -x c - -o "$work/probe" 2>/dev/null; then
+    $CC -m32 -msse2 -mfpmath=sse -O2 -w -Itests/bench/alone -I. -o "$work/ranks" tests/programs/ranks.c -pthread -lm \
+        2>"$work/log" && timeout 300 "$work/ranks" 200 >>"$work/log" 2>&1
+    report $? so_they_have_where_sizes_have_32_bits "$work/log"
+fi
 
 echo "1..$number"
 
