@@ -332,10 +332,10 @@ extern "C" {
 // >>talk
 //
 // What one call works with, agreement on errors, and the one way in which ranks send each other anything of variable
-// size. Functions that call MPI are collective, and so are those that call one of them. What is decided from the
-// results of reductions is decided alike on all ranks. Doors: paradt_mpi__agree, paradt_mpi__exchange,
-// paradt_mpi__begin_sorting, paradt_mpi__smallest, paradt_mpi__sum; the tables and lists; paradt_mpi__local_options,
-// paradt_mpi__go_on.
+// size. Functions that call MPI are collective, and so are those that call one of them. What is decided in integers
+// from the results of reductions is decided alike on all ranks; what takes floating point, rank 0 decides for all.
+// Doors: paradt_mpi__agree, paradt_mpi__exchange, paradt_mpi__begin_sorting, paradt_mpi__smallest, paradt_mpi__sum; the
+// tables and lists; paradt_mpi__local_options, paradt_mpi__add_peak, paradt_mpi__go_on.
 
 typedef struct paradt_mpi__home { // where a point that a rank knows is at home
     uint64_t id;
@@ -781,19 +781,22 @@ PARADT__INLINE void paradt_mpi__fetch_row(const paradt_mpi__cutter *c, size_t po
     PARADT__FETCH(c->rows, (point + 1) * c->width - 1);
 }
 
+// Widens bounds: the smallest of the ordered bits, and ~ that of the largest, which turns the order and does not
+// overflow.
+PARADT__INLINE void paradt_mpi__bound_bits(int64_t *bounds, int64_t x) {
+    bounds[0] = x < bounds[0] ? x : bounds[0];
+    bounds[1] = ~x < bounds[1] ? ~x : bounds[1];
+}
+
 // Bounds the points of a box across one axis by their bits.
 static void paradt_mpi__bound_axis(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t axis,
                                    int64_t *bounds) {
     size_t i;
-    for (i = box->begin; i < box->end; i++) {
-        int64_t x = paradt__ordered_bits(c->rows[i * c->width + axis]);
-        bounds[0] = x < bounds[0] ? x : bounds[0];
-        bounds[1] = ~x < bounds[1] ? ~x : bounds[1];
-    }
+    for (i = box->begin; i < box->end; i++)
+        paradt_mpi__bound_bits(bounds, paradt__ordered_bits(c->rows[i * c->width + axis]));
 }
 
-// Bounds the points of a box: of each axis the smallest of the ordered bits, and ~ that of the largest, which turns the
-// order and does not overflow. Where subnormals are taken for zero, comparisons can't tell them apart, but the bits do.
+// Bounds the points of a box. Where subnormals are taken for zero, comparisons can't tell them apart, but the bits do.
 PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t dim,
                                            int64_t *bounds) {
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -995,11 +998,7 @@ static void paradt_mpi__list_part(const paradt_mpi__cutter *c, paradt_mpi__box *
     for (i = 0; i < count; i++) {
         if (parts[i] == part) list[kept++] = box->listed ? list[i] : box->begin + i;
     }
-    for (i = 0; i < kept; i++) {
-        int64_t x = paradt__ordered_bits(rows[list[i] * c->width]);
-        bounds[0] = x < bounds[0] ? x : bounds[0];
-        bounds[1] = ~x < bounds[1] ? ~x : bounds[1];
-    }
+    for (i = 0; i < kept; i++) paradt_mpi__bound_bits(bounds, paradt__ordered_bits(rows[list[i] * c->width]));
     box->listed = 1;
     box->open = kept;
 }
