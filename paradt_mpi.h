@@ -1267,29 +1267,25 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     return paradt__set_gather(&w->set, &source, NULL, &paradt__alone, &w->memory, w->twin, &bad);
 }
 
-// Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that.
-static void paradt_mpi__scale(paradt_mpi__work *w) {
+// Multiplies all coordinates by a power of two that brings the largest near 1, if no rank loses a bit by that. Returns
+// whether it has.
+static int paradt_mpi__scale(paradt_mpi__work *w) {
     paradt__set *set = &w->set;
-    int64_t largest = 0, fine = 1;
-    size_t i, j;
+    int64_t largest = -set->exponent, fine = 1;
+    size_t i;
     int shift, exact = 1;
-    for (i = 0; i < set->count; i++) {
-        for (j = 0; j < (size_t)w->dim; j++) {
-            int64_t exponent = (int64_t)(paradt_mpi__bits_at(set->records + i * set->width + j) >> 52 & 2047);
-            if (-exponent < largest) largest = -exponent;
-        }
-    }
     paradt_mpi__smallest(w, &largest, 1);
     shift = 1023 + (int)largest;
-    if (shift >= -32 && shift <= 32) return;
+    if (shift >= -32 && shift <= 32) return 0;
     for (i = 0; i < set->count * set->width && exact; i++)
         paradt__scale(set->records[i], i % set->width < (size_t)w->dim ? shift : 2 * shift, &exact);
     fine = exact;
     paradt_mpi__smallest(w, &fine, 1);
-    if (!fine) return;
+    if (!fine) return 0;
     for (i = 0; i < set->count * set->width; i++)
         set->records[i] = paradt__scale(set->records[i], i % set->width < (size_t)w->dim ? shift : 2 * shift, &exact);
     w->shift = shift;
+    return 1;
 }
 
 // Points that span all, and the axes in which they do. origins: of those that are this rank's, in the places they have
@@ -1339,13 +1335,14 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     return dim;
 }
 
-// Measures the points of all ranks.
-static void paradt_mpi__measure(paradt_mpi__work *w, int dim) {
+// Measures the points of all ranks. as_read: the own ones have been, as they are, while they were read.
+static void paradt_mpi__measure(paradt_mpi__work *w, int dim, int as_read) {
     paradt__space *space = &w->set.space;
     int64_t facts[6 + 2 * PARADT_MAX_DIM];
     paradt__range *ranges[2];
     int j;
-    paradt__set_measure(&w->set, &paradt__alone, dim);
+    if (as_read) paradt__set_measured(&w->set, dim);
+    else paradt__set_measure(&w->set, &paradt__alone, dim);
     memcpy(w->low, space->low, sizeof w->low);
     memcpy(w->high, space->high, sizeof w->high);
     ranges[0] = &space->coordinates;
@@ -1490,21 +1487,21 @@ static paradt_status paradt_mpi__settle(paradt_mpi__work *w, const double *rows,
     double *gathered;
     size_t *counts;
     paradt_index origins[PARADT_MAX_DIM + 1];
-    int dim = -1;
+    int dim = -1, as_read = 0;
     paradt_status status = paradt_mpi__load(w, rows, count);
     gathered = (double *)paradt__alloc(&w->memory, (size_t)w->ranks * most * most, sizeof *gathered);
     counts = (size_t *)paradt__alloc(&w->memory, (size_t)w->ranks, sizeof *counts);
     if (!status && (!gathered || !counts)) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
-        paradt_mpi__scale(w);
+        as_read = !paradt_mpi__scale(w);
         dim = paradt_mpi__span(w, gathered, counts, origins);
     }
     paradt__release(&w->memory, gathered);
     paradt__release(&w->memory, counts);
     if (status) return status;
-    paradt__set_permute(&w->set);
-    paradt_mpi__measure(w, dim);
+    if (paradt__set_permute(&w->set)) as_read = 0;
+    paradt_mpi__measure(w, dim, as_read);
     w->out->dim = dim;
     w->stats.points = w->set.count;
     w->stats.duplicates = count - w->set.count;
