@@ -1047,14 +1047,17 @@ PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
-// Most numbers change nothing, which their exponents and last bits tell.
+// Most numbers change nothing, which their exponents and last bits tell. Those that are not finite count as 2^1024.
 PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
-    int e, top, unit;
-    uint64_t mantissa = paradt__split(x, &e);
-    top = e + 53;
-    unit = e + paradt__trailing_zeros(mantissa | (uint64_t)1 << 52);
-    if (!PARADT__LIKELY((mantissa >> 52) & (unit >= range->unit) & (top > range->bottom) & (top <= range->top)))
+    uint64_t bits = paradt__bits(x);
+    int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
+    int unit = biased - 1075 + paradt__trailing_zeros(bits | (uint64_t)1 << 52);
+    if (!PARADT__LIKELY((biased > 0) & (unit >= range->unit) & (top > range->bottom) & (top <= range->top)))
         paradt__measure_anew(range, x);
+}
+
+static int paradt__space_is_finite(const paradt__space *s) {
+    return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
 
 static void paradt__range_join(paradt__range *range, const paradt__range *other) {
@@ -2646,20 +2649,27 @@ PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t poin
     PARADT__FETCH((const char *)points->data, begin + size - 1);
 }
 
-// The coordinates of a point, -0.0 as 0.0.
+// -0.0 as 0.0
+PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
+    return paradt__from_bits(bits << 1 ? bits : 0);
+}
+
+// The coordinates of a point, -0.0 as 0.0. Two loops, so that compilers unroll the short one.
 PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t point, double *x) {
     const char *address = paradt__address(points, point);
     int axis;
-    for (axis = 0; axis < points->dim; axis++) {
-        uint64_t bits;
-        uint32_t narrow;
-        if (points->scalar == PARADT_F32) {
-            memcpy(&narrow, address + (size_t)axis * sizeof narrow, sizeof narrow);
-            bits = paradt__bits(paradt__widen(narrow));
-        } else {
+    if (points->scalar == PARADT_F32) {
+        for (axis = 0; axis < points->dim; axis++) {
+            uint32_t bits;
             memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
+            x[axis] = paradt__signless_zero(paradt__bits(paradt__widen(bits)));
         }
-        x[axis] = paradt__from_bits(bits << 1 ? bits : 0);
+    } else {
+        for (axis = 0; axis < points->dim; axis++) {
+            uint64_t bits;
+            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
+            x[axis] = paradt__signless_zero(bits);
+        }
     }
 }
 
@@ -2697,10 +2707,10 @@ static paradt__source paradt__source_of(const paradt_points *points) {
 }
 
 // The weight of a point, -0.0 as 0.0
-static double paradt__weight(const paradt__source *source, size_t point) {
+PARADT__INLINE double paradt__weight(const paradt__source *source, size_t point) {
     uint64_t bits;
     memcpy(&bits, (const char *)source->points.weights + point * source->weight_stride, sizeof bits);
-    return paradt__from_bits(bits << 1 ? bits : 0);
+    return paradt__signless_zero(bits);
 }
 
 // Reads a record. Returns the largest exponent of a coordinate, biased: 2047 when it or the weight is no number.
@@ -2728,7 +2738,6 @@ typedef struct paradt__loader {
     paradt__set *set;
     paradt_index *representative;         // [points.count]
     size_t bad[PARADT__MOST_TASKS];       // first point with a coordinate or weight that is no number; SIZE_MAX: none
-    int exponent[PARADT__MOST_TASKS];     // largest of a coordinate
     size_t repeating[PARADT__MOST_TASKS]; // points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
     paradt__cuts *cuts; // where there is more than one box; or NULL
@@ -2760,22 +2769,23 @@ static size_t paradt__loader_share(const paradt__loader *loader, size_t count, s
 PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, size_t i, size_t end, int dim) {
     paradt__source source = *loader->source; // copies, that no store through a pointer can change
     paradt__space space = loader->space[index];
-    int largest = loader->exponent[index];
     double record[PARADT_MAX_DIM + 1];
     source.points.dim = space.ambient = dim;
     for (; i < end; i++) {
-        int exponent = paradt__read_record(&source, i, record);
+        paradt__coordinates(&source.points, i, record);
+        if (space.weighted) record[dim] = paradt__weight(&source, i);
         paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
-        if (exponent == 2047) {
-            loader->bad[index] = i;
-            return;
-        }
-        largest = exponent > largest ? exponent : largest;
         paradt__space_add(&space, record);
         loader->representative[i] = (paradt_index)i;
     }
     loader->space[index] = space;
-    loader->exponent[index] = largest;
+}
+
+// The first point from i on that has a coordinate or weight that is no number. There is one.
+static size_t paradt__first_bad(const paradt__source *source, size_t i) {
+    double record[PARADT_MAX_DIM + 1];
+    while (paradt__read_record(source, i, record) < 2047) i++;
+    return i;
 }
 
 // All points make loader->sampled equal shares. Samples a point of each of the shares [i, end), at random: a regular
@@ -2813,12 +2823,12 @@ static void paradt__survey_task(void *context, size_t index) {
     size_t i, next, end = paradt__loader_share(loader, loader->source->points.count, index, &i);
     paradt__loader_pages(loader, index);
     loader->space[index] = loader->set->space;
-    loader->exponent[index] = 0;
     loader->bad[index] = SIZE_MAX;
     for (; i < end && loader->bad[index] == SIZE_MAX; i = next) {
         next = end - i < TOGETHER ? end : i + TOGETHER;
         if (dim == 3) paradt__survey(loader, index, i, next, 3);
         else paradt__survey(loader, index, i, next, dim);
+        if (!paradt__space_is_finite(&loader->space[index])) loader->bad[index] = paradt__first_bad(loader->source, i);
         paradt__sample(loader, paradt__shares_until(loader, i), paradt__shares_until(loader, next));
     }
 }
@@ -2829,12 +2839,12 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
     size_t i;
     paradt__team_run(loader->team, paradt__survey_task, loader);
     for (i = 0; i < loader->team->tasks; i++) {
-        if (loader->exponent[i] > set->exponent) set->exponent = loader->exponent[i];
         if (loader->bad[i] == SIZE_MAX) continue;
         *bad = loader->bad[i];
         return PARADT_ERROR_NOT_FINITE;
     }
     for (i = 0; i < loader->team->tasks; i++) paradt__space_join(&set->space, &loader->space[i]);
+    set->exponent = paradt__max(set->space.coordinates.top + 1022, 0);
     return PARADT_OK;
 }
 

@@ -232,18 +232,18 @@ static double error_of_power(double power, const double *const *v, const double 
 static void check_powers(const building *b) {
     enum { EVERY = 23, OTHERS = 4 };
     size_t asked = 0, vague = 0;
-    for (size_t cell = 0; cell < b->bw.cells.count; cell += EVERY) {
-        const paradt_index *vertices = b->bw.cells.vertices + 4 * cell;
+    for (size_t at = 0; at < b->bw.cells.count; at += EVERY) {
+        const paradt_index *vertices = b->bw.cells.vertices + 4 * at;
         const double *v[4];
         if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, 4) >= 0) continue;
         for (int i = 0; i < 4; i++) v[i] = paradt__bw_record(&b->bw, vertices[i]);
         for (size_t k = 0; k < 4 + OTHERS; k++) { // the points across its facets, and some from anywhere
-            paradt_index other = (paradt_index)(paradt__mix(cell + k) % b->set.count);
-            if (k < 4) other = b->bw.cells.vertices[b->bw.cells.neighbors[4 * cell + k]];
+            paradt_index other = (paradt_index)(paradt__mix(at + k) % b->set.count);
+            if (k < 4) other = b->bw.cells.vertices[b->bw.cells.neighbors[4 * at + k]];
             if (other < 0) continue;
             const double *x = paradt__bw_record(&b->bw, other);
             paradt__seen3 seen = paradt__seen3_of(b->bw.spheres, x);
-            const paradt__sphere3 *sphere = paradt__bw3_sphere_of(&b->bw, (paradt_index)cell);
+            const paradt__sphere3 *sphere = paradt__bw3_sphere_of(&b->bw, (paradt_index)at);
             double power = paradt__sphere3_power(sphere, &seen);
             assert_true(error_of_power(power, v, x) <= sphere->error);
             asked++;
