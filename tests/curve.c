@@ -1,4 +1,5 @@
-// The order in which points are read: Hilbert's curve, the sorting along it, equal points, the rounds of insertion.
+// The order in which points are read: Hilbert's curve, the sorting along it, equal points, the rounds of insertion. And
+// what is measured meanwhile.
 #define PARADT_STATIC // what is not called is not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
@@ -291,6 +292,66 @@ static void boxes_follow_each_other(void **state) {
             }
 }
 
+// Widens a range by a number, as frexp tells its exponent and bits.
+static void widen(paradt__range *range, double x) {
+    int exponent, bits = 53;
+    int64_t digits = (int64_t)ldexp(frexp(fabs(x), &exponent), bits);
+    if (x == 0) return;
+    for (; digits % 2 == 0; digits /= 2) bits--;
+    range->unit = exponent - bits < range->unit ? exponent - bits : range->unit;
+    range->bottom = exponent - 1 < range->bottom ? exponent - 1 : range->bottom;
+    range->top = exponent > range->top ? exponent : range->top;
+}
+
+static void expect_range(const paradt__range *range, const paradt__range *expected) {
+    assert_int_equal(range->unit, expected->unit);
+    assert_int_equal(range->bottom, expected->bottom);
+    assert_int_equal(range->top, expected->top);
+}
+
+// The set has been gathered from the sample, and nothing else done with it.
+static void expect_measured(const paradt__set *set, const sample *s) {
+    paradt__range coordinates = paradt__no_range, weights = paradt__no_range;
+    int biased = 0;
+    for (int j = 0; j < s->dim; j++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int i = 0; i < s->count; i++) {
+            double x = s->x[i * s->dim + j];
+            low = x < low ? x : low;
+            high = x > high ? x : high;
+            widen(&coordinates, x);
+            if (fabs(x) >= DBL_MIN && ilogb(x) + 1023 > biased) biased = ilogb(x) + 1023;
+        }
+        assert_true(paradt__from_ordered_bits(set->space.low[j]) == low);
+        assert_true(paradt__from_ordered_bits(set->space.high[j]) == high);
+    }
+    for (int i = 0; i < s->count && s->w; i++) widen(&weights, s->w[i]);
+    expect_range(&set->space.coordinates, &coordinates);
+    expect_range(&set->space.weights, &weights);
+    assert_int_equal(set->exponent, biased);
+}
+
+static void points_are_measured_while_they_are_read(void **state) {
+    (void)state;
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        for (int w = 0; w < WEIGHTING_COUNT; w++) {
+            sample s = family_make(&families[f], &weightings[w], 2 + (f + w) % 4, 60, 5);
+            paradt_points points = points_of(&s);
+            paradt__source source = paradt__source_of(&points);
+            paradt__team team = {tasks_in_turn, NULL, 1 + (size_t)w % 3};
+            paradt__memory memory;
+            paradt__set set = {0};
+            paradt_index *representative = (paradt_index *)need((size_t)s.count, sizeof *representative);
+            size_t bad = 0;
+            paradt__memory_begin(&memory, NULL);
+            assert_int_equal(paradt__set_gather(&set, &source, NULL, &team, &memory, representative, &bad), PARADT_OK);
+            expect_measured(&set, &s);
+            paradt__set_free(&set, &memory);
+            free(representative);
+            sample_free(&s);
+        }
+}
+
 static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state) {
     static const size_t counts[] = {0, 1, 15, 16, 255, 256, 257, 5000, 100000};
     (void)state;
@@ -383,6 +444,7 @@ int main(void) {
         cmocka_unit_test(equal_points_are_found_on_all_scales),
         cmocka_unit_test(a_sample_tells_whether_points_are_crowded),
         cmocka_unit_test(boxes_follow_each_other),
+        cmocka_unit_test(points_are_measured_while_they_are_read),
         cmocka_unit_test(rounds_take_every_point_once_and_one_of_sixteen_earlier),
         cmocka_unit_test(others_come_where_the_curve_passes_them),
     };
