@@ -1056,6 +1056,7 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
         paradt__measure_anew(range, x);
 }
 
+// Are all points that were measured numbers?
 static int paradt__space_is_finite(const paradt__space *s) {
     return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
@@ -2707,7 +2708,7 @@ static paradt__source paradt__source_of(const paradt_points *points) {
 }
 
 // The weight of a point, -0.0 as 0.0
-PARADT__INLINE double paradt__weight(const paradt__source *source, size_t point) {
+static double paradt__weight(const paradt__source *source, size_t point) {
     uint64_t bits;
     memcpy(&bits, (const char *)source->points.weights + point * source->weight_stride, sizeof bits);
     return paradt__signless_zero(bits);
@@ -2772,8 +2773,7 @@ PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, size_t 
     double record[PARADT_MAX_DIM + 1];
     source.points.dim = space.ambient = dim;
     for (; i < end; i++) {
-        paradt__coordinates(&source.points, i, record);
-        if (space.weighted) record[dim] = paradt__weight(&source, i);
+        paradt__read_record(&source, i, record);
         paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
         paradt__space_add(&space, record);
         loader->representative[i] = (paradt_index)i;
