@@ -726,16 +726,6 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
-// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
-static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
-    void *larger = paradt__alloc(memory, count, size);
-    if (!larger) return 0;
-    if (used) memcpy(larger, *array, used * size);
-    paradt__release(memory, *array);
-    *array = larger;
-    return 1;
-}
-
 // The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
 // are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
 // be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
@@ -752,6 +742,17 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #else
     (void)array, (void)first, (void)end;
 #endif
+}
+
+// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
+    void *larger = paradt__alloc(memory, count, size);
+    if (!larger) return 0;
+    paradt__make_pages(larger, 0, used * size);
+    if (used) memcpy(larger, *array, used * size);
+    paradt__release(memory, *array);
+    *array = larger;
+    return 1;
 }
 
 // paradt__alloc for a block that one thread is about to fill.
@@ -3821,13 +3822,13 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     memset(grid, 0, sizeof *grid);
     count = grid->cell_count = (set->count + PARADT__LANES - 1) / PARADT__LANES;
     grid->group_width = (size_t)(2 * set->space.ambient + (set->grade != PARADT__UNGRADED)) * PARADT__LANES;
-    if (front) grid->lanes = (double *)paradt__alloc(memory, count * PARADT__LANES, set->width * sizeof(double));
+    if (front) grid->lanes = (double *)paradt__alloc_filled(memory, count * PARADT__LANES, set->width * sizeof(double));
     if (front && !grid->lanes) return PARADT_ERROR_MEMORY;
     do {
         int level = grid->levels++;
         size_t groups = (count + PARADT__LANES - 1) / PARADT__LANES;
         grid->box_count[level] = count;
-        grid->boxes[level] = (double *)paradt__alloc(memory, groups * grid->group_width, sizeof(double));
+        grid->boxes[level] = (double *)paradt__alloc_filled(memory, groups * grid->group_width, sizeof(double));
         if (front)
             grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
         if (!grid->boxes[level] || (front && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
@@ -6280,14 +6281,14 @@ static size_t paradt__bw_first_points(const paradt__bw *bw) {
     return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
-// Makes pages for some more cells than are needed.
+// Makes pages for some more cells than are needed. The last one may be made in part only, and then again.
 static void paradt__bw_make_pages(paradt__bw *bw, size_t needed) {
-    enum { AHEAD = 1 << 17 }; // bytes
-    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + AHEAD / row;
+    enum { AHEAD = 1 << 17, PAGE = 1 << 12 }; // bytes
+    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + (AHEAD + PAGE) / row;
     if (end > bw->cells.capacity) end = bw->cells.capacity;
     paradt__make_pages(bw->cells.vertices, bw->paged * row, end * row);
     paradt__make_pages(bw->cells.neighbors, bw->paged * row, end * row);
-    bw->paged = end;
+    bw->paged = end < bw->cells.capacity ? end - PAGE / row : end;
 }
 
 // Makes sure of `count` free places.
@@ -7719,6 +7720,7 @@ static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
     void *array = s->number;
     if (!paradt__grow(bw->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
+    paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
     memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
     s->numbers = numbers;
     return 1;
@@ -7813,11 +7815,11 @@ static void paradt__bw_mark_free(paradt__bw *bw) {
 }
 
 // Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
-PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners, uint64_t *ghosts) {
-    paradt_index *vertices = bw->cells.vertices + place * corners;
+PARADT__INLINE int paradt__bw_keep(const paradt__cells *cells, size_t place, size_t corners, uint64_t *ghosts) {
+    paradt_index *vertices = cells->vertices + place * corners;
     if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE))) return 1;
     if (vertices[0] == PARADT__DEAD) return 0;
-    bw->cells.neighbors[bw->cells.neighbors[place * corners + (size_t)paradt__bw_ghost(vertices, (int)corners)]] =
+    cells->neighbors[cells->neighbors[place * corners + (size_t)paradt__bw_ghost(vertices, (int)corners)]] =
         PARADT__HULL;
     vertices[0] = PARADT__DEAD;
     ++*ghosts;
@@ -7826,9 +7828,10 @@ PARADT__INLINE int paradt__bw_keep(paradt__bw *bw, size_t place, size_t corners,
 
 // Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule
 // those just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
-PARADT__INLINE void paradt__bw_move(paradt__bw *bw, size_t place, size_t from, size_t corners, size_t numbered) {
+PARADT__INLINE void paradt__bw_move(const paradt__cells *cells, size_t place, size_t from, size_t corners,
+                                    size_t numbered) {
     enum { AHEAD = 8 };
-    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
+    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
     const paradt_index *soon = neighbors + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
     size_t j;
     for (j = 0; j < corners; j++) PARADT__FETCH(neighbors, soon[j]);
@@ -7851,7 +7854,7 @@ static void paradt__bw_fill_gaps(paradt__bw *bw, const paradt_index *places, siz
         if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
         do --*end;
         while (cells->vertices[*end * corners] == PARADT__DEAD);
-        paradt__bw_move(bw, place, *end, corners, 0);
+        paradt__bw_move(cells, place, *end, corners, 0);
     }
 }
 
@@ -7914,17 +7917,18 @@ PARADT__INLINE int paradt__bw_number(const paradt__cells *cells, size_t place, s
 // Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices. All at once: the
 // cells don't fit into a cache. Returns the ghosts' number.
 PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
-    size_t end = bw->cells.count, i;
+    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
+    const paradt__rows to = paradt__rows_in_place(&cells);
+    size_t end = cells.count, i;
     uint64_t ghosts = 0;
-    const paradt__rows to = paradt__rows_in_place(&bw->cells);
     paradt__bw_mark_free(bw);
     for (i = 0; i < end; i++) {
-        if (!paradt__bw_keep(bw, i, corners, &ghosts)) {
-            for (end--; end > i && !paradt__bw_keep(bw, end, corners, &ghosts);) end--;
+        if (!paradt__bw_keep(&cells, i, corners, &ghosts)) {
+            for (end--; end > i && !paradt__bw_keep(&cells, end, corners, &ghosts);) end--;
             if (end == i) break;
-            paradt__bw_move(bw, i, end, corners, i);
+            paradt__bw_move(&cells, i, end, corners, i);
         }
-        paradt__bw_number(&bw->cells, i, corners, origin, &to);
+        paradt__bw_number(&cells, i, corners, origin, &to);
     }
     bw->cells.count = end;
     return ghosts;
@@ -8001,7 +8005,10 @@ static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progre
 
 static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
     paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, PARADT__FIRST_DIG);
-    if (bw->cells.lent) memset(bw->marks, 0, bw->cells.capacity);
+    if (bw->cells.lent) {
+        paradt__make_pages(bw->marks, 0, bw->cells.capacity);
+        memset(bw->marks, 0, bw->cells.capacity);
+    }
     if (!status && bw->cells.corners <= 4)
         status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
     if (!status) status = paradt__bw_first(bw);
@@ -9210,13 +9217,16 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
 
 // Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
 // That may be where they are, or before it. Lists the facets that are open.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *to, size_t corners) {
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t corners) {
+    const paradt__cells cells = patch->bw.cells; // copies, which nothing that is written can change
+    const paradt__rows to = *place;
+    const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < patch->bw.cells.count; i++) {
-        int bare = paradt__bw_number(&patch->bw.cells, i, corners, patch->origin, to);
-        paradt__fetch_row(to->vertices, to->neighbors, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, to, i);
+    for (i = 0; i < cells.count; i++) {
+        int bare = paradt__bw_number(&cells, i, corners, origin, &to);
+        paradt__fetch_row(to.vertices, to.neighbors, i + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i);
     }
     return status;
 }
@@ -10969,26 +10979,26 @@ PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engi
     return 1;
 }
 
-// Is at a place of the fringe a ghost or a cell of whose vertices some have positions in the set below `own`?
-PARADT__INLINE int paradt__remote_engine_is_seam(const paradt__remote_engine *engine, size_t place, paradt_index own) {
-    int corners = engine->bw.cells.corners, i, inside = 0;
-    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    for (i = 0; i < corners; i++) inside |= vertices[i] >= 0 && vertices[i] < own;
-    return inside;
+// How many vertices of a ghost or cell have positions in the set below `own`?
+PARADT__INLINE int paradt__remote_share(const paradt_index *vertices, size_t corners, paradt_index own) {
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) share += (paradt__tag)vertices[j] < (paradt__tag)own;
+    return share;
 }
 
-// May what is at such a place be the first in conflict with a point that is missing? See >>patches: a ghost, or a cell
-// that has just one vertex with a position below `own`, or a vertex that is marked. outer: [positions - own], the marks
-static int paradt__remote_engine_is_suspect(const paradt__remote_engine *engine, size_t place, paradt_index own,
-                                            const unsigned char *outer) {
-    int corners = engine->bw.cells.corners, i, share = 0, marked = 0;
-    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)corners;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] >= own) marked |= outer[vertices[i] - own];
-        else if (vertices[i] >= 0) share++;
-        else marked = 1;
+// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
+// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
+// [positions - own, or 1], the marks. Without branches, which nothing would foretell.
+PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
+                                             const unsigned char *outer) {
+    int suspect = share == 1;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        int other = vertices[j] >= own;
+        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
     }
-    return marked || share == 1;
+    return suspect;
 }
 
 // The place on the other side of a facet of what is at a place

@@ -765,6 +765,7 @@ enum { PARADT_MPI__PRECISION = 1024 };
 
 typedef struct paradt_mpi__cutter {
     double *rows, *spare; // [count][width]
+    size_t paged;         // rows of spare that have their pages
     size_t count, width;
     uint64_t weight, mean;  // of each point of this rank, and of a point that takes the mean work
     size_t *open;           // [count] rows that may be on the cut of their box, where its rows begin
@@ -822,19 +823,26 @@ PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const pa
 
 // Puts the rows of a box that are below its cut before the others, all in the order that they had. Which side cannot be
 // foreseen, so there is no branch: a row is written to both. Returns where the others begin.
-PARADT__INLINE size_t paradt_mpi__part(const paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t width) {
+PARADT__INLINE size_t paradt_mpi__part(paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t width) {
+    enum { PAGED = 1 << 12 };
     double *rows = c->rows + box->begin * width;
-    size_t i, lower = 0, upper = 0, count = box->end - box->begin;
+    size_t i = 0, end, lower = 0, upper = 0, count = box->end - box->begin;
     const int64_t cut = box->cut;
-    for (i = 0; i < count; i++) {
-        const double *row = rows + i * width;
-        double *above = c->spare + upper * width;
-        size_t is_above = paradt__ordered_bits(row[box->axis]) >= cut;
-        paradt_mpi__fetch_row(c, box->begin + i + PARADT__POINTS_AHEAD);
-        memcpy(above, row, width * sizeof *row);
-        memcpy(rows + lower * width, above, width * sizeof *row);
-        upper += is_above;
-        lower += is_above ^ 1;
+    while (i < count) {
+        if (upper + PAGED > c->paged) {
+            paradt__make_pages(c->spare, c->paged * width * sizeof *rows, (upper + PAGED) * width * sizeof *rows);
+            c->paged = upper + PAGED;
+        }
+        for (end = count - i < PAGED ? count : i + PAGED; i < end; i++) {
+            const double *row = rows + i * width;
+            double *above = c->spare + upper * width;
+            size_t is_above = paradt__ordered_bits(row[box->axis]) >= cut;
+            paradt_mpi__fetch_row(c, box->begin + i + PARADT__POINTS_AHEAD);
+            memcpy(above, row, width * sizeof *row);
+            memcpy(rows + lower * width, above, width * sizeof *row);
+            upper += is_above;
+            lower += is_above ^ 1;
+        }
     }
     if (upper) memcpy(rows + lower * width, c->spare, upper * width * sizeof *rows);
     return box->begin + lower;
@@ -1115,6 +1123,7 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.boxes = (paradt_mpi__box *)paradt__alloc(&w->memory, ranks, sizeof *c.boxes);
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks, PARADT_MPI__PARTS * sizeof *c.counts);
     c.facts = (int64_t *)paradt__alloc(&w->memory, ranks, 2 * PARADT_MAX_DIM * sizeof *c.facts);
+    c.paged = 0;
     c.spare = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *c.spare);
     if (!c.open || !c.parts || !c.boxes || !c.counts || !c.facts || !c.spare) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
@@ -2363,7 +2372,7 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
 // one of them for a vertex may be in conflict with a point far from its sphere then, if that is heavy.
 static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
     size_t others = w->known - w->set.count, i;
-    unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others, 1);
+    unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others + 1, 1);
     for (i = 0; outer && i < others; i++) {
         const double *x = paradt__record(&w->set, (paradt_index)(w->set.count + i));
         int j = 0;
@@ -2382,6 +2391,45 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const par
     paradt__remote_engine_fetch_marks(&w->engine, list->items[at + SOON]);
 }
 
+// Is there an own vertex of a cell that the rank of another vertex was not told of first? Most cells' other vertices
+// are of one rank, which was told long before: that is found out without branches.
+PARADT__INLINE int paradt_mpi__may_tell(const paradt_mpi__work *w, const paradt_index *cell, size_t k,
+                                        paradt_index own) {
+    int lowest = INT_MAX, highest = -1, news = 0;
+    size_t j;
+    for (j = 0; j < k; j++) {
+        int other = cell[j] >= own, rank = w->home[other ? cell[j] - own : 0].rank;
+        lowest = other && rank < lowest ? rank : lowest;
+        highest = other && rank > highest ? rank : highest;
+    }
+    for (j = 0; j < k; j++) news |= (cell[j] < own) & (w->audience[cell[j] < own ? cell[j] : 0] != lowest);
+    return news | (lowest < highest);
+}
+
+// Lists the fringe, and of what has own vertices in it the places of suspects; tells of vertices. k: of a cell.
+PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
+                                                     paradt_mpi__places *suspects, const unsigned char *outer) {
+    const paradt__cells *cells = &w->engine.bw.cells;
+    paradt_index own = (paradt_index)w->set.count;
+    paradt_status status = PARADT_OK;
+    size_t at = 0;
+    for (paradt__remote_engine_relist(&w->engine); !status; at++) {
+        const paradt_index *cell;
+        int share;
+        status = paradt__remote_engine_list(&w->engine, own, &at);
+        if (status || at == cells->count) break;
+        cell = cells->vertices + at * k;
+        share = paradt__remote_share(cell, k, own);
+        if (!share) continue;
+        if (!w->weighted && paradt__vertices_among(cell, (int)k, 0, PARADT__NOWHERE) &&
+            paradt_mpi__may_tell(w, cell, k, own))
+            status = paradt_mpi__tell_vertices(w, &q->to_tell, at);
+        if (!status && paradt__remote_is_suspect(cell, k, own, share, outer))
+            status = paradt_mpi__wait(w, suspects, at);
+    }
+    return status;
+}
+
 // Lists the questions while points are inserted, when not all cells need be looked at. What is in conflict with a point
 // p that is not known here is connected through facets. Where it has own vertices, some of it is a ghost or a cell with
 // a vertex that is far, or just one that is own, by the reasons given in >>patches of paradt.h: this rank's box and the
@@ -2389,7 +2437,6 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const par
 // cells whose spheres are not inside of the room: no sphere in conflict with p is, and with weights cells with others'
 // vertices never count as such. What has no own vertex does not matter.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    paradt_index own = (paradt_index)w->set.count;
     unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
     paradt_status status = PARADT_OK;
@@ -2397,14 +2444,8 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
     int open, j;
     memset(&list, 0, sizeof list);
     if (!outer) status = PARADT_ERROR_MEMORY;
-    for (paradt__remote_engine_relist(&w->engine), at = 0; !status; at++) {
-        status = paradt__remote_engine_list(&w->engine, own, &at);
-        if (status || at == w->engine.bw.cells.count) break;
-        if (!paradt__remote_engine_is_seam(&w->engine, at, own)) continue;
-        status = paradt_mpi__tell_vertices(w, &q->to_tell, at);
-        if (!status && paradt__remote_engine_is_suspect(&w->engine, at, own, outer))
-            status = paradt_mpi__wait(w, &list, at);
-    }
+    else if (w->set.space.dim == 3) status = paradt_mpi__list_fringe(w, q, 4, &list, outer);
+    else status = paradt_mpi__list_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
     for (at = 0; at < list.count && !status && !w->stuck; at++) {
         paradt_mpi__fetch_ahead(w, &list, at);
         status = paradt_mpi__look(w, q, list.items[at], &open);
@@ -2803,39 +2844,43 @@ PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_
     return PARADT_OK;
 }
 
-// Numbers the vertices of a cell, and its neighbours where these are handles. Has it a facet whose other side is not
-// known, or the hull?
-PARADT__INLINE int paradt_mpi__number_cell(const paradt_mpi__work *w, const paradt__cells *cells, size_t k, size_t c,
-                                           const paradt_index *number, const paradt__rows *in_place) {
-    paradt_index *vertices = cells->vertices + c * k;
-    size_t j;
-    if (w->handles) return paradt__bw_number(cells, c, k, number, in_place);
-    paradt__fetch_row(cells->vertices, cells->neighbors, c + PARADT__ROWS_AHEAD, k);
-    for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
-    return cells->neighbors && !paradt__vertices_among(cells->neighbors + c * k, (int)k, 0, PARADT__NOWHERE);
+// Numbers the vertices of all own cells, of k each, and their neighbours where these are handles; lists their facets
+// whose other side is not known, or the hull. own: the cells; a copy, which nothing that is written can change.
+PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const paradt__cells own, size_t k,
+                                                     const paradt_index *number, paradt_mpi__facets *f) {
+    const paradt__rows in_place = paradt__rows_in_place(&own);
+    const int handles = w->handles;
+    paradt_status status = PARADT_OK;
+    size_t c, j;
+    for (c = 0; c < own.count && !status; c++) {
+        paradt_index *vertices = own.vertices + c * k;
+        int open;
+        if (handles) {
+            open = paradt__bw_number(&own, c, k, number, &in_place);
+        } else {
+            paradt__fetch_row(own.vertices, own.neighbors, c + PARADT__ROWS_AHEAD, k);
+            for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
+            open = own.neighbors && !paradt__vertices_among(own.neighbors + c * k, (int)k, 0, PARADT__NOWHERE);
+        }
+        if (!PARADT__LIKELY(!open) && w->out->neighbors) status = paradt_mpi__close_open(w, k, c, f);
+    }
+    return status;
 }
 
-// The same of all own cells, which become those of the result; lists such facets. Not collective.
+// The own cells become those of the result. Not collective.
 static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
-    size_t k = (size_t)w->out->dim + 1, c;
-    paradt_status status = PARADT_OK;
-    paradt__cells cells;
-    paradt__rows in_place;
-    memset(&cells, 0, sizeof cells);
-    cells.vertices = w->out->cells = w->local.cells;
-    cells.neighbors = w->local.neighbors;
-    in_place = paradt__rows_in_place(&cells);
+    size_t k = (size_t)w->out->dim + 1;
+    paradt__cells own;
+    memset(&own, 0, sizeof own);
+    own.count = w->out->cell_count;
+    own.vertices = w->out->cells = w->local.cells;
+    own.neighbors = w->local.neighbors;
     w->local.cells = NULL;
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
         w->local.neighbors = NULL;
     }
-    for (c = 0; c < w->out->cell_count && !status; c++) {
-        int open = k == 4 ? paradt_mpi__number_cell(w, &cells, 4, c, number, &in_place)
-                          : paradt_mpi__number_cell(w, &cells, k, c, number, &in_place);
-        if (!PARADT__LIKELY(!open) && w->out->neighbors) status = paradt_mpi__close_open(w, k, c, f);
-    }
-    return status;
+    return k == 4 ? paradt_mpi__number_rows(w, own, 4, number, f) : paradt_mpi__number_rows(w, own, k, number, f);
 }
 
 // The row of a facet of a cell of k vertices: returns the rank that it is sent to.
