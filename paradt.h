@@ -6306,6 +6306,14 @@ PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
     return (paradt_index)bw->cells.count++;
 }
 
+// How many vertices of a cell or ghost are in [0, end)?
+PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
+    int count = 0;
+    size_t i;
+    for (i = 0; i < corners; i++) count += (paradt__tag)vertices[i] < (paradt__tag)end;
+    return count;
+}
+
 // Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
 PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
                                           paradt_index end) {
@@ -7844,18 +7852,25 @@ PARADT__INLINE void paradt__bw_move(const paradt__cells *cells, size_t place, si
     }
 }
 
-// Fills those of the places that are free, and below the number of cells that there are, with the last cells. *end:
-// where these end.
-static void paradt__bw_fill_gaps(paradt__bw *bw, const paradt_index *places, size_t count, size_t *end) {
-    paradt__cells *cells = &bw->cells;
-    size_t corners = (size_t)cells->corners, i;
+// Fills those of the places that are free, and below the number of cells that there are, with the last cells. end:
+// where these end. Returns where they do then.
+PARADT__INLINE size_t paradt__bw_fill_places(const paradt__cells *cells, const paradt_index *places, size_t count,
+                                             size_t end, size_t corners) {
+    size_t i;
     for (i = 0; i < count; i++) {
         size_t place = (size_t)places[i];
         if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
-        do --*end;
-        while (cells->vertices[*end * corners] == PARADT__DEAD);
-        paradt__bw_move(cells, place, *end, corners, 0);
+        do end--;
+        while (cells->vertices[end * corners] == PARADT__DEAD);
+        paradt__bw_move(cells, place, end, corners, 0);
     }
+    return end;
+}
+
+static void paradt__bw_fill_gaps(const paradt__bw *bw, const paradt_index *places, size_t count, size_t *end) {
+    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
+    if (cells.corners == 4) *end = paradt__bw_fill_places(&cells, places, count, *end, 4);
+    else *end = paradt__bw_fill_places(&cells, places, count, *end, (size_t)cells.corners);
 }
 
 // Passes over all cells ask for rows so far ahead, for the same reason as passes over all points.
@@ -8798,10 +8813,8 @@ PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index ve
 
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
 static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    int i, share = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
-    return share;
+    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->bw.cells.corners, own);
 }
 
 // Does the region own a cell or ghost that has a vertex of it? Once patch->origin has the caller's indices, or -1.
@@ -9167,18 +9180,19 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 }
 
 // Drops what the region does not own, all of it in the fringe.
-static void paradt__patch_drop_fringe(paradt__patch *patch) {
-    size_t i;
-    for (i = 0; i < patch->fringe_count; i++) {
-        paradt_index cell = patch->fringe[i];
-        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
+    const paradt__cells cells = patch->bw.cells; // a copy, which nothing that is written can change
+    const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
+    size_t count = patch->fringe_count, i;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
-        paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, i);
+        paradt__fetch_listed(&cells, fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
-        share = paradt__patch_share(patch, cell);
-        if (!share || !paradt__vertices_among(vertices, patch->bw.cells.corners, 0, PARADT__NOWHERE) ||
-            !paradt__patch_owns(patch, cell))
-            paradt__patch_drop(patch, (size_t)cell, share);
+        share = paradt__vertices_below(vertices, corners, own);
+        if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
+            !paradt__patch_owns(patch, fringe[i]))
+            paradt__patch_drop(patch, (size_t)fringe[i], share);
     }
 }
 
@@ -9192,7 +9206,8 @@ static paradt_status paradt__patch_compact(paradt__patch *patch) {
     if (status) return status;
     paradt__bw_mark_free(bw);
     for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
-    paradt__patch_drop_fringe(patch);
+    if (bw->cells.corners == 4) paradt__patch_drop_fringe(patch, 4);
+    else paradt__patch_drop_fringe(patch, (size_t)bw->cells.corners);
     bw->cells.count -= bw->spare_count + patch->dropped;
     paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
     paradt__bw_fill_gaps(bw, patch->list, patch->list_count, &end);
@@ -9373,14 +9388,14 @@ PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_
     facet[count] = vertex;
 }
 
-// Where the table has the facet, or would have it.
-PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet) {
+// Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
+PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
     size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_key(paradt__cell_sum(facet, (int)seam->dim)) & mask;
+    size_t place = paradt__facet_key(paradt__cell_sum(facet, (int)dim)) & mask;
     for (; seam->table[place] >= 0; place = (place + 1) & mask) {
-        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (seam->dim + 1);
-        for (i = 0; i < seam->dim && other[i] == facet[i];) i++;
-        if (i == seam->dim) break;
+        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
+        for (i = 0; i < dim && other[i] == facet[i];) i++;
+        if (i == dim) break;
     }
     return seam->table + place;
 }
@@ -9390,7 +9405,7 @@ static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed) {
     size_t i;
     for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i]);
     facet[seam->dim] = listed[seam->dim];
-    place = paradt__seam_place(seam, facet);
+    place = paradt__seam_place(seam, facet, seam->dim);
     if (*place >= 0) {
         seam->facets[(size_t)*place * (seam->dim + 1) + seam->dim] = PARADT__TWICE;
         seam->single--;
@@ -9422,38 +9437,48 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     return PARADT_OK;
 }
 
-// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is met then.
-PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt__patch *patch, paradt_index handle) {
-    int corners = patch->bw.cells.corners, i;
-    const paradt_index *vertices = patch->bw.cells.vertices + (handle - handle % corners);
+// Has the facet of a wrong cell, of so many corners, been listed once, so that the cell on its other side is right? It
+// is met then.
+PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt_index *vertices, size_t corners,
+                                      size_t without) {
     paradt_index facet[PARADT_MAX_DIM], place, *apex;
-    size_t count = 0;
+    size_t count = 0, i;
     for (i = 0; i < corners; i++) {
-        if (i != handle % corners) paradt__facet_add(facet, count++, vertices[i]);
+        if (i != without) paradt__facet_add(facet, count++, vertices[i]);
     }
-    place = *paradt__seam_place(seam, facet);
+    place = *paradt__seam_place(seam, facet, corners - 1);
     if (place < 0) return 0;
-    apex = seam->facets + (size_t)place * (seam->dim + 1) + seam->dim;
+    apex = seam->facets + (size_t)place * corners + corners - 1;
     if (*apex == PARADT__TWICE) return 0;
     *apex = PARADT__MET;
     return 1;
 }
 
-// Lists a wrong cell, and those that are reached from it without passing the seam.
-static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    paradt_index corners = (paradt_index)patch->bw.cells.corners, handle;
-    size_t next = patch->list_count;
-    paradt_status status = paradt__patch_wait(patch, first);
+// Lists those cells that are reached without passing the seam from those in the list, the first `next` apart.
+PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
+                                                        size_t corners) {
+    paradt_status status = PARADT_OK;
+    size_t i;
     for (; next < patch->list_count && !status; next++) {
-        paradt_index base = patch->list[next] * corners;
+        size_t base = (size_t)patch->list[next] * corners;
         paradt__fetch_listed(&patch->bw.cells, patch->list, patch->list_count, next);
-        for (handle = base; handle < base + corners && !status; handle++) {
-            paradt_index other = patch->bw.cells.neighbors[handle] / corners;
-            if (!(patch->bw.marks[other] & PARADT__WAITING) && !paradt__seam_meets(seam, patch, handle))
-                status = paradt__patch_wait(patch, other);
+        for (i = 0; i < corners && !status; i++) {
+            size_t other = (size_t)patch->bw.cells.neighbors[base + i] / corners;
+            if (!(patch->bw.marks[other] & PARADT__WAITING) &&
+                !paradt__seam_meets(seam, patch->bw.cells.vertices + base, corners, i))
+                status = paradt__patch_wait(patch, (paradt_index)other);
         }
     }
     return status;
+}
+
+// Lists a wrong cell, and those that are reached from it without passing the seam.
+static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
+    size_t next = patch->list_count;
+    paradt_status status = paradt__patch_wait(patch, first);
+    if (status) return status;
+    if (seam->dim == 3) return paradt__patch_spread_wrong(patch, seam, next, 4);
+    return paradt__patch_spread_wrong(patch, seam, next, seam->dim + 1);
 }
 
 // Lists all cells and ghosts.
@@ -10977,14 +11002,6 @@ PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engi
     *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
     *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
     return 1;
-}
-
-// How many vertices of a ghost or cell have positions in the set below `own`?
-PARADT__INLINE int paradt__remote_share(const paradt_index *vertices, size_t corners, paradt_index own) {
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) share += (paradt__tag)vertices[j] < (paradt__tag)own;
-    return share;
 }
 
 // May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point

@@ -2419,7 +2419,7 @@ PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt
         status = paradt__remote_engine_list(&w->engine, own, &at);
         if (status || at == cells->count) break;
         cell = cells->vertices + at * k;
-        share = paradt__remote_share(cell, k, own);
+        share = paradt__vertices_below(cell, k, own);
         if (!share) continue;
         if (!w->weighted && paradt__vertices_among(cell, (int)k, 0, PARADT__NOWHERE) &&
             paradt_mpi__may_tell(w, cell, k, own))
