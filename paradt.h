@@ -10991,9 +10991,10 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
 
 // Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
 // there; else *facet is -1.
-PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t *place, int *facet) {
+PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
+                                               int *facet) {
     const paradt__cells *cells = &engine->bw.cells;
-    size_t corners = (size_t)cells->corners, base = *place * corners;
+    size_t base = *place * corners;
     int ghost;
     *facet = -1;
     if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
@@ -11019,9 +11020,9 @@ PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_
 }
 
 // The place on the other side of a facet of what is at a place
-PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t place, int facet) {
-    size_t corners = (size_t)engine->bw.cells.corners;
-    return (size_t)paradt__bw_cell(&engine->bw, engine->bw.cells.neighbors[place * corners + (size_t)facet]);
+PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
+                                                   size_t facet) {
+    return (size_t)engine->bw.cells.neighbors[place * corners + facet] / corners;
 }
 
 // Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
@@ -11036,35 +11037,28 @@ static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t p
     engine->bw.marks[place] &= (unsigned char)~PARADT__WAITING;
 }
 
-// Fetches the marks of what is around a place.
-PARADT__INLINE void paradt__remote_engine_fetch_marks(const paradt__remote_engine *engine, size_t place) {
-    int i;
-    for (i = 0; i < engine->bw.cells.corners; i++)
-        PARADT__PREFETCH(engine->bw.marks + paradt__remote_engine_across(engine, place, i));
-}
-
 // Fetches what is at a place ahead of its use.
-PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t place) {
-    size_t corners = (size_t)engine->bw.cells.corners;
-    PARADT__PREFETCH(engine->bw.cells.vertices + place * corners);
-    PARADT__PREFETCH(engine->bw.cells.neighbors + place * corners);
+PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
+    paradt__fetch_row(engine->bw.cells.vertices, engine->bw.cells.neighbors, place, corners);
 }
 
-// The same of its vertices' records.
-PARADT__INLINE void paradt__remote_engine_fetch_points(const paradt__remote_engine *engine, size_t place) {
-    const paradt_index *vertices = engine->bw.cells.vertices + place * (size_t)engine->bw.cells.corners;
-    int i;
-    for (i = 0; i < engine->bw.cells.corners; i++) {
+// The same of its vertices' records, and of the marks of what is around it.
+PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
+                                                       size_t place) {
+    const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
+    size_t i;
+    for (i = 0; i < corners; i++) {
         if (vertices[i] >= 0) PARADT__PREFETCH(paradt__bw_record(&engine->bw, vertices[i]));
+        PARADT__PREFETCH(engine->bw.marks + paradt__remote_engine_across(engine, corners, place, i));
     }
 }
 
 // The vertices of the cell at a place, as positions in the set, and their records.
-PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t place,
+PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t corners, size_t place,
                                                paradt_index *vertices, const double **records) {
-    int corners = engine->bw.cells.corners, i;
+    size_t i;
     for (i = 0; i < corners; i++) {
-        vertices[i] = engine->bw.cells.vertices[place * (size_t)corners + (size_t)i];
+        vertices[i] = engine->bw.cells.vertices[place * corners + i];
         records[i] = paradt__bw_record(&engine->bw, vertices[i]);
     }
 }

@@ -2097,12 +2097,12 @@ static size_t paradt_mpi__place_count(const paradt_mpi__work *w) {
 // the hull whose bits are set. 0: nothing. While points are inserted a ghost stands for its facet.
 enum { PARADT_MPI__SPHERE = 1 << (PARADT_MAX_DIM + 1) };
 
-static unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t *place) {
-    size_t k = (size_t)w->set.space.dim + 1, j;
+PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, size_t *place) {
+    size_t j;
     unsigned topics = PARADT_MPI__SPHERE;
     int facet;
     if (w->inserting) {
-        if (!paradt__remote_engine_place(&w->engine, place, &facet)) return 0;
+        if (!paradt__remote_engine_place(&w->engine, k, place, &facet)) return 0;
         return facet < 0 ? topics : 1u << facet;
     }
     for (j = 0; j < k; j++) topics |= (unsigned)(w->local.neighbors[*place * k + j] < 0) << j;
@@ -2110,10 +2110,11 @@ static unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t *place) {
 }
 
 // The vertices of the cell at a place, and their records.
-static void paradt_mpi__cell(const paradt_mpi__work *w, size_t place, paradt_index *cell, const double **corners) {
-    size_t k = (size_t)w->set.space.dim + 1, j;
+PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t place, paradt_index *cell,
+                                     const double **corners) {
+    size_t j;
     if (w->inserting) {
-        paradt__remote_engine_cell(&w->engine, place, cell, corners);
+        paradt__remote_engine_cell(&w->engine, k, place, cell, corners);
         return;
     }
     for (j = 0; j < k; j++) {
@@ -2123,9 +2124,11 @@ static void paradt_mpi__cell(const paradt_mpi__work *w, size_t place, paradt_ind
 }
 
 // Which of a cell's vertices are own points. Returns how many.
-static int paradt_mpi__own_corners(const paradt_mpi__work *w, const paradt_index *cell, paradt_index *own) {
-    int dim = w->set.space.dim, i, count = 0;
-    for (i = 0; i <= dim; i++) {
+PARADT__INLINE int paradt_mpi__own_corners(const paradt_mpi__work *w, size_t k, const paradt_index *cell,
+                                           paradt_index *own) {
+    size_t i;
+    int count = 0;
+    for (i = 0; i < k; i++) {
         own[i] = (size_t)cell[i] < w->set.count ? cell[i] : (paradt_index)PARADT__OPEN;
         count += own[i] >= 0;
     }
@@ -2294,16 +2297,17 @@ static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi_
 
 // Lists the questions for the sake of a place. *open: may a point that is not known here be in conflict with what is
 // there, and does that matter?
-static paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions *q, size_t place, int *open) {
+PARADT__INLINE paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k, size_t place,
+                                              int *open) {
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index cell[PARADT_MAX_DIM + 1], own[PARADT_MAX_DIM + 1];
-    unsigned topics = paradt_mpi__topics(w, &place);
+    unsigned topics = paradt_mpi__topics(w, k, &place);
     paradt_status status = PARADT_OK;
     int count, j;
     *open = 1;
     if (!topics) return PARADT_OK;
-    paradt_mpi__cell(w, place, cell, corners);
-    count = paradt_mpi__own_corners(w, cell, own);
+    paradt_mpi__cell(w, k, place, cell, corners);
+    count = paradt_mpi__own_corners(w, k, cell, own);
     *open = count > 0;
     if (!count) return PARADT_OK;
     if (topics & PARADT_MPI__SPHERE) status = paradt_mpi__look_at_sphere(w, q, place, cell, corners, own, count, open);
@@ -2383,12 +2387,11 @@ static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
 }
 
 // Fetches what is looked at next: what is at the places first, then what that leads to.
-PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, const paradt_mpi__places *list, size_t at) {
+PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k, const paradt_mpi__places *list,
+                                            size_t at) {
     enum { SOON = 4, LATER = 8 };
-    if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, list->items[at + LATER]);
-    if (at + SOON >= list->count) return;
-    paradt__remote_engine_fetch_points(&w->engine, list->items[at + SOON]);
-    paradt__remote_engine_fetch_marks(&w->engine, list->items[at + SOON]);
+    if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, k, list->items[at + LATER]);
+    if (at + SOON < list->count) paradt__remote_engine_fetch_around(&w->engine, k, list->items[at + SOON]);
 }
 
 // Is there an own vertex of a cell that the rank of another vertex was not told of first? Most cells' other vertices
@@ -2436,23 +2439,30 @@ PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt
 // room make a convex set, and p is not in it. Such suspects are looked at first, then what is reached from them through
 // cells whose spheres are not inside of the room: no sphere in conflict with p is, and with weights cells with others'
 // vertices never count as such. What has no own vertex does not matter.
+PARADT__INLINE paradt_status paradt_mpi__look_along(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
+                                                    paradt_mpi__places *list, const unsigned char *outer) {
+    paradt_status status = paradt_mpi__list_fringe(w, q, k, list, outer);
+    size_t at, j;
+    int open;
+    for (at = 0; at < list->count && !status && !w->stuck; at++) {
+        paradt_mpi__fetch_ahead(w, k, list, at);
+        status = paradt_mpi__look(w, q, k, list->items[at], &open);
+        paradt_mpi__limit_questions(w, q);
+        for (j = 0; j < k && open && !status; j++)
+            status = paradt_mpi__wait(w, list, paradt__remote_engine_across(&w->engine, k, list->items[at], j));
+    }
+    return status;
+}
+
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q) {
     unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
-    paradt_status status = PARADT_OK;
+    paradt_status status;
     size_t at;
-    int open, j;
     memset(&list, 0, sizeof list);
     if (!outer) status = PARADT_ERROR_MEMORY;
-    else if (w->set.space.dim == 3) status = paradt_mpi__list_fringe(w, q, 4, &list, outer);
-    else status = paradt_mpi__list_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
-    for (at = 0; at < list.count && !status && !w->stuck; at++) {
-        paradt_mpi__fetch_ahead(w, &list, at);
-        status = paradt_mpi__look(w, q, list.items[at], &open);
-        paradt_mpi__limit_questions(w, q);
-        for (j = 0; j <= w->set.space.dim && open && !status; j++)
-            status = paradt_mpi__wait(w, &list, paradt__remote_engine_across(&w->engine, list.items[at], j));
-    }
+    else if (w->set.space.dim == 3) status = paradt_mpi__look_along(w, q, 4, &list, outer);
+    else status = paradt_mpi__look_along(w, q, (size_t)w->set.space.dim + 1, &list, outer);
     for (at = 0; at < list.count; at++) paradt__remote_engine_unmark(&w->engine, list.items[at]);
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
@@ -2467,7 +2477,7 @@ static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questi
     if (w->inserting) return paradt_mpi__collect_from_seam(w, q);
     for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
     for (place = 0; place < count && !status && !w->stuck; place++) {
-        status = paradt_mpi__look(w, q, place, &open);
+        status = paradt_mpi__look(w, q, (size_t)w->set.space.dim + 1, place, &open);
         paradt_mpi__limit_questions(w, q);
     }
     return status;
@@ -2505,7 +2515,7 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
     paradt_index cell[PARADT_MAX_DIM + 1];
     const double *corners[PARADT_MAX_DIM + 1];
     for (i = 0; i < count; i++) {
-        paradt_mpi__cell(w, (size_t)q[i].cell, cell, corners);
+        paradt_mpi__cell(w, k, (size_t)q[i].cell, cell, corners);
         for (j = 0; j < k; j++) {
             const paradt_mpi__home home = paradt_mpi__home_of(w, cell[j]);
             if (place[cell[j]] < 0) {
@@ -2522,7 +2532,7 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
         *cells++ = q[i].opposite;
     }
     for (i = 0; i < count; i++) {
-        paradt_mpi__cell(w, (size_t)q[i].cell, cell, corners);
+        paradt_mpi__cell(w, k, (size_t)q[i].cell, cell, corners);
         for (j = 0; j < k; j++) place[cell[j]] = -1;
     }
     return used;
