@@ -501,22 +501,27 @@ static void paradt_mpi__transfer(paradt_mpi__work *w, const char *send, char *re
 }
 
 // Sends w->to[r] elements of `size` bytes to each rank r, those for rank 0 first, and gets w->from[r] from each, in
-// *receive, which is to be released. *count: how many in all. status: of this rank so far; nothing is sent if one
-// has failed.
-static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status status, const void *send, size_t size,
-                                          void **receive, size_t *count) {
+// *receive, which is to be released. *receive: NULL, or a block with room for *count elements, which is taken unless
+// that is too little, or twice too much. *count: how many came. status: of this rank so far; nothing is sent if one has
+// failed.
+static paradt_status paradt_mpi__exchange_into(paradt_mpi__work *w, paradt_status status, const void *send, size_t size,
+                                               void **receive, size_t *count) {
     MPI_Request *requests = NULL;
     size_t pieces = 0, total = 0;
     int r;
-    *receive = NULL;
     for (r = 0; r < w->ranks && status; r++) w->to[r] = 0;
     MPI_Alltoall(w->to, (int)sizeof *w->to, MPI_BYTE, w->from, (int)sizeof *w->from, MPI_BYTE, w->comm);
     for (r = 0; r < w->ranks; r++) {
         total += w->from[r];
         if (r != w->rank) pieces += paradt_mpi__pieces(w->to[r] * size) + paradt_mpi__pieces(w->from[r] * size);
     }
+    if (*receive && (total > *count || total < *count / 2)) {
+        paradt__release(&w->memory, *receive);
+        *receive = NULL;
+    }
     if (!status) {
-        *receive = paradt__alloc_filled(&w->memory, total, size);
+        if (!*receive) *receive = paradt__alloc(&w->memory, total, size);
+        if (*receive) paradt__make_pages(*receive, 0, total * size);
         requests = (MPI_Request *)paradt__alloc(&w->memory, pieces, sizeof *requests);
         if (!*receive || !requests) status = PARADT_ERROR_MEMORY;
     }
@@ -529,6 +534,12 @@ static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status sta
         *receive = NULL;
     }
     return status;
+}
+
+static paradt_status paradt_mpi__exchange(paradt_mpi__work *w, paradt_status status, const void *send, size_t size,
+                                          void **receive, size_t *count) {
+    *receive = NULL;
+    return paradt_mpi__exchange_into(w, status, send, size, receive, count);
 }
 
 // Elements are sorted by rank, those for rank 0 first: w->next becomes where those for each rank begin, by w->to.
@@ -764,8 +775,9 @@ typedef struct paradt_mpi__box {
 enum { PARADT_MPI__PRECISION = 1024 };
 
 typedef struct paradt_mpi__cutter {
-    double *rows, *spare; // [count][width]
-    size_t paged;         // rows of spare that have their pages
+    double *rows;       // [count][width]
+    double *spare;      // [room][width] what is above the cut of a box that is halved; in the end, what came
+    size_t room, paged; // so many of these have their pages
     size_t count, width;
     uint64_t weight, mean;  // of each point of this rank, and of a point that takes the mean work
     size_t *open;           // [count] rows that may be on the cut of their box, where its rows begin
@@ -1124,7 +1136,8 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
     c.counts = (uint64_t *)paradt__alloc(&w->memory, ranks, PARADT_MPI__PARTS * sizeof *c.counts);
     c.facts = (int64_t *)paradt__alloc(&w->memory, ranks, 2 * PARADT_MAX_DIM * sizeof *c.facts);
     c.paged = 0;
-    c.spare = (double *)paradt__alloc(&w->memory, c.count, c.width * sizeof *c.spare);
+    c.room = c.count + c.count / 16;
+    c.spare = (double *)paradt__alloc(&w->memory, c.room, c.width * sizeof *c.spare);
     if (!c.open || !c.parts || !c.boxes || !c.counts || !c.facts || !c.spare) status = PARADT_ERROR_MEMORY;
     status = paradt_mpi__agree(w, status);
     if (!status) {
@@ -1139,14 +1152,18 @@ static paradt_status paradt_mpi__partition(paradt_mpi__work *w, uint64_t weight,
         paradt_mpi__keep_box(w, &c);
         for (b = 0; b < c.box_count; b++) w->to[c.boxes[b].first] = c.boxes[b].end - c.boxes[b].begin;
     }
-    paradt__release(&w->memory, c.spare);
     paradt__release(&w->memory, c.facts);
     paradt__release(&w->memory, c.counts);
     paradt__release(&w->memory, c.boxes);
     paradt__release(&w->memory, c.parts);
     paradt__release(&w->memory, c.open);
-    if (status) return status;
-    status = paradt_mpi__exchange(w, PARADT_OK, c.rows, c.width * sizeof *c.rows, &got, count);
+    got = c.spare;
+    if (status) {
+        paradt__release(&w->memory, got);
+        return status;
+    }
+    *count = c.room;
+    status = paradt_mpi__exchange_into(w, PARADT_OK, c.rows, c.width * sizeof *c.rows, &got, count);
     paradt__release(&w->memory, c.rows);
     *rows = (double *)got;
     return status;
