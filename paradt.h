@@ -11007,7 +11007,7 @@ PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engi
 
 // May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
 // that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// [positions - own, or 1], the marks. Without branches, which nothing would foretell.
+// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
 PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
                                              const unsigned char *outer) {
     int suspect = share == 1;

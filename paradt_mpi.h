@@ -838,14 +838,15 @@ PARADT__INLINE void paradt_mpi__bound_rows(const paradt_mpi__cutter *c, const pa
 PARADT__INLINE size_t paradt_mpi__part(paradt_mpi__cutter *c, const paradt_mpi__box *box, size_t width) {
     enum { PAGED = 1 << 12 };
     double *rows = c->rows + box->begin * width;
-    size_t i = 0, end, lower = 0, upper = 0, count = box->end - box->begin;
+    size_t i = 0, lower = 0, upper = 0, count = box->end - box->begin;
     const int64_t cut = box->cut;
     while (i < count) {
-        if (upper + PAGED > c->paged) {
-            paradt__make_pages(c->spare, c->paged * width * sizeof *rows, (upper + PAGED) * width * sizeof *rows);
-            c->paged = upper + PAGED;
+        size_t end = count - i < PAGED ? count : i + PAGED, above_at_most = upper + end - i;
+        if (above_at_most > c->paged) {
+            paradt__make_pages(c->spare, c->paged * width * sizeof *rows, above_at_most * width * sizeof *rows);
+            c->paged = above_at_most;
         }
-        for (end = count - i < PAGED ? count : i + PAGED; i < end; i++) {
+        for (; i < end; i++) {
             const double *row = rows + i * width;
             double *above = c->spare + upper * width;
             size_t is_above = paradt__ordered_bits(row[box->axis]) >= cut;
@@ -2390,7 +2391,8 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
 }
 
 // Marks the points of others that are not inside the room that this rank knows. With weights it marks all: a cell with
-// one of them for a vertex may be in conflict with a point far from its sphere then, if that is heavy.
+// one of them for a vertex may be in conflict with a point far from its sphere then, if that is heavy. The array has
+// one place more, so that it has one.
 static unsigned char *paradt_mpi__mark_far(paradt_mpi__work *w) {
     size_t others = w->known - w->set.count, i;
     unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others + 1, 1);
@@ -2471,6 +2473,7 @@ PARADT__INLINE paradt_status paradt_mpi__look_along(paradt_mpi__work *w, paradt_
     return status;
 }
 
+// The same, with the marks for it made and taken away again.
 static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_mpi__questions *q) {
     unsigned char *outer = paradt_mpi__mark_far(w);
     paradt_mpi__places list;
