@@ -726,18 +726,20 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
+enum { PARADT__PAGE = 4096 }; // bytes of the pages that most systems have
+
 // The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
 // are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
 // be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
 // it is, and where pages are larger than is thought here the system refuses.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
-    enum { PAGE = 4096, FEWEST = 8 };
-    enum { POPULATE_WRITE = 23 }; // not in all headers
-    uintptr_t begin = (uintptr_t)array, from = (begin + first) / PAGE * PAGE, to = (begin + end) / PAGE * PAGE;
+    enum { FEWEST = 8, POPULATE_WRITE = 23 /* not in all headers */ };
+    uintptr_t begin = (uintptr_t)array, from = (begin + first) / PARADT__PAGE * PARADT__PAGE;
+    uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
     int before = errno;
-    if (from < begin) from += PAGE;
-    if (to > from && to - from >= FEWEST * PAGE && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
+    if (from < begin) from += PARADT__PAGE;
+    if (to > from && (to - from) / PARADT__PAGE >= FEWEST && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
         errno = before;
 #else
     (void)array, (void)first, (void)end;
@@ -6281,14 +6283,15 @@ static size_t paradt__bw_first_points(const paradt__bw *bw) {
     return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
-// Makes pages for some more cells than are needed. The last one may be made in part only, and then again.
+// Makes pages for some more cells than are needed. Of the last page, which is not made if it lies behind them in part,
+// the cells do not count: it is made with the next.
 static void paradt__bw_make_pages(paradt__bw *bw, size_t needed) {
-    enum { AHEAD = 1 << 17, PAGE = 1 << 12 }; // bytes
-    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + (AHEAD + PAGE) / row;
+    enum { AHEAD = 1 << 17 }; // bytes
+    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + AHEAD / row + PARADT__PAGE / row;
     if (end > bw->cells.capacity) end = bw->cells.capacity;
     paradt__make_pages(bw->cells.vertices, bw->paged * row, end * row);
     paradt__make_pages(bw->cells.neighbors, bw->paged * row, end * row);
-    bw->paged = end < bw->cells.capacity ? end - PAGE / row : end;
+    bw->paged = end < bw->cells.capacity ? end - PARADT__PAGE / row : end;
 }
 
 // Makes sure of `count` free places.
@@ -11101,10 +11104,7 @@ static paradt_index paradt__smallest_vertex(const paradt__set *set, const paradt
 // Is what is at a place of the fringe an own cell, one whose smallest vertex is?
 PARADT__INLINE int paradt__remote_engine_owns(const paradt__set *set, const paradt_index *vertices, size_t corners) {
     paradt_index own = (paradt_index)set->count;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) share |= vertices[j] < own;
-    return share && paradt__smallest_vertex(set, vertices, (int)corners) < own;
+    return paradt__vertices_below(vertices, corners, own) && paradt__smallest_vertex(set, vertices, (int)corners) < own;
 }
 
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.

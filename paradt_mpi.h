@@ -2369,18 +2369,29 @@ static paradt_status paradt_mpi__wait(paradt_mpi__work *w, paradt_mpi__places *l
     return PARADT_OK;
 }
 
-// Lists the own vertices of what is at a place for the ranks of its other vertices. With weights cells are asked about
-// instead, for the sake of points that are hidden.
-static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__list *list, size_t place) {
-    const paradt_index *all = w->inserting ? w->engine.bw.cells.vertices : w->local.cells, *cell, *v, *end;
+// Is there an own vertex of a cell that the rank of another vertex was not told of first? Most cells' other vertices
+// are of one rank, which was told long before: that is found out without branches. k: vertices, not all of them own.
+PARADT__INLINE int paradt_mpi__may_tell(const paradt_mpi__work *w, size_t k, const paradt_index *cell) {
+    paradt_index own = (paradt_index)w->set.count;
+    int lowest = INT_MAX, highest = -1, news = 0;
+    size_t j;
+    for (j = 0; j < k; j++) {
+        int other = cell[j] >= own, rank = w->home[other ? cell[j] - own : 0].rank;
+        lowest = other && rank < lowest ? rank : lowest;
+        highest = other && rank > highest ? rank : highest;
+    }
+    for (j = 0; j < k; j++) news |= (cell[j] < own) & (w->audience[cell[j] < own ? cell[j] : 0] != lowest);
+    return news | (lowest < highest);
+}
+
+// What paradt_mpi__tell_vertices does where there may be something to tell.
+PARADT__NOINLINE paradt_status paradt_mpi__list_told(paradt_mpi__work *w, paradt_mpi__list *list, size_t k,
+                                                     const paradt_index *cell) {
+    const paradt_index *end = cell + k, *v, *u;
     paradt_index own = (paradt_index)w->set.count;
     int rank = w->rank;
     paradt_status status = PARADT_OK;
-    cell = all + place * ((size_t)w->set.space.dim + 1);
-    end = cell + w->set.space.dim + 1;
-    if (w->weighted || !paradt__vertices_among(cell, w->set.space.dim + 1, 0, PARADT__NOWHERE)) return PARADT_OK;
     for (v = cell; v < end; v++) {
-        const paradt_index *u;
         if (*v < own || w->home[*v - own].rank == rank) continue; // own, or told already
         rank = w->home[*v - own].rank;
         for (u = cell; u < end && !status; u++) {
@@ -2388,6 +2399,16 @@ static paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__
         }
     }
     return status;
+}
+
+// Lists the own vertices of a cell of k vertices, no ghost, for the ranks of its other vertices. With weights cells are
+// asked about instead, for the sake of points that are hidden.
+PARADT__INLINE paradt_status paradt_mpi__tell_vertices(paradt_mpi__work *w, paradt_mpi__list *list, size_t k,
+                                                       const paradt_index *cell) {
+    if (w->weighted || !paradt__vertices_among(cell, (int)k, 0, PARADT__NOWHERE) ||
+        paradt__vertices_among(cell, (int)k, 0, (paradt_index)w->set.count) || !paradt_mpi__may_tell(w, k, cell))
+        return PARADT_OK;
+    return paradt_mpi__list_told(w, list, k, cell);
 }
 
 // Marks the points of others that are not inside the room that this rank knows. With weights it marks all: a cell with
@@ -2413,21 +2434,6 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k,
     if (at + SOON < list->count) paradt__remote_engine_fetch_around(&w->engine, k, list->items[at + SOON]);
 }
 
-// Is there an own vertex of a cell that the rank of another vertex was not told of first? Most cells' other vertices
-// are of one rank, which was told long before: that is found out without branches.
-PARADT__INLINE int paradt_mpi__may_tell(const paradt_mpi__work *w, const paradt_index *cell, size_t k,
-                                        paradt_index own) {
-    int lowest = INT_MAX, highest = -1, news = 0;
-    size_t j;
-    for (j = 0; j < k; j++) {
-        int other = cell[j] >= own, rank = w->home[other ? cell[j] - own : 0].rank;
-        lowest = other && rank < lowest ? rank : lowest;
-        highest = other && rank > highest ? rank : highest;
-    }
-    for (j = 0; j < k; j++) news |= (cell[j] < own) & (w->audience[cell[j] < own ? cell[j] : 0] != lowest);
-    return news | (lowest < highest);
-}
-
 // Lists the fringe, and of what has own vertices in it the places of suspects; tells of vertices. k: of a cell.
 PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
                                                      paradt_mpi__places *suspects, const unsigned char *outer) {
@@ -2443,9 +2449,7 @@ PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt
         cell = cells->vertices + at * k;
         share = paradt__vertices_below(cell, k, own);
         if (!share) continue;
-        if (!w->weighted && paradt__vertices_among(cell, (int)k, 0, PARADT__NOWHERE) &&
-            paradt_mpi__may_tell(w, cell, k, own))
-            status = paradt_mpi__tell_vertices(w, &q->to_tell, at);
+        status = paradt_mpi__tell_vertices(w, &q->to_tell, k, cell);
         if (!status && paradt__remote_is_suspect(cell, k, own, share, outer))
             status = paradt_mpi__wait(w, suspects, at);
     }
@@ -2491,13 +2495,14 @@ static paradt_status paradt_mpi__collect_from_seam(paradt_mpi__work *w, paradt_m
 
 // Lists all questions: about cells around own points, and their facets on the hull.
 static paradt_status paradt_mpi__collect(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    size_t count = w->ready ? paradt_mpi__place_count(w) : 0, place;
+    size_t count = w->ready ? paradt_mpi__place_count(w) : 0, k = (size_t)w->set.space.dim + 1, place;
     paradt_status status = PARADT_OK;
     int open;
     if (w->inserting) return paradt_mpi__collect_from_seam(w, q);
-    for (place = 0; place < count && !status; place++) status = paradt_mpi__tell_vertices(w, &q->to_tell, place);
+    for (place = 0; place < count && !status; place++)
+        status = paradt_mpi__tell_vertices(w, &q->to_tell, k, w->local.cells + place * k);
     for (place = 0; place < count && !status && !w->stuck; place++) {
-        status = paradt_mpi__look(w, q, (size_t)w->set.space.dim + 1, place, &open);
+        status = paradt_mpi__look(w, q, k, place, &open);
         paradt_mpi__limit_questions(w, q);
     }
     return status;
