@@ -151,6 +151,14 @@ static inline double bench_now(clockid_t clock) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+// What each thread of a program does before the clock starts, all at once. A system may put a new thread where its maker
+// runs, and leave it there for tens of milliseconds; that is nobody's work either.
+static inline void bench_warm_up(void) {
+    double end = bench_now(CLOCK_MONOTONIC) + 0.05;
+    while (bench_now(CLOCK_MONOTONIC) < end)
+        continue;
+}
+
 // A line of /proc/self/status, in bytes.
 static inline uint64_t bench_memory(const char *field) {
     FILE *file = fopen("/proc/self/status", "r");

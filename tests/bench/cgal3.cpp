@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #endif
 
 #include "bench.h"
@@ -72,6 +73,9 @@ int main(int argc, char **argv) {
         }
     }
     std::optional<Delaunay> delaunay; // made anew for each set, clearing the one before: that is in the time too
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::parallel_for(size_t(0), arguments.jobs, [](size_t) { bench_warm_up(); });
+#endif
     bench_clock clock = bench_start(&points);
     for (const Points &set : sets)
         build(delaunay, set);

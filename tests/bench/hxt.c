@@ -82,6 +82,8 @@ int main(int argc, char **argv) {
     hxt_delaunay_options options = {0};
     options.perfect_delaunay = 1;
     options.threads = (int)arguments.jobs;
+#pragma omp parallel
+    bench_warm_up();
     bench_clock clock = bench_start(&points);
     int status = hxtDelaunay(mesh, &options);
     bench_stop(&clock);

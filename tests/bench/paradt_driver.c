@@ -8,8 +8,8 @@
 
 // --- a parallel_for over standing threads, as host programs have them ------------------------------------------------
 //
-// They are made by the first call, which is in its time. Between calls they look for work as often as those of GNU's
-// OpenMP do, on which HXT runs beside this, and then sleep.
+// They are made by the first call. Between calls they look for work as often as those of GNU's OpenMP do, on which HXT
+// runs beside this, and then sleep.
 
 enum { MAX_JOBS = 256, LOOKS = 300000 };
 
@@ -74,6 +74,11 @@ static void team_for(void *user, size_t count, void (*task)(void *context, size_
     team_work();
     while (atomic_load(&team.busy))
         relax();
+}
+
+static void team_warm_up(void *context, size_t index) {
+    (void)context, (void)index;
+    bench_warm_up();
 }
 
 // --- the measurement -------------------------------------------------------------------------------------------------
@@ -145,6 +150,8 @@ int main(int argc, char **argv) {
     }
     paradt_triangulation result;
     memset(&result, 0, sizeof result);
+    if (arguments.jobs > 1)
+        team_for(&arguments.jobs, arguments.jobs, team_warm_up, NULL);
     bench_clock clock = bench_start(&points);
     if (arguments.copies > 1)
         run_copies(&arguments, &points, &options);

@@ -70,7 +70,7 @@ function remember_order(section, row, program) {
     }
     wall = field("seconds") / field("calls")
     cpu = field("cpu_seconds") / field("calls")
-    if (field("jobs") == 1) {
+    if (field("jobs") == 1 && program !~ /\/x/) {
         single++
         if (wall > 1.05 * cpu + 0.001)
             delayed++
