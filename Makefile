@@ -12,7 +12,7 @@ WARNINGS := -Wall -Wextra -Wshadow
 # A rule's compiler writes what it included into a .d beside its output, so a changed header rebuilds what used it.
 DEPENDS = -MMD -MP -MT $@ -MF $@.d
 # Sub-makes share an outer -j; without one they get the machine's processors.
-PARALLEL = $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j$(JOBS))
+PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)

@@ -35,10 +35,11 @@
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
 //     PARADT_STATIC          the functions are static: define it with PARADT_IMPLEMENTATION, in any number of files
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program.
+//                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
-//     PARADT_NO_SIMD         no second copy of the inner loops that is chosen where the processor has AVX2 and FMA
-//                            (x86, GCC or Clang); the instructions that the compiler was told of are used all the same
+//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
+//                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
 //
 // WHAT IT DOES
 //
@@ -211,15 +212,16 @@
 // small pages are made somewhat ahead of their use, by madvise; that takes 3 to 5 hundredths off.
 //
 // The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// Arrays may have room for up to a third more at their ends, and of a few hundred points for some kilobytes more.
+// The arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
 // Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
 // don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
-// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and a tenth to a fifth more time.
+// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and a tenth to a fifth more time,
+// points that crowd as in a star cluster half more.
 // memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
 // the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
 // an upper bound, the sum of their peaks).
 //
-// The stack is used moderately: the exact predicates take up to 64 KB of it for numbers of extreme exponents. Recursion
+// The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
 // is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
 // are not told: wasm-ld -z stack-size=262144.
 //
@@ -271,6 +273,7 @@
 //                 in Bowyer-Watson's method the facets of the hull count as cells too
 //     changes     a triangulation is computed as a whole; points are not added to it or taken away later
 //     constraints none: no edges or facets can be demanded
+//     methods     those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
 //     right shift of negative integers has to be arithmetic, doubles IEEE 754, as on all platforms met so far
 //
 //
@@ -440,7 +443,7 @@ typedef struct paradt_stats {
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
     uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
-    uint64_t exact_small;          // predicates settled in small integers
+    uint64_t exact_small;          // predicates settled in small integers, or 0 by what the filter knows of lattices
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
@@ -451,7 +454,7 @@ typedef struct paradt_stats {
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
     double seconds_finish;         // hidden points, translating indices
-    double seconds;                // all of it
+    double seconds;                // all of it. Where there is no timespec_get (C11) these are processor time
 } paradt_stats;
 
 typedef struct paradt_triangulation {
@@ -635,9 +638,9 @@ extern "C" {
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
-    size_t limit; // bytes; SIZE_MAX: none
-    size_t held;
-    size_t peak;
+    uint64_t limit; // bytes; UINT64_MAX: none
+    uint64_t held;
+    uint64_t peak;
 } paradt__memory;
 
 enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
@@ -671,7 +674,7 @@ static void paradt__default_free(void *user, void *memory) {
 
 static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
     memset(memory, 0, sizeof *memory);
-    memory->limit = SIZE_MAX;
+    memory->limit = UINT64_MAX;
     if (options) {
         memory->allocator = options->allocator;
         if (options->memory_limit) memory->limit = options->memory_limit;
@@ -686,12 +689,12 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
     memory.held = memory.peak = 0;
-    if (parent->limit != SIZE_MAX) memory.limit = (parent->limit - parent->held) / shares;
+    if (parent->limit != UINT64_MAX) memory.limit = (parent->limit - parent->held) / shares;
     return memory;
 }
 
 // Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
-static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, size_t *sum_of_peaks) {
+static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
     if (parent->held > parent->peak) parent->peak = parent->held;
@@ -700,18 +703,19 @@ static void paradt__memory_join(paradt__memory *parent, const paradt__memory *ch
 // count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
 // account is below zero, so that it wraps, while its task has given back more than it took.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
-    size_t bytes, held;
+    size_t bytes;
+    uint64_t held;
     char *block;
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
-    if (bytes > memory->limit || (held > memory->limit && held <= SIZE_MAX / 2)) return NULL;
+    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2)) return NULL;
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
     if (!block) return NULL;
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held = held;
-    if (held > memory->peak && held <= SIZE_MAX / 2) memory->peak = held;
+    if (held > memory->peak && held <= UINT64_MAX / 2) memory->peak = held;
     return block + PARADT__BLOCK_HEADER;
 }
 
@@ -961,7 +965,7 @@ PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t ma
 //   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
 //   general  any exponents, any dimension: as many digits as it takes.
 // No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
-// more than 1100 apart, in 6D 180, in 8D 60; the others take 9 KB.
+// more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
 
 #define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
 
@@ -2795,7 +2799,7 @@ static size_t paradt__first_bad(const paradt__source *source, size_t i) {
 // choice might meet a pattern of the points.
 static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     const paradt_points *points = &loader->source->points;
-    double step = (double)points->count / (double)loader->sampled;
+    double step = i < end ? (double)points->count / (double)loader->sampled : 0.0;
     for (; i < end; i++) {
         size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
         size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
@@ -3336,13 +3340,15 @@ static int paradt__set_orient(paradt__set *set, int *as_read) {
     return dim;
 }
 
-// The cuts are where they were, of the set scaled and with its axes in order.
+// The cuts are where they were, of the set scaled and with its axes in order. One that is no point's coordinate may
+// lose bits, which are cut off; it becomes larger instead of smaller, so that each point stays on its side.
 static void paradt__cuts_follow(paradt__cuts *cuts, const paradt__set *set, int scaled) {
     size_t box;
     for (box = 1; box < cuts->boxes; box++) {
         paradt__cut *cut = cuts->cut + box;
         int axis = 0, exact = 1;
         if (scaled) cut->at = paradt__scale(cut->at, 1023 - set->exponent, &exact);
+        if (!exact && !(paradt__bits(cut->at) >> 63)) cut->at = paradt__from_bits(paradt__bits(cut->at) + 1);
         while (set->axes[axis] != cut->axis) axis++;
         cut->axis = axis;
     }
@@ -3947,9 +3953,14 @@ static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, pa
     return PARADT_OK;
 }
 
+// How many cells have facets that can be numbered
+static size_t paradt__most_cells(int corners) {
+    return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
+}
+
+// Makes room for so many cells, or for as many as can be numbered, if that is more than there are.
 static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
-    size_t corners = (size_t)cells->corners, used = cells->count * corners;
-    size_t most = (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / corners;
+    size_t corners = (size_t)cells->corners, used = cells->count * corners, most = paradt__most_cells(cells->corners);
     void *array = cells->vertices;
     if (capacity > most) capacity = most;
     if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
@@ -4763,7 +4774,7 @@ static void paradt__set_disc(paradt__search *s, double edges[][PARADT_MAX_DIM], 
             paradt__abs(rest) + mu * s->q.reach[j] +
             s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.disc[j]) + paradt__abs(mu * s->q.normal[j]));
     }
-    s->q.disc_floor = 2.0 * s->set->grade_limit + mu * s->q.n_floor;
+    s->q.disc_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
 }
 
 // Sets the pencil of the facet s->corners. inner: a point off the facet, on the inner side if there are sides.
@@ -5506,6 +5517,15 @@ static void paradt__front_end(paradt__front *front) {
     front->touched = NULL;
 }
 
+// Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
+static paradt_status paradt__front_room(paradt__front *front) {
+    const size_t some = 1 << 16, most = paradt__most_cells(front->cells.corners);
+    double expected = front->expected * 1.01 + 64.0;
+    size_t cells = expected < (double)most ? (size_t)expected : most;
+    paradt_status status = paradt__cells_reserve(&front->cells, cells, front->memory);
+    return status && cells > some ? paradt__cells_reserve(&front->cells, some, front->memory) : status;
+}
+
 // share: the part of the points that the front is for.
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
                                          paradt__memory *memory, paradt__region_view view, double share) {
@@ -5526,7 +5546,7 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
         memset(front->touched, 0, words * sizeof(uint64_t));
     }
     if (paradt__active_begin(&front->active, (size_t)points, memory)) return PARADT_ERROR_MEMORY;
-    return paradt__cells_reserve(&front->cells, (size_t)(front->expected * 1.01) + 64, memory);
+    return paradt__front_room(front);
 }
 
 // Does the edge from a point to another lead away from the cut, the one nearest to it, or NULL?
@@ -5799,7 +5819,7 @@ static paradt_status paradt__incode(paradt__front *front) {
         status = paradt__front_add(front, cell, -1, PARADT__OPEN, NULL, NULL);
         while (!status && (handle = paradt__active_first(&front->active)) >= 0) {
             status = paradt__front_expand(front, handle, NULL, NULL);
-            if (front->impatient && paradt__front_is_stuck(front)) return PARADT__GAVE_UP;
+            if (!status && front->impatient && paradt__front_is_stuck(front)) return PARADT__GAVE_UP;
         }
     }
     return status;
@@ -6156,8 +6176,8 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
 
 // What insertions at once have in common that are to pause together
 typedef struct paradt__relay {
-    size_t done; // by them all so far, in points inserted
-    size_t stop; // they pause when it is so much
+    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
+    ptrdiff_t stop; // they pause when it is so much
 } paradt__relay;
 
 typedef struct paradt__bw {
@@ -6184,8 +6204,8 @@ typedef struct paradt__bw {
     size_t cavity_count, cavity_capacity;
     paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
     size_t rim_count, rim_capacity;
-    paradt__slot *ridges; // [ridge_capacity] hash table of the new cells' open facets
-    size_t ridge_capacity;
+    paradt__slot *ridges; // [ridge_capacity] the first ridge_mask + 1 are a hash table of the new cells' open facets
+    size_t ridge_capacity, ridge_mask;
     paradt_index last;         // a cell near the point inserted last
     paradt__spheres3 *spheres; // in three dimensions, where the filter holds
 } paradt__bw;
@@ -6300,6 +6320,7 @@ static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
     paradt_status status = PARADT_OK;
     if (PARADT__LIKELY(needed <= bw->paged)) return PARADT_OK;
     if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, paradt__bw_expected(bw, needed));
+    if (!status && needed > bw->cells.capacity) status = PARADT_ERROR_TOO_LARGE;
     if (!status) paradt__bw_make_pages(bw, needed);
     return status;
 }
@@ -6429,7 +6450,7 @@ static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const do
 // Links an open facet of a new cell to its twin, or leaves it in the table for that. Every ridge of the rim is in two
 // facets, so each entry is met once and needs no removal.
 static void paradt__bw_link(paradt__bw *bw, uint32_t key, paradt_index handle) {
-    size_t mask = bw->ridge_capacity - 1, slot = key & mask;
+    size_t mask = bw->ridge_mask, slot = key & mask;
     for (; bw->ridges[slot].handle >= 0; slot = (slot + 1) & mask) {
         paradt_index twin = bw->ridges[slot].handle;
         if (bw->ridges[slot].key != key || !paradt__same_facet(&bw->cells, twin, handle, bw->cells.corners)) continue;
@@ -6441,7 +6462,8 @@ static void paradt__bw_link(paradt__bw *bw, uint32_t key, paradt_index handle) {
     bw->ridges[slot].handle = handle;
 }
 
-// A table for the rim's ridges, empty. At most half full: each of the ridges is in two of the facets.
+// A table for the rim's ridges, empty. At most half full: each of the ridges is in two of the facets. It is no larger
+// than that, for to clear the largest that was ever needed could take longer than all the rest.
 static paradt_status paradt__bw_ridges(paradt__bw *bw) {
     size_t needed = 16, i;
     while (needed < bw->rim_count * (size_t)bw->cells.corners) needed *= 2;
@@ -6451,7 +6473,8 @@ static paradt_status paradt__bw_ridges(paradt__bw *bw) {
         bw->ridge_capacity = bw->ridges ? needed : 0;
         if (!bw->ridges) return PARADT_ERROR_MEMORY;
     }
-    for (i = 0; i < bw->ridge_capacity; i++) bw->ridges[i].handle = PARADT__OPEN;
+    bw->ridge_mask = needed - 1;
+    for (i = 0; i < needed; i++) bw->ridges[i].handle = PARADT__OPEN;
     return PARADT_OK;
 }
 
@@ -7772,7 +7795,7 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
         double low = paradt__from_ordered_bits(bw->space.low[axis]);
         double high = paradt__from_ordered_bits(bw->space.high[axis]);
         s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = (high - low) * 0.5000001;
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
     s->square = s->frame.square;
@@ -7990,7 +8013,7 @@ static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
 // Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
 static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
 #if defined(PARADT__ADD_AT_ONCE)
-    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, worth) >= relay->stop;
+    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, (ptrdiff_t)worth) >= relay->stop;
 #else
     (void)relay, (void)done, (void)worth;
     return 0;
@@ -8000,7 +8023,7 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 // The others do not pause while one does what takes as long as so many points and can't be paused.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ADD_AT_ONCE)
-    if (relay) PARADT__ADD_AT_ONCE(&relay->done, 0 - points);
+    if (relay) PARADT__ADD_AT_ONCE(&relay->done, -(ptrdiff_t)points);
 #else
     (void)relay, (void)points;
 #endif
@@ -9291,13 +9314,14 @@ enum { PARADT__QUESTIONS_A_POINT = 2 };
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
 // wait for what others have to tell; or until it pauses. If it is hasty, no longer than others would take to tell.
-static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty) {
+static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, const paradt__progress *progress) {
     paradt_status status = PARADT_OK;
     while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
         if (patch->bw.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
-        if (paradt__relay_pauses(patch->bw.relay, ++patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
+        if (paradt__relay_pauses(patch->bw.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
@@ -9912,7 +9936,7 @@ static void paradt__patch_task(void *context, size_t index) {
     size_t turn = work->in_turn ? work->regions - 1 - index : index;
     paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
     region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty);
+    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
     if (!region->status && paradt__patch_pauses(patch, hasty)) return;
     region->built = 1;
     region->done = progress.begin + progress.length;
@@ -9951,8 +9975,9 @@ static void paradt__hear_task(void *context, size_t index) {
 static void paradt__complete_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
+    paradt__progress progress = paradt__part_of_progress(work, index, work->regions);
     if (!region->open) return;
-    region->status = paradt__patch_complete(&region->patch, 0);
+    region->status = paradt__patch_complete(&region->patch, 0, &progress);
     paradt__count_patch(region);
     if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
@@ -10086,16 +10111,15 @@ static paradt_status paradt__run_relay(paradt__work *work) {
     paradt__ranked regions[MOST], tasks[MOST];
     double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
     paradt_status status;
-    size_t i;
+    int last;
     if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = &work->relay;
     do {
-        size_t left = paradt__assign_leg(work, regions, tasks);
-        int last = (double)left < fewest;
-        work->relay.stop = last ? SIZE_MAX : work->relay.done + left / PART;
+        size_t left = paradt__assign_leg(work, regions, tasks), i;
+        last = (double)left < fewest;
+        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
+        for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = last ? NULL : &work->relay;
         status = paradt__run_regions(work, paradt__leg_task);
-    } while ((!status || status == PARADT__GAVE_UP) && work->relay.stop < SIZE_MAX);
-    for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = NULL;
+    } while (!last && (!status || status == PARADT__GAVE_UP));
     return status;
 }
 
@@ -10103,7 +10127,8 @@ static paradt_status paradt__run_relay(paradt__work *work) {
 
 // Puts the cells of the regions together, giving their memory back one by one.
 static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *cells, paradt_status status) {
-    size_t total = 0, peaks = work->memory.held, i;
+    uint64_t peaks = work->memory.held;
+    size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
         paradt__region *region = work->region + i;
         total += region->cells.count;
@@ -10113,6 +10138,7 @@ static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *
     if (work->memory.peak < peaks) work->memory.peak = peaks;
     cells->corners = work->set.space.dim + 1;
     if (!status) status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+    if (!status && cells->capacity < total) status = PARADT_ERROR_TOO_LARGE;
     for (i = 0; i < work->regions; i++) {
         if (!status) paradt__cells_append(cells, &work->region[i].cells);
         paradt__cells_free(&work->region[i].cells, &work->memory);
@@ -10139,7 +10165,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
 // What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
 // steps, when none of them runs.
 static void paradt__share_memory(paradt__work *work) {
-    size_t peaks = work->memory.held, i;
+    uint64_t peaks = work->memory.held;
+    size_t i;
     for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
     if (work->memory.peak < peaks) work->memory.peak = peaks;
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
@@ -10214,6 +10241,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     } else {
         paradt__release_records(work, &work->memory);
         status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
+        if (!status && cells->capacity < total) status = PARADT_ERROR_TOO_LARGE;
     }
     cells->count = total;
     paradt__share_memory(work);
@@ -10344,6 +10372,7 @@ static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     patch->trusts = work->trusts && index == 0;
     status = paradt__patch_points(patch, work->basis);
     capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
+    if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
     rest = paradt__bw_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
     if (!status) status = paradt__turn_room(work, capacity, rest);
     if (status) return status;
@@ -10894,7 +10923,8 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
 }
 
 // Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come, spans them, and has no sagittas. low, high: the own points' box, as ordered bits
+// with all points that are to come, and their sagittas if it has some, and spans them. low, high: the own points' box,
+// as ordered bits
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
                                                  const int64_t *low, const int64_t *high, paradt__memory *memory,
                                                  const paradt__progress *progress) {
@@ -11962,6 +11992,7 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     status = paradt__check_representatives(check);
     check->phase = 1;
     if (!status) status = paradt__check_cells(check);
+    if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
     if (!status) status = paradt__check_adjacency(check);
     check->phase = 2;
     if (!status) status = paradt__check_facets(check);

@@ -131,7 +131,7 @@
 // REPLICATED POINTS
 //
 // With PARADT_MPI_REPLICATED every rank hands in all points, the same on each. They are not sent anywhere: each rank
-// makes the cells of its box by InCoDe (by DeWall if that is the method; the others do not matter here), as the regions
+// makes the cells of its box by InCoDe (by DeWall if that is the method; any other is taken for InCoDe), as the regions
 // of paradt.h do, and they talk only to agree on errors and to number and link the cells. That is the thesis'
 // ParaInCoDe. Global ids are the indices, and representative is filled on all ranks alike.
 //
@@ -296,7 +296,7 @@ PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *triangulatio
 // Puts the cells together on the rank `root`, as paradt_triangulate would return them for all points there, but for the
 // statistics. On the other ranks *out is empty. Collective over comm, that of paradt_mpi_triangulate; root is the same
 // on all ranks. Memory comes from the allocator of the triangulation. Errors, the same on all ranks: ARGUMENT, MEMORY,
-// TOO_LARGE (more cells than an index can number).
+// TOO_LARGE (more points or cells than paradt.h's limits allow).
 PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm,
                                            const paradt_mpi_triangulation *triangulation, int root);
 
@@ -577,15 +577,15 @@ static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
     options.user = w;
     options.flags = 0; // hull facets are known by their neighbours
     if (options.memory_limit) {
-        size_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
-        options.memory_limit = left ? left : 1;
+        uint64_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
+        options.memory_limit = left ? (size_t)left : 1;
     }
     return options;
 }
 
 // A triangulation that is made alone has an account of its own, whose peak is added to the rank's.
 static void paradt_mpi__add_peak(paradt_mpi__work *w, const paradt_triangulation *t) {
-    size_t peak = w->memory.held + (size_t)t->stats.peak_bytes;
+    uint64_t peak = w->memory.held + t->stats.peak_bytes;
     if (peak > w->memory.peak) w->memory.peak = peak;
 }
 
@@ -2088,8 +2088,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }
 
-// Can the triangulation be gone on with when more points come? Insertion can, undivided. It has no use for sagittas.
-// Other methods build it twice then, so where there are several ranks insertion pays in one dimension more.
+// Can the triangulation be gone on with when more points come? Insertion can, undivided. Other methods build it twice
+// then, so where there are several ranks insertion pays in one dimension more.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
     int dim = w->set.space.dim;
     return dim > 0 && paradt__inserts(w->options.local.method, dim - (w->ranks > 1)) && w->options.local.regions <= 1;
@@ -3071,10 +3071,11 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     out->vertices = (int64_t *)paradt__alloc_filled(&w->memory, count, sizeof *out->vertices);
     status = out->vertices ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
     for (i = 0; i < w->known && !status; i++) {
-        double *to = out->coordinates + (size_t)number[i] * ambient, x[PARADT_MAX_DIM];
+        double *to, x[PARADT_MAX_DIM];
         if (i + PARADT__POINTS_AHEAD < w->set.count) // the ids are in the order that the points came in
             PARADT__FETCH(w->received, w->set.origin[i + PARADT__POINTS_AHEAD]);
         if (number[i] < 0) continue;
+        to = out->coordinates + (size_t)number[i] * ambient;
         out->vertices[number[i]] = (int64_t)paradt_mpi__home_of(w, (paradt_index)i).id;
         memcpy(x, records + i * w->set.width, ambient * sizeof *x);
         for (axis = 0; axis < w->dim; axis++)

@@ -197,50 +197,91 @@ static int parse(settings *s, int count, char **arguments) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>work: threads, progress, time
 
+// Threads that take the tasks of one call after another, of which a triangulation makes some dozens. They are made when
+// they are first needed, and kept: a new thread takes longer to begin than one that waits.
+typedef struct team {
+    size_t jobs, started;
+    pthread_t threads[MAX_JOBS];
+    pthread_mutex_t lock; // guards what follows
+    pthread_cond_t called, done;
+    void (*task)(void *context, size_t index);
+    void *context;
+    size_t count, next, left; // tasks, the next to begin, and those that have not ended
+    int over;
+} team;
+
 typedef struct work {
-    size_t jobs;
+    team team;
     pthread_mutex_t lock; // guards the bar
     paradt_io_bar bar;
 } work;
 
-typedef struct tasks {
-    void (*task)(void *context, size_t index);
-    void *context;
-    size_t count;
-    size_t next;
-    pthread_mutex_t lock; // guards next
-} tasks;
-
-static void *run_tasks(void *argument) {
-    tasks *t = (tasks *)argument;
-    for (;;) {
-        size_t index;
-        pthread_mutex_lock(&t->lock);
-        index = t->next < t->count ? t->next++ : t->count;
+// Runs tasks until none is left to begin. The lock is held but while one runs.
+static void run_tasks(team *t) {
+    while (t->next < t->count) {
+        size_t index = t->next++;
         pthread_mutex_unlock(&t->lock);
-        if (index == t->count)
-            return NULL;
         t->task(t->context, index);
+        pthread_mutex_lock(&t->lock);
+        if (--t->left == 0)
+            pthread_cond_signal(&t->done);
     }
+}
+
+static void *take_part(void *argument) {
+    team *t = (team *)argument;
+    pthread_mutex_lock(&t->lock);
+    while (!t->over) {
+        run_tasks(t);
+        if (!t->over)
+            pthread_cond_wait(&t->called, &t->lock);
+    }
+    pthread_mutex_unlock(&t->lock);
+    return NULL;
 }
 
 // A paradt_parallel_for. Threads that can't be had are done without: the caller's own always works.
 static void parallel_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    const work *w = (const work *)user;
-    pthread_t threads[MAX_JOBS];
-    size_t wanted = (w->jobs < count ? w->jobs : count), started = 0, i;
-    tasks t;
-    t.task = task;
-    t.context = context;
-    t.count = count;
-    t.next = 0;
-    pthread_mutex_init(&t.lock, NULL);
-    while (started + 1 < wanted && pthread_create(&threads[started], NULL, run_tasks, &t) == 0)
-        started++;
-    run_tasks(&t);
-    for (i = 0; i < started; i++)
-        pthread_join(threads[i], NULL);
-    pthread_mutex_destroy(&t.lock);
+    team *t = &((work *)user)->team;
+    size_t wanted = t->jobs < count ? t->jobs : count;
+    pthread_mutex_lock(&t->lock);
+    t->task = task;
+    t->context = context;
+    t->next = 0;
+    t->count = t->left = count;
+    while (t->started + 1 < wanted && pthread_create(&t->threads[t->started], NULL, take_part, t) == 0)
+        t->started++;
+    pthread_cond_broadcast(&t->called);
+    run_tasks(t);
+    while (t->left)
+        pthread_cond_wait(&t->done, &t->lock);
+    pthread_mutex_unlock(&t->lock);
+}
+
+static void work_begin(work *w, size_t jobs) {
+    memset(w, 0, sizeof *w);
+    w->team.jobs = jobs;
+    pthread_mutex_init(&w->lock, NULL);
+    pthread_mutex_init(&w->team.lock, NULL);
+    pthread_cond_init(&w->team.called, NULL);
+    pthread_cond_init(&w->team.done, NULL);
+    paradt_io_bar_begin(&w->bar);
+}
+
+static void work_end(work *w) {
+    team *t = &w->team;
+    size_t i;
+    paradt_io_bar_clear(&w->bar);
+    pthread_mutex_lock(&t->lock);
+    t->over = 1;
+    pthread_cond_broadcast(&t->called);
+    pthread_mutex_unlock(&t->lock);
+    for (i = 0; i < t->started; i++)
+        pthread_join(t->threads[i], NULL);
+    pthread_cond_destroy(&t->done);
+    pthread_cond_destroy(&t->called);
+    pthread_mutex_destroy(&t->lock);
+    pthread_mutex_destroy(&w->lock);
 }
 
 // A paradt_progress
@@ -354,23 +395,6 @@ static void print_summary(const job *j) {
 
 static paradt_io_stage stage; // what an interrupted run has to remove
 
-static void interrupted(int number) {
-    paradt_io_stage_abort(&stage);
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void catch_signals(void) {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action;
-    size_t i;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupted;
-    for (i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        sigaction(numbers[i], &action, NULL);
-    signal(SIGXFSZ, SIG_IGN); // too large a file is an error of write
-}
-
 static int exit_status(paradt_io_status status) {
     static const int statuses[] = {EXIT_DONE, EXIT_INPUT, EXIT_USAGE, EXIT_FAILED};
     return statuses[status];
@@ -410,7 +434,6 @@ static int triangulate(job *j) {
     char reason[200];
     memset(&points, 0, sizeof points);
     memset(&options, 0, sizeof options);
-    memset(&w, 0, sizeof w);
     points.data = j->points.coordinates;
     points.count = j->points.count;
     points.dim = j->points.dim;
@@ -421,21 +444,19 @@ static int triangulate(job *j) {
     options.parallel_for = j->jobs > 1 ? parallel_for : NULL;
     options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
     options.user = &w;
-    pthread_mutex_init(&w.lock, NULL);
-    w.jobs = j->jobs;
-    paradt_io_bar_begin(&w.bar);
+    work_begin(&w, j->jobs);
     status = paradt_triangulate(&j->t, &points, &options);
     j->seconds = paradt_io_now() - w.bar.begun;
     snprintf(reason, sizeof reason, "%s", paradt_status_string(status));
     if (!status && j->s->check) {
         status = paradt_check(&j->t, &points, &options, &fault);
         j->check_seconds = paradt_io_now() - w.bar.begun - j->seconds;
-        snprintf(reason, sizeof reason, "the check found: %s (cell %lld, point %lld)",
-                 fault.reason ? fault.reason : paradt_status_string(status), (long long)fault.cell,
-                 (long long)fault.point);
+        snprintf(reason, sizeof reason, "the check can't be done: %s", paradt_status_string(status));
+        if (fault.reason)
+            snprintf(reason, sizeof reason, "the check found: %s (cell %lld, point %lld)", fault.reason,
+                     (long long)fault.cell, (long long)fault.point);
     }
-    paradt_io_bar_clear(&w.bar);
-    pthread_mutex_destroy(&w.lock);
+    work_end(&w);
     if (!status)
         return EXIT_DONE;
     fprintf(stderr, "paradt: %s: %s\n", j->s->input, reason);
@@ -517,7 +538,7 @@ int main(int count, char **arguments) {
     s.outputs = (const char **)malloc((size_t)count * sizeof *s.outputs);
     if (!s.outputs)
         return fail(EXIT_FAILED, "not enough memory");
-    catch_signals();
+    paradt_io_stage_guard(&stage);
     status = parse(&s, count, arguments) ? EXIT_DONE : EXIT_USAGE;
     if (!status && s.help)
         print_help();

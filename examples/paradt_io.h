@@ -94,6 +94,8 @@ int paradt_io_stage_commit(paradt_io_stage *stage,
                            paradt_io_error *error); // all files get their names, or none is left
 void paradt_io_stage_abort(paradt_io_stage *stage); // removes the temporary files; may be called by a signal handler
 void paradt_io_stage_free(paradt_io_stage *stage);
+// From now on a signal that ends the program removes the temporary files of this stage, which may be all zero yet.
+void paradt_io_stage_guard(paradt_io_stage *stage);
 
 // Can a file of this name be made, and without replacing the input (NULL: any)?
 int paradt_io_check_place(const char *name, const char *input, paradt_io_error *error);
@@ -1450,6 +1452,26 @@ void paradt_io_stage_abort(paradt_io_stage *stage) {
     size_t i;
     for (i = 0; i < (size_t)stage->count; i++)
         unlink(stage->files[i].temporary);
+}
+
+static paradt_io_stage *paradt_io__guarded;
+
+static void paradt_io__interrupted(int number) {
+    paradt_io_stage_abort(paradt_io__guarded);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+void paradt_io_stage_guard(paradt_io_stage *stage) {
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action;
+    size_t i;
+    paradt_io__guarded = stage;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = paradt_io__interrupted;
+    for (i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        sigaction(numbers[i], &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); // too large a file is an error of write
 }
 
 void paradt_io_stage_free(paradt_io_stage *stage) {

@@ -20,6 +20,7 @@
 enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
 
 static int rank, ranks;
+static paradt_io_stage stage; // what an interrupted rank has to remove
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>settings
@@ -165,6 +166,8 @@ static int parse(settings *s, int count, char **arguments) {
         else s->input = arguments[i++];
     }
     if (!s->input && !s->help && !s->version) return wrong("INPUT", "nothing to read is named");
+    if (s->replicated && s->method == PARADT_BOWYER_WATSON)
+        return wrong("--replicated", "works by incode or dewall alone");
     return 1;
 }
 
@@ -175,6 +178,7 @@ typedef struct part {
     void *rows;      // of the file, or coordinates; from malloc
     double *weights; // [points.count], from malloc; NULL: none
     int whole;       // rank 0 has all points, as coordinates; the same on all ranks
+    uint64_t first;  // number of the first one in the input
     paradt_points points;
 } part;
 
@@ -271,7 +275,8 @@ static int has_extension(const char *name, const char *extension) {
     return n > m && strcasecmp(name + n - m, extension) == 0;
 }
 
-// Is the input such a file of so many bytes? One that is cut short is for the reader that says so.
+// Is the input such a file of so many bytes? One whose rows are cut short is for the reader that says so. What stands
+// behind them is not looked at.
 static int is_table(const settings *s, FILE *file, int64_t bytes, int64_t *table) {
     char head[4097];
     size_t size = fread(head, 1, sizeof head - 1, file);
@@ -286,8 +291,14 @@ static int is_table(const settings *s, FILE *file, int64_t bytes, int64_t *table
            dim <= PARADT_MAX_DIM && dim + s->want.weights <= table[TABLE_COLUMNS];
 }
 
-// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is. What
-// is no regular file is left alone: its bytes can be read once.
+// Can the input be read once only? What can't be found is for the reader that says so.
+static int is_stream(const char *input) {
+    struct stat about;
+    return strcmp(input, "-") == 0 || (stat(input, &about) == 0 && !S_ISREG(about.st_mode));
+}
+
+// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is. MPI
+// takes what stands before a colon for the name of a file system, so such names are left to the other reader.
 static int find_table(const settings *s, int64_t *table) {
     static const union {
         unsigned short number;
@@ -296,7 +307,7 @@ static int find_table(const settings *s, int64_t *table) {
     struct stat about;
     int found = 0;
     if (rank == 0 && order.bytes[0] && (has_extension(s->input, ".npy") || has_extension(s->input, ".ply")) &&
-        stat(s->input, &about) == 0 && S_ISREG(about.st_mode)) {
+        !strchr(s->input, ':') && stat(s->input, &about) == 0 && S_ISREG(about.st_mode)) {
         FILE *file = fopen(s->input, "rb");
         found = file && is_table(s, file, (int64_t)about.st_size, table);
         if (file) fclose(file);
@@ -346,6 +357,7 @@ static int read_table(const settings *s, const int64_t *table, part *p) {
     int64_t first = share(table[TABLE_ROWS], rank), count = share(table[TABLE_ROWS], rank + 1) - first;
     MPI_File file;
     int status = EXIT_DONE;
+    p->first = (uint64_t)first;
     p->points.count = (size_t)count;
     p->points.dim = s->want.dim ? s->want.dim : (int)table[TABLE_COLUMNS] - s->want.weights;
     p->points.stride = (size_t)table[TABLE_STRIDE];
@@ -376,6 +388,7 @@ static int generate(const settings *s, part *p) {
     if (reason) return fail(EXIT_USAGE, "%s: %s", s->input, reason);
     first = s->replicated ? 0 : share((int64_t)spec.count, rank);
     end = s->replicated ? (int64_t)spec.count : share((int64_t)spec.count, rank + 1);
+    p->first = (uint64_t)first;
     p->points.count = (size_t)(end - first);
     p->points.dim = dim;
     p->rows = x = (double *)malloc(p->points.count * (size_t)dim * sizeof *x + 1);
@@ -400,7 +413,11 @@ static int read_whole(const settings *s, int on_all, part *p) {
     paradt_io_error error;
     int status = EXIT_DONE, dim = 0;
     memset(&points, 0, sizeof points);
-    if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error)) status = exit_status(error.status);
+    if (rank == 0 && on_all && ranks > 1 && is_stream(s->input)) {
+        paradt_io__error(&error, PARADT_IO_BAD_NAME,
+                         "%.900s: --replicated reads it on every rank, so it has to be a file", s->input);
+        status = EXIT_USAGE;
+    } else if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error)) status = exit_status(error.status);
     status = agree_on(status, &error);
     if (!status) { // on all ranks
         if (on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))
@@ -448,11 +465,11 @@ static void print_summary(const settings *s, const part *p, const paradt_mpi_tri
     size_t i;
     printf("points       %" PRIu64 " in %d dimensions", t->point_total, p->points.dim);
     if (t->dim >= 0 && t->dim < p->points.dim) printf(", all in a flat of dimension %d", t->dim);
-    printf("\ncells        %" PRIu64 " (%" PRIu64 " to %" PRIu64 " a rank)\nhull facets  %" PRIu64 "\n", t->cell_total,
-           t->cell_total / (uint64_t)ranks, t->largest.cells, t->sum.hull_facets);
+    printf("\ncells        %" PRIu64 " (%" PRIu64 " a rank, at most %" PRIu64 ")\nhull facets  %" PRIu64 "\n",
+           t->cell_total, t->cell_total / (uint64_t)ranks, t->largest.cells, t->sum.hull_facets);
     printf("duplicates   %" PRIu64 "\n", t->sum.duplicates);
     if (s->want.weights) printf("hidden       %" PRIu64 "\n", t->sum.hidden);
-    printf("time         %.3f s on %d rank%s (%s), %.2f %% of the cells made twice\n", t->largest.seconds, ranks,
+    printf("time         %.3f s on %d rank%s (%s), %.2f %% more cells made\n", t->largest.seconds, ranks,
            ranks == 1 ? "" : "s", s->replicated ? "replicated" : "distributed",
            cells > 0 ? 100.0 * (double)t->sum.cells_recomputed / cells : 0.0);
     printf("exchanged    %" PRIu64 " points, %.1f MB in %" PRIu64 " messages\n",
@@ -514,8 +531,7 @@ static char *pvtu_text(const char *name) {
 }
 
 // This rank's piece, and on rank 0 what binds them together.
-static int write_pieces(paradt_io_stage *stage, const char *name, const paradt_mpi_triangulation *t,
-                        paradt_io_error *error) {
+static int write_pieces(const char *name, const paradt_mpi_triangulation *t, paradt_io_error *error) {
     char *piece = piece_name(name, rank), *text = rank == 0 ? pvtu_text(name) : NULL;
     paradt_io_points points;
     paradt_triangulation own;
@@ -531,8 +547,8 @@ static int write_pieces(paradt_io_stage *stage, const char *name, const paradt_m
     own.point_count = t->vertex_count;
     if (!piece || (rank == 0 && !text)) good = paradt_io__no_memory(error, name);
     else {
-        good = paradt_io_write(stage, piece, &points, &own, error);
-        if (good && rank == 0) good = paradt_io_write_text(stage, name, text, error);
+        good = paradt_io_write(&stage, piece, &points, &own, error);
+        if (good && rank == 0) good = paradt_io_write_text(&stage, name, text, error);
     }
     free(piece);
     free(text);
@@ -540,8 +556,7 @@ static int write_pieces(paradt_io_stage *stage, const char *name, const paradt_m
 }
 
 // On rank 0, with all points and cells.
-static int finish_whole(const settings *s, paradt_io_stage *stage, const part *all, const paradt_triangulation *t,
-                        paradt_io_error *error) {
+static int finish_whole(const settings *s, const part *all, const paradt_triangulation *t, paradt_io_error *error) {
     paradt_io_points points;
     paradt_fault fault = {NULL, -1, -1};
     size_t i;
@@ -550,17 +565,18 @@ static int finish_whole(const settings *s, paradt_io_stage *stage, const part *a
     points.count = all->points.count;
     points.coordinates = (double *)all->rows;
     points.weights = all->weights;
-    if (s->check && paradt_check(t, &all->points, NULL, &fault) != PARADT_OK)
-        return paradt_io__error(error, PARADT_IO_FAILED, "%.900s: the check found: %s", s->input,
-                                fault.reason ? fault.reason : "no memory");
+    paradt_status status = s->check ? paradt_check(t, &all->points, NULL, &fault) : PARADT_OK;
+    if (status)
+        return paradt_io__error(error, PARADT_IO_FAILED, "%.900s: the check %s: %s", s->input,
+                                fault.reason ? "found" : "can't be done",
+                                fault.reason ? fault.reason : paradt_status_string(status));
     for (i = 0; i < s->output_count; i++)
-        if (!is_pvtu(s->outputs[i]) && !paradt_io_write(stage, s->outputs[i], &points, t, error)) return 0;
+        if (!is_pvtu(s->outputs[i]) && !paradt_io_write(&stage, s->outputs[i], &points, t, error)) return 0;
     return 1;
 }
 
 // What takes all cells on rank 0; collective.
-static int finish_gathered(const settings *s, paradt_io_stage *stage, const part *p,
-                           const paradt_mpi_triangulation *t) {
+static int finish_gathered(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
     paradt_io_error error;
     paradt_triangulation whole;
     paradt_status gathered = paradt_mpi_gather(&whole, MPI_COMM_WORLD, t, 0);
@@ -570,7 +586,7 @@ static int finish_gathered(const settings *s, paradt_io_stage *stage, const part
     memset(&again, 0, sizeof again);
     status = p->whole ? EXIT_DONE : read_whole(s, 0, &again);
     if (!status) {
-        if (rank == 0 && !finish_whole(s, stage, p->whole ? p : &again, &whole, &error))
+        if (rank == 0 && !finish_whole(s, p->whole ? p : &again, &whole, &error))
             status = exit_status(error.status);
         status = agree_on(status, &error);
     }
@@ -580,28 +596,44 @@ static int finish_gathered(const settings *s, paradt_io_stage *stage, const part
 }
 
 // Writes under temporary names, and checks; collective.
-static int finish(const settings *s, paradt_io_stage *stage, const part *p, const paradt_mpi_triangulation *t) {
+static int finish(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
     paradt_io_error error;
     int status = EXIT_DONE, gathers = s->check;
     size_t i;
     for (i = 0; i < s->output_count; i++) {
         gathers |= !is_pvtu(s->outputs[i]);
-        if (is_pvtu(s->outputs[i]) && !status && !write_pieces(stage, s->outputs[i], t, &error))
+        if (is_pvtu(s->outputs[i]) && !status && !write_pieces(s->outputs[i], t, &error))
             status = exit_status(error.status);
     }
     status = agree_on(status, &error);
-    return !status && gathers ? finish_gathered(s, stage, p, t) : status;
+    return !status && gathers ? finish_gathered(s, p, t) : status;
+}
+
+// Are the statistics for a file, or for standard output?
+static int has_stats_file(const settings *s) {
+    return s->stats && strcmp(s->stats, "-") != 0;
+}
+
+static int write_stats(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash,
+                       paradt_io_error *error) {
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    int good;
+    if (out) print_json(out, s, p, t, hash);
+    good = out && fclose(out) == 0 ? paradt_io_write_text(&stage, s->stats, text, error)
+                                   : paradt_io__no_memory(error, s->stats);
+    free(text);
+    return good;
 }
 
 static int report(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash) {
+    paradt_io_error error;
     if (rank) return EXIT_DONE;
-    if (s->stats) {
-        FILE *out = strcmp(s->stats, "-") == 0 ? stdout : fopen(s->stats, "w");
-        if (!out) return fail(EXIT_FAILED, "%s: %s", s->stats, strerror(errno));
-        print_json(out, s, p, t, hash);
-        if (out != stdout && fclose(out) != 0) return fail(EXIT_FAILED, "%s: can't be written", s->stats);
-    }
-    if (!s->quiet && !(s->stats && strcmp(s->stats, "-") == 0)) print_summary(s, p, t);
+    if (has_stats_file(s) && !write_stats(s, p, t, hash, &error))
+        return fail(exit_status(error.status), "%s", error.text);
+    if (s->stats && !has_stats_file(s)) print_json(stdout, s, p, t, hash);
+    else if (!s->quiet) print_summary(s, p, t);
     if (s->hash) printf("%016" PRIx64 "\n", hash);
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
 }
@@ -609,17 +641,30 @@ static int report(const settings *s, const part *p, const paradt_mpi_triangulati
 // ---------------------------------------------------------------------------------------------------------------------
 // >>main
 
+// Has an output the name of a piece of the .pvtu, which another rank may write?
+static int is_piece_of(const char *name, const char *pvtu) {
+    size_t stem = strlen(pvtu) - 5, digits;
+    if (strncmp(name, pvtu, stem) != 0 || name[stem] != '_') return 0;
+    digits = strspn(name + stem + 1, "0123456789");
+    return digits && strcasecmp(name + stem + 1 + digits, ".vtu") == 0;
+}
+
 // Can the outputs be written, and hold points of the dimension, if that is known (0: not yet)?
 static int check_outputs(const settings *s, int dim) {
     paradt_io_error error;
-    size_t i;
+    size_t i, j;
     for (i = 0; i < s->output_count && rank == 0; i++) {
         int good = is_pvtu(s->outputs[i]) ? paradt_io_check_place(s->outputs[i], s->input, &error)
                                           : paradt_io_check_output(s->outputs[i], dim, s->input, &error);
         if (good && is_pvtu(s->outputs[i]) && dim > 3)
             return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions", s->outputs[i]);
         if (!good) return fail(exit_status(error.status), "%s", error.text);
+        for (j = 0; j < s->output_count && is_pvtu(s->outputs[i]); j++)
+            if (is_piece_of(s->outputs[j], s->outputs[i]))
+                return fail(EXIT_USAGE, "%s: %s has a piece of that name", s->outputs[j], s->outputs[i]);
     }
+    if (rank == 0 && has_stats_file(s) && !paradt_io_check_place(s->stats, s->input, &error))
+        return fail(exit_status(error.status), "%s", error.text);
     return EXIT_DONE;
 }
 
@@ -642,8 +687,11 @@ static int triangulate(const settings *s, const part *p, paradt_mpi_triangulatio
     options.flags = s->replicated ? PARADT_MPI_REPLICATED : 0;
     status = paradt_mpi_triangulate(t, MPI_COMM_WORLD, &p->points, &options);
     paradt_io_bar_clear(&bar);
-    if (status == PARADT_ERROR_NOT_FINITE)
-        return fail(EXIT_INPUT, "%s: point %zu of rank %d is not finite", s->input, t->error_point, t->error_rank);
+    if (status == PARADT_ERROR_NOT_FINITE) {
+        uint64_t first = p->first;
+        MPI_Bcast(&first, 1, MPI_UINT64_T, t->error_rank, MPI_COMM_WORLD);
+        return fail(EXIT_INPUT, "%s: point %" PRIu64 " is not finite", s->input, first + (uint64_t)t->error_point);
+    }
     if (status) return fail(EXIT_FAILED, "%s: rank %d: %s", s->input, t->error_rank, paradt_status_string(status));
     return EXIT_DONE;
 }
@@ -651,7 +699,6 @@ static int triangulate(const settings *s, const part *p, paradt_mpi_triangulatio
 static int run(const settings *s) {
     part p;
     paradt_mpi_triangulation t;
-    paradt_io_stage stage;
     paradt_io_error error;
     int status = agree(check_outputs(s, s->want.dim));
     memset(&p, 0, sizeof p);
@@ -663,7 +710,7 @@ static int run(const settings *s) {
         uint64_t hash = paradt_mpi_hash(&t, MPI_COMM_WORLD);
         int staged = paradt_io_stage_init(&stage, s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error);
         status = agree(staged ? EXIT_DONE : EXIT_FAILED);
-        if (!status) status = finish(s, &stage, &p, &t);
+        if (!status) status = finish(s, &p, &t);
         if (!status) status = agree(report(s, &p, &t, hash));
         if (!status) {
             if (!paradt_io_stage_commit(&stage, &error)) status = exit_status(error.status);
@@ -681,6 +728,7 @@ int main(int count, char **arguments) {
     settings s;
     int status;
     MPI_Init(&count, &arguments);
+    paradt_io_stage_guard(&stage);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     memset(&s, 0, sizeof s);

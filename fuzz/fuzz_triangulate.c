@@ -2,8 +2,11 @@
 // same cells, each result has to pass the certificate, no allocation that fails may leak, and whatever bytes get into
 // the arrays of a result, the certificate has to end and may accept nothing else.
 //
-//     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. fuzz/fuzz_triangulate.c && ./a.out fuzz/corpus
-//     cc -g -DPARADT_FUZZ_STANDALONE -I. fuzz/fuzz_triangulate.c -lm && ./a.out fuzz/corpus/*
+//     mkdir -p build/corpus # for what is found
+//     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. -o build/fuzz fuzz/fuzz_triangulate.c -lm
+//     build/fuzz build/corpus fuzz/corpus
+//
+//     cc -g -DPARADT_FUZZ_STANDALONE -I. -o build/replay fuzz/fuzz_triangulate.c -lm && build/replay fuzz/corpus/*
 //
 // The bytes: a header of five,
 //     0: bits 0-1 dimension - 2, bits 2-3 encoding, bit 4 weights, bit 5 each third point is a copy, bit 6 not finite

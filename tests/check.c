@@ -461,6 +461,18 @@ static void cells_without_points_are_refused(void **state) {
     free(s);
 }
 
+static void points_without_cells_are_refused(void **state) {
+    (void)state;
+    for (int count = 1; count <= 5; count++) { // all of them called hidden
+        scene *s = make_scene(UNIFORM, 3, count, 1, 1);
+        s->t.cell_count = 0;
+        for (int i = 0; i < count; i++)
+            s->representative[i] = -1;
+        expect_refused(s, "there are points, but no cells");
+        free(s);
+    }
+}
+
 static void a_wrong_representative_is_refused(void **state) {
     (void)state;
     int tried = 0;
@@ -1164,6 +1176,7 @@ int main(void) {
         cmocka_unit_test(a_wrong_dim_is_refused),
         cmocka_unit_test(a_wrong_number_of_points_is_refused),
         cmocka_unit_test(cells_without_points_are_refused),
+        cmocka_unit_test(points_without_cells_are_refused),
         cmocka_unit_test(a_wrong_representative_is_refused),
         cmocka_unit_test(a_light_or_late_representative_is_refused),
         cmocka_unit_test(a_vertex_called_hidden_is_refused),

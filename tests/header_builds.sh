@@ -50,6 +50,7 @@ for family in gcc clang; do
     builds "${family}_O2" "$family -std=c99 -O2 $c $smallest -o $work/${family}_O2 -lm"
     builds "${family}_O2_cxx" "$cxx -std=c++20 -O2 $common -x c++ $smallest -o $work/${family}_O2_cxx -lm"
     builds "${family}_O3_ndebug" "$family -std=c99 -O3 -DNDEBUG $c $smallest -o $work/${family}_O3_ndebug -lm"
+    builds "${family}_no_simd" "$family -std=c99 -O2 -DPARADT_NO_SIMD $c $smallest -o $work/${family}_no_simd -lm"
     # Words that <windows.h> defines away
     builds "${family}_windows_words" "$family -std=c99 -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
         $c $smallest -o $work/${family}_windows_words -lm"

@@ -1,4 +1,4 @@
-// Insertion in three dimensions: stars of all sizes, the numbers that their vertices have, and the errors of powers.
+// Insertion: stars of all sizes, and in three dimensions the numbers that their vertices have, and the errors of powers.
 #define PARADT_STATIC // what is not called is not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
@@ -20,8 +20,8 @@ static int stops(void *user, double fraction) {
 }
 
 // Points in the order in which they are given; all of them, or as many as come before the first report.
-static void begin(building *b, const double *x, size_t points, int all) {
-    paradt_points given = {x, points, 3, 0, PARADT_F64, NULL};
+static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
+    paradt_points given = {x, points, dim, 0, PARADT_F64, NULL};
     paradt__progress progress = {all ? NULL : stops, NULL, 0, 1};
     size_t bad;
     memset(b, 0, sizeof *b);
@@ -36,6 +36,10 @@ static void begin(building *b, const double *x, size_t points, int all) {
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__bw_begin(&b->bw, &b->set, b->order, &b->memory);
     assert_int_equal(paradt__bw_build(&b->bw, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
+}
+
+static void begin(building *b, const double *x, size_t points, int all) {
+    begin_in(3, b, x, points, all);
 }
 
 static void end(building *b) {
@@ -125,6 +129,20 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
 }
 
 // The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
+static void a_large_star_does_not_slow_what_follows(void **state) {
+    (void)state;
+    static double x[2 * POINTS];
+    building b;
+    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes when half of its points are there
+        x[2 * i] = i == POINTS / 2 ? 0.0 : cos(2e-3 * (double)i);
+        x[2 * i + 1] = i == POINTS / 2 ? 0.0 : sin(2e-3 * (double)i);
+    }
+    begin_in(2, &b, x, POINTS, 1);
+    assert_true(b.bw.ridge_capacity >= 3 * (POINTS / 2 - 2)); // what its star needed,
+    assert_true(b.bw.ridge_mask < 64);                        // and what the last point's did
+    end(&b);
+}
+
 static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     static const size_t sizes[] = {20, 31, 33, 100, 129, 131, 500, 1025, 1027, 3000, 30000};
     static double x[3 * MOST_POINTS];
@@ -314,6 +332,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
         cmocka_unit_test(stars_after_a_very_large_one_are_whole),
+        cmocka_unit_test(a_large_star_does_not_slow_what_follows),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
         cmocka_unit_test(powers_are_as_exact_as_they_say),
         cmocka_unit_test(powers_by_sagittas_tell_more),

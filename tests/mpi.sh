@@ -27,7 +27,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 on() { # ranks, command...
     ranks=$1
     shift
-    timeout -k 5 200 mpiexec -n "$ranks" "$@"
+    timeout -k 5 300 mpiexec -n "$ranks" "$@"
 }
 
 # --- the header
@@ -115,6 +115,8 @@ END
     same reads_npy_of_floats "$work/floats.npy"
     same reads_npy_with_weights --weights "$work/floats.npy"
     same reads_npy_in_the_plane --dim 2 "$work/doubles.npy"
+    cp "$work/doubles.npy" "$work/12:30.npy"
+    same reads_a_name_with_a_colon "$work/12:30.npy"
     same reads_binary_ply_in_parts "$work/scan.ply"
     same reads_ply_with_a_comment_among_the_properties "$work/remark.ply"
     same reads_ply_with_a_comment_that_names_the_end "$work/end.ply"
@@ -125,7 +127,7 @@ END
     timeout 100 cat "$work/scan.ply" >"$work/pipe.ply" &
     [ "$(on 2 "$tool" --quiet --hash "$work/pipe.ply" 2>&1)" = "$("$work/paradt" --quiet --hash "$work/scan.ply")" ]
     report $? reads_a_pipe_once
-    ends nan_is_an_input_error 3 'not finite' "$work/nan.npy"
+    ends nan_is_an_input_error_with_its_number 3 'point 700 is not finite' "$work/nan.npy"
     # Ranks that multiply and add at once, or take subnormals for zero, beside others that don't: where points lie on
     # the cut, all must agree on which side.
     mixed() { # name, ranks of the one build and of the other, arguments
@@ -142,6 +144,9 @@ END
     mixed builds_agree_on_boxes_of_equal_size 1 2 --partition uniform "$work/steps_28.npy"
     mixed builds_agree_on_boxes_of_equal_size_again 1 2 --partition uniform "$work/steps_39.npy"
     mixed builds_agree_on_subnormal_cuts 2 2 "$work/subnormal.npy"
+else
+    number=$((number + 1))
+    echo "ok $number - reads_npy_in_parts # SKIP needs python3, as 15 more tests do"
 fi
 printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1.5\n' >"$work/few.xyz"
 same reads_text_on_rank_0 "$work/few.xyz"
@@ -159,6 +164,10 @@ ends bad_input_is_named_with_its_line 3 'bad.xyz:2' "$work/bad.xyz"
 ends missing_input_is_an_input_error 3 missing.xyz "$work/missing.xyz"
 ends unknown_option_is_a_usage_error 2 no-such --no-such "$work/few.xyz"
 ends unknown_output_is_a_usage_error 2 out.what -o "$work/out.what" "$work/few.xyz"
+ends replicas_of_a_stream_are_a_usage_error 2 'has to be a file' --replicated -
+ends a_piece_is_no_other_output 2 'has a piece of that name' -o "$work/one.pvtu" -o "$work/one_1.vtu" "$work/few.xyz"
+ends statistics_do_not_replace_the_input 2 'would replace' --stats "$work/few.xyz" "$work/few.xyz"
+ends replicas_by_insertion_are_a_usage_error 2 'incode or dewall' --replicated --method bowyer-watson "$work/few.xyz"
 # The sets on which tess2 (Argonne's) misses cells, or sends every point to every rank: the cells are the serial tool's, which
 # are certified, and few points travel.
 certified() { # ranks, input: the cells are right, and the statistics are in found
@@ -247,7 +256,12 @@ build() { # name of a program, compiler flags
 }
 run() { # name of a group, of the program
     if [ -x "$work/$2" ]; then
-        ASAN_OPTIONS=detect_leaks=0 on 8 "$work/$2" "$1" || echo "# $1 ended with status $?"
+        ASAN_OPTIONS=detect_leaks=0 on 8 "$work/$2" "$1"
+        ended=$?
+        [ $ended -eq 0 ] && return
+        # A group that was stopped has reported no plan, so nobody would miss what did not run.
+        echo "1..1"
+        echo "not ok 1 - $1 ended with status $ended"
     else
         echo "1..1"
         echo "not ok 1 - $1 builds"

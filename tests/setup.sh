@@ -46,7 +46,7 @@ int main() { return 0; }' -m32 ;;
     esac
 }
 
-wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang mpich libmpich-dev
+wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang python3 mpich libmpich-dev
     qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross
     lld wasi-libc libclang-rt-dev-wasm32 nodejs"
 missing() {

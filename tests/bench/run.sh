@@ -227,6 +227,7 @@ measure_all() {
             measure dimensions uniform "$n" 2 0 1 cgal-dd $METHODS qhull
         done
         measure dimensions uniform 10000 4 0 1 qhull $METHODS cgal-dd
+        measure dimensions uniform 3000 5 0 1 qhull $METHODS cgal-dd
         measure dimensions uniform 1000 6 0 1 qhull $METHODS cgal-dd
     fi
     if wants weighted; then

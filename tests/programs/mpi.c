@@ -241,7 +241,7 @@ static void same_cells_on_families(void) {
     static const int counts[] = {0, 0, 250, 200, 60, 25};
     for (int dim = 2; dim <= 5; dim++) {
         for (int f = 0; f < FAMILY_COUNT; f++) {
-            same_cells_on_family(&families[f], NULL, dim, counts[dim], (uint64_t)f, 3);
+            same_cells_on_family(&families[f], NULL, dim, counts[dim], (uint64_t)f, 1);
             finish_test("same cells: %s, d = %d", families[f].name, dim);
         }
     }
@@ -250,8 +250,8 @@ static void same_cells_on_families(void) {
 static void same_cells_with_weights(void) {
     static const char *const names[] = {"uniform",    "clusters",         "lattice",    "sphere",   "line",
                                         "hyperplane", "mixed magnitudes", "duplicates", "all equal"};
-    static const int counts[] = {0, 0, 300, 200, 50};
-    for (int dim = 2; dim <= 4; dim++) {
+    static const int counts[] = {0, 0, 300, 200, 50, 20};
+    for (int dim = 2; dim <= 5; dim++) {
         for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
             for (int v = 1; v < WEIGHTING_COUNT; v++)
                 same_cells_on_family(&families[family_named(names[i])], &weightings[v], dim, counts[dim],
@@ -419,9 +419,9 @@ static void errors_are_agreed_on(void) {
 }
 
 // Every allocation of one rank fails once; nothing is kept, nobody waits for ever.
-static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
+static void failing_allocations_are_agreed_on(int culprit, int weighted, unsigned flags) {
     sample s = family_make(&families[family_named("uniform")], &weightings[weighted], 3, 120, 5);
-    int order[120], culprit = 1;
+    int order[120];
     sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
     paradt_points points = flags ? points_of(&s) : points_of(&share);
     long allowed;
@@ -441,7 +441,7 @@ static void failing_allocations_are_agreed_on(int weighted, unsigned flags) {
     }
     sample_free(&share);
     sample_free(&s);
-    finish_test("each allocation of a rank fails%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
+    finish_test("each allocation of rank %d fails%s%s", culprit, weighted ? ", weighted" : "", flags ? ", replicated" : "");
 }
 
 // No rank holds more than it says, nor more than its limit, whether that is enough or not.
@@ -588,9 +588,11 @@ static void options_and_errors(void) {
     same_cells_by_other_options();
     empty_communicator_of_one();
     errors_are_agreed_on();
-    failing_allocations_are_agreed_on(0, 0);
-    failing_allocations_are_agreed_on(1, 0);
-    failing_allocations_are_agreed_on(1, PARADT_MPI_REPLICATED);
+    for (int culprit = 0; culprit < 3; culprit++) {
+        failing_allocations_are_agreed_on(culprit, 0, 0);
+        failing_allocations_are_agreed_on(culprit, 1, 0);
+        failing_allocations_are_agreed_on(culprit, 1, PARADT_MPI_REPLICATED);
+    }
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
     eight_ranks_hold_less_than_double_an_eighth();
     wrong_arguments_of_gathering_are_agreed_on();
