@@ -2345,6 +2345,7 @@ typedef struct paradt__cuts {
     size_t boxes;
     paradt_partition partition;
     int spares;       // box 0 gets more points than others: by insertion its region is spared what the others' do
+    int opens;        // each region's own points may want others' behind them: by insertion
     paradt__cut *cut; // [boxes] cut[i] is between the boxes before i and those from i on, none for 0
 } paradt__cuts;
 
@@ -2470,9 +2471,9 @@ static double paradt__spacing(const double *records, size_t width, int dim, cons
     return sides[SAMPLE / 2];
 }
 
-// More points that a set in the order of the boxes has room for: each region's own may want others' behind them.
+// More points that a set in the order of the boxes has room for
 static size_t paradt__cuts_spare(const paradt__cuts *cuts, size_t count) {
-    return cuts && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
+    return cuts && cuts->opens && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
 }
 
 // A sample of points that is divided
@@ -3354,7 +3355,7 @@ static void paradt__cuts_follow(paradt__cuts *cuts, const paradt__set *set, int 
     }
 }
 
-// Makes the set of the caller's points. cuts: see paradt__set_gather; there is room then for an eighth more points.
+// Makes the set of the caller's points. cuts: see paradt__set_gather; if they open it there is room for more points.
 // representative: [points->count].
 static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, paradt__cuts *cuts,
                                       const paradt__team *team, paradt__memory *memory, paradt_index *representative,
@@ -10706,6 +10707,7 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     work->cuts.boxes = work->regions;
     work->cuts.partition = work->options.partition;
     work->cuts.spares = !work->in_turn && paradt__inserts(work->options.method, points->dim);
+    work->cuts.opens = !paradt__choose_front(work->options.method);
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
     if (!out->representative) return PARADT_ERROR_MEMORY;
     status =

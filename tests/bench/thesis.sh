@@ -7,7 +7,8 @@
 #   THESIS_RUNS=N       each case is run N times and the fastest is taken; 3 by default
 #
 # The thesis does not name its seed, so the counts are those of other points of the same kind. Its parallel output kept
-# the cells at the border twice; here every cell is kept once, and the count is that of one rank.
+# the cells at the border twice; here every cell is kept once, and the count is that of one rank. Dropped are what ranks
+# have made of others' cells, and by insertion also what is no cell of the whole.
 THESIS=${THESIS:-full}
 RUNS=${THESIS_RUNS:-3}
 work=build/bench
@@ -69,7 +70,7 @@ head_of() {
     echo
     echo "$1"
     echo
-    echo "| points | ranks | seconds | speed-up | cells | made twice | building, mean of ranks | slowest | thesis |"
+    echo "| points | ranks | seconds | speed-up | cells | dropped | building, mean of ranks | slowest | thesis |"
     echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
 }
 
