@@ -5524,7 +5524,10 @@ static paradt_status paradt__front_room(paradt__front *front) {
     double expected = front->expected * 1.01 + 64.0;
     size_t cells = expected < (double)most ? (size_t)expected : most;
     paradt_status status = paradt__cells_reserve(&front->cells, cells, front->memory);
-    return status && cells > some ? paradt__cells_reserve(&front->cells, some, front->memory) : status;
+    if (!status || cells <= some) return status;
+    paradt__release(front->memory, front->cells.vertices); // the one array that may be there
+    front->cells.vertices = NULL;
+    return paradt__cells_reserve(&front->cells, some, front->memory);
 }
 
 // share: the part of the points that the front is for.
@@ -6011,8 +6014,8 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 //     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
 // Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
 // So a test is one dot product, for ghosts too. Where its value does not exceed the bound on its error, the predicates
-// decide. The spheres are kept in a table of fixed size, each in the place that its cell's number says; one that
-// another has driven out is made again when it is wanted.
+// decide. The spheres are kept in a table, each in the place that its cell's number says; one that another has driven
+// out is made again when it is wanted.
 //
 // The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
 // the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
@@ -6041,8 +6044,8 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // with H = G + E / 16u the same bound holds, which is as small as the noise. A power times det is the in-sphere
 // determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a power whose size is surely less than
 // quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A ghost's function is -t N . (x - p) +
-// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 4.1u * 2 m_y m_z, the terms N_j (x - p)_j pass
-// 8 more roundings; the lift adds at most 1.1 H. In all less than
+// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
+// N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
 
 enum {
@@ -6966,43 +6969,43 @@ PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first,
 
 // Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
 // and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take.
-PARADT__NOINLINE paradt_status paradt__bw3_adapt(paradt__bw *bw) {
+// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
+// the table stays as it is.
+PARADT__NOINLINE void paradt__bw3_adapt(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t size = 4 * ((size_t)s->mask + 1), i;
+    void *larger = NULL;
     double to_come = 28.0 * (double)(bw->count - bw->inserted); // cells, at least
     int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
     if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
     s->made = s->missed = s->vague = 0;
-    if (!often || size * sizeof *s->table > bw->cells.count * 4 * sizeof(paradt_index)) return PARADT_OK;
+    if (often && size * sizeof *s->table <= bw->cells.count * 4 * sizeof(paradt_index))
+        larger = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
+    if (!larger) return;
     paradt__release(bw->memory, s->large_table);
-    s->large_table = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
-    if (!s->large_table) return PARADT_ERROR_MEMORY;
-    s->table = paradt__on_line(s->large_table);
+    s->large_table = larger;
+    s->table = paradt__on_line(larger);
     s->mask = (paradt__tag)(size - 1);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if that takes at most half of the memory that the cells take, and the
-// largest, which few stars need, at most an eighth.
-PARADT__NOINLINE paradt_status paradt__bw3_widen_star(paradt__bw *bw) {
+// Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
+// and the largest, which few stars need, at most an eighth.
+PARADT__NOINLINE void paradt__bw3_widen_star(paradt__bw *bw) {
     paradt__spheres3 *s = bw->spheres;
     size_t star = PARADT__WIDE_STAR, vertices, rows;
-    if (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR)
-        return PARADT_OK;
+    if (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR) return;
     while (star < bw->rim_count) star *= 2;
     vertices = 2 + star / 2;
     rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return PARADT_OK;
+    if (vertices * rows * PARADT__EDGE_ROW > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return;
     paradt__release(bw->memory, s->large_edges);
     s->large_star = 0;
     s->large_edges =
         (paradt_index *)paradt__alloc(bw->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
-    if (!s->large_edges) return PARADT_ERROR_MEMORY;
+    if (!s->large_edges) return;
     s->large_star = star;
     s->large_rows = rows;
-    return PARADT_OK;
 }
 
 // The vertices of a new cell: those of a cell but for one, and the point.
@@ -7282,10 +7285,9 @@ PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index
     for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->marks[bw->cavity[i] >> 2] = 0;
     s->driven_out = 0;
     s->made += bw->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) status = paradt__bw3_adapt(bw);
+    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__bw3_adapt(bw);
     is_common = bw->rim_count <= PARADT__COMMON_STAR;
-    if (!PARADT__LIKELY(is_common) && !status) status = paradt__bw3_widen_star(bw);
-    if (status) return status;
+    if (!PARADT__LIKELY(is_common)) paradt__bw3_widen_star(bw);
     if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__WIDE_STAR && bw->rim_count > s->large_star)
         return paradt__bw3_fill_large(bw, point);
     status = paradt__bw3_places(bw);
@@ -9976,7 +9978,7 @@ static void paradt__hear_task(void *context, size_t index) {
 static void paradt__complete_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__part_of_progress(work, index, work->regions);
+    paradt__progress progress = paradt__part_of_progress(work, 0, 1); // all regions have come to its end
     if (!region->open) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
     paradt__count_patch(region);
