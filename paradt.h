@@ -215,8 +215,8 @@
 // The arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
 // Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
 // don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
-// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and a tenth to a fifth more time,
-// points that crowd as in a star cluster half more.
+// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and take a tenth to a fifth more
+// time; points that crowd as in a star cluster take a third to a half more.
 // memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
 // the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
 // an upper bound, the sum of their peaks).
@@ -443,7 +443,7 @@ typedef struct paradt_stats {
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
     uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
-    uint64_t exact_small;          // predicates settled in small integers, or 0 by what the filter knows of lattices
+    uint64_t exact_small;          // predicates settled in small integers, or found to be 0 by the filter on lattices
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
@@ -561,7 +561,7 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 int madvise(void *address, size_t length, int advice);
 #endif
 #endif
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD)
 #include <emmintrin.h>
 #endif
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
@@ -4250,7 +4250,7 @@ typedef struct paradt__kernels {
 
 // The lanes whose value is not negative.
 PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD)
     unsigned mask = (unsigned)_mm_movemask_pd(_mm_loadu_pd(value));
     mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 2)) << 2;
     mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 4)) << 4;
@@ -9981,6 +9981,7 @@ static void paradt__complete_task(void *context, size_t index) {
     paradt__progress progress = paradt__part_of_progress(work, 0, 1); // all regions have come to its end
     if (!region->open) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
+    region->done = progress.begin + progress.length;
     paradt__count_patch(region);
     if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
@@ -10927,8 +10928,8 @@ static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__me
 }
 
 // Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come, and their sagittas if it has some, and spans them. low, high: the own points' box,
-// as ordered bits
+// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
+// box, as ordered bits
 static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
                                                  const int64_t *low, const int64_t *high, paradt__memory *memory,
                                                  const paradt__progress *progress) {

@@ -216,7 +216,7 @@ typedef struct work {
     paradt_io_bar bar;
 } work;
 
-// Runs tasks until none is left to begin. The lock is held but while one runs.
+// Runs tasks until none is left to begin. The lock is held, except while a task runs.
 static void run_tasks(team *t) {
     while (t->next < t->count) {
         size_t index = t->next++;

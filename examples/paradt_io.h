@@ -1475,14 +1475,14 @@ void paradt_io_stage_guard(paradt_io_stage *stage) {
 }
 
 void paradt_io_stage_free(paradt_io_stage *stage) {
-    size_t i;
-    for (i = 0; i < (size_t)stage->count; i++) {
+    size_t count = (size_t)stage->count, i;
+    stage->count = 0; // a signal handler looks no further
+    for (i = 0; i < count; i++) {
         free(stage->files[i].name);
         free(stage->files[i].temporary);
     }
     free(stage->files);
     stage->files = NULL;
-    stage->count = 0;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -619,10 +619,13 @@ static int write_stats(const settings *s, const part *p, const paradt_mpi_triang
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
-    int good;
-    if (out) print_json(out, s, p, t, hash);
-    good = out && fclose(out) == 0 ? paradt_io_write_text(&stage, s->stats, text, error)
-                                   : paradt_io__no_memory(error, s->stats);
+    int good = out != NULL;
+    if (out) {
+        print_json(out, s, p, t, hash);
+        good = !ferror(out);
+        good &= fclose(out) == 0;
+    }
+    good = good ? paradt_io_write_text(&stage, s->stats, text, error) : paradt_io__no_memory(error, s->stats);
     free(text);
     return good;
 }
@@ -646,12 +649,13 @@ static int is_piece_of(const char *name, const char *pvtu) {
     size_t stem = strlen(pvtu) - 5, digits;
     if (strncmp(name, pvtu, stem) != 0 || name[stem] != '_') return 0;
     digits = strspn(name + stem + 1, "0123456789");
-    return digits && strcasecmp(name + stem + 1 + digits, ".vtu") == 0;
+    return digits && strcasecmp(name + stem + 1 + digits, ".vtu") == 0 && atol(name + stem + 1) < ranks;
 }
 
 // Can the outputs be written, and hold points of the dimension, if that is known (0: not yet)?
 static int check_outputs(const settings *s, int dim) {
     paradt_io_error error;
+    const char *piece = NULL;
     size_t i, j;
     for (i = 0; i < s->output_count && rank == 0; i++) {
         int good = is_pvtu(s->outputs[i]) ? paradt_io_check_place(s->outputs[i], s->input, &error)
@@ -659,9 +663,11 @@ static int check_outputs(const settings *s, int dim) {
         if (good && is_pvtu(s->outputs[i]) && dim > 3)
             return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions", s->outputs[i]);
         if (!good) return fail(exit_status(error.status), "%s", error.text);
-        for (j = 0; j < s->output_count && is_pvtu(s->outputs[i]); j++)
-            if (is_piece_of(s->outputs[j], s->outputs[i]))
-                return fail(EXIT_USAGE, "%s: %s has a piece of that name", s->outputs[j], s->outputs[i]);
+        if (!is_pvtu(s->outputs[i])) continue;
+        for (j = 0; j < s->output_count; j++)
+            if (is_piece_of(s->outputs[j], s->outputs[i])) piece = s->outputs[j];
+        if (has_stats_file(s) && is_piece_of(s->stats, s->outputs[i])) piece = s->stats;
+        if (piece) return fail(EXIT_USAGE, "%s: %s has a piece of that name", piece, s->outputs[i]);
     }
     if (rank == 0 && has_stats_file(s) && !paradt_io_check_place(s->stats, s->input, &error))
         return fail(exit_status(error.status), "%s", error.text);

@@ -128,7 +128,7 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
     end(&b);
 }
 
-// The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
+// The table of ridges is cleared as far as a star needs it, not as far as the largest one did.
 static void a_large_star_does_not_slow_what_follows(void **state) {
     (void)state;
     static double x[2 * POINTS];
@@ -143,6 +143,7 @@ static void a_large_star_does_not_slow_what_follows(void **state) {
     end(&b);
 }
 
+// The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
 static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     static const size_t sizes[] = {20, 31, 33, 100, 129, 131, 500, 1025, 1027, 3000, 30000};
     static double x[3 * MOST_POINTS];

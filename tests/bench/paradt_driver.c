@@ -150,7 +150,7 @@ int main(int argc, char **argv) {
     }
     paradt_triangulation result;
     memset(&result, 0, sizeof result);
-    if (arguments.jobs > 1)
+    if (arguments.jobs > 1 && arguments.copies == 1) // copies would have the team, but not its threads
         team_for(&arguments.jobs, arguments.jobs, team_warm_up, NULL);
     bench_clock clock = bench_start(&points);
     if (arguments.copies > 1)

@@ -4,7 +4,7 @@
 # else running. Writes build/bench/study.md, also to standard output.
 #
 #   STUDY_POINTS=N   8,000,000 by default, which take 6 GB
-#   STUDY_RUNS=N     3 by default, of which the least times count; a quarter of an hour. README has ten
+#   STUDY_RUNS=N     3 by default, of which the least times count; a quarter of an hour
 points=${STUDY_POINTS:-8000000}
 runs=${STUDY_RUNS:-3}
 work=build/bench
