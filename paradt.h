@@ -3959,12 +3959,12 @@ static size_t paradt__most_cells(int corners) {
     return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
 }
 
-// Makes room for so many cells, or for as many as can be numbered, if that is more than there are.
-static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
+// Makes room for the cells that are needed, and for as many as are wanted if these can be numbered.
+static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t needed, size_t wanted, paradt__memory *memory) {
     size_t corners = (size_t)cells->corners, used = cells->count * corners, most = paradt__most_cells(cells->corners);
+    size_t capacity = wanted < most ? wanted : most;
     void *array = cells->vertices;
-    if (capacity > most) capacity = most;
-    if (capacity <= cells->count) return PARADT_ERROR_TOO_LARGE;
+    if (needed > most) return PARADT_ERROR_TOO_LARGE;
     if (cells->lent) return paradt__cells_own(cells, capacity, memory);
     if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
     cells->vertices = (paradt_index *)array;
@@ -3978,7 +3978,7 @@ static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t capacity
 // Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
 PARADT__INLINE paradt_status paradt__cells_room(paradt__cells *cells, paradt__memory *memory) {
     if (PARADT__LIKELY(cells->count < cells->capacity)) return PARADT_OK;
-    return paradt__cells_reserve(cells, cells->capacity + cells->capacity / 4 + 64, memory);
+    return paradt__cells_reserve(cells, cells->count + 1, cells->capacity + cells->capacity / 4 + 64, memory);
 }
 
 PARADT__INLINE uint64_t paradt__vertex_key(paradt_index vertex) {
@@ -5523,11 +5523,11 @@ static paradt_status paradt__front_room(paradt__front *front) {
     const size_t some = 1 << 16, most = paradt__most_cells(front->cells.corners);
     double expected = front->expected * 1.01 + 64.0;
     size_t cells = expected < (double)most ? (size_t)expected : most;
-    paradt_status status = paradt__cells_reserve(&front->cells, cells, front->memory);
+    paradt_status status = paradt__cells_reserve(&front->cells, 1, cells, front->memory);
     if (!status || cells <= some) return status;
     paradt__release(front->memory, front->cells.vertices); // the one array that may be there
     front->cells.vertices = NULL;
-    return paradt__cells_reserve(&front->cells, some, front->memory);
+    return paradt__cells_reserve(&front->cells, 1, some, front->memory);
 }
 
 // share: the part of the points that the front is for.
@@ -6237,13 +6237,13 @@ static void paradt__bw_end(paradt__bw *bw) {
     paradt__spheres3_free(bw->spheres, bw->memory);
 }
 
-// Room for `capacity` cells
-static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t capacity) {
+// Room for the cells that are needed, and those that are wanted if it can be had
+static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t needed, size_t wanted) {
     size_t before = bw->cells.capacity;
     void *array = bw->marks;
     paradt_status status;
-    if (capacity <= before) return PARADT_OK;
-    status = paradt__cells_reserve(&bw->cells, capacity, bw->memory);
+    if (wanted <= before) return PARADT_OK;
+    status = paradt__cells_reserve(&bw->cells, needed, wanted, bw->memory);
     if (status) return status;
     bw->paged = bw->cells.count;
     if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
@@ -6323,8 +6323,7 @@ static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
     size_t needed = bw->cells.count + count - (bw->spare_count < count ? bw->spare_count : count);
     paradt_status status = PARADT_OK;
     if (PARADT__LIKELY(needed <= bw->paged)) return PARADT_OK;
-    if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, paradt__bw_expected(bw, needed));
-    if (!status && needed > bw->cells.capacity) status = PARADT_ERROR_TOO_LARGE;
+    if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, needed, paradt__bw_expected(bw, needed));
     if (!status) paradt__bw_make_pages(bw, needed);
     return status;
 }
@@ -7816,7 +7815,7 @@ static paradt_status paradt__bw_first(paradt__bw *bw) {
     int corners = bw->cells.corners, i, j;
     const double *p[PARADT_MAX_DIM + 1];
     paradt_index *vertices, *neighbors;
-    paradt_status status = paradt__bw_reserve(bw, (size_t)corners + 1);
+    paradt_status status = paradt__bw_reserve(bw, (size_t)corners + 1, (size_t)corners + 1);
     if (status) return status;
     vertices = bw->cells.vertices;
     neighbors = bw->cells.neighbors;
@@ -8054,7 +8053,7 @@ static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *pr
         memset(bw->marks, 0, bw->cells.capacity);
     }
     if (!status && bw->cells.corners <= 4)
-        status = paradt__bw_reserve(bw, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
+        status = paradt__bw_reserve(bw, 1, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
     if (!status) status = paradt__bw_first(bw);
     bw->inserted = (size_t)bw->cells.corners;
     if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
@@ -10141,8 +10140,7 @@ static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *
     }
     if (work->memory.peak < peaks) work->memory.peak = peaks;
     cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
-    if (!status && cells->capacity < total) status = PARADT_ERROR_TOO_LARGE;
+    if (!status) status = paradt__cells_reserve(cells, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
         if (!status) paradt__cells_append(cells, &work->region[i].cells);
         paradt__cells_free(&work->region[i].cells, &work->memory);
@@ -10197,10 +10195,10 @@ static paradt_status paradt__lend_slices(paradt__work *work) {
     slices->corners = dim + 1;
     if (dim < 2 || dim > 3) return PARADT_OK;
     for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__cells_reserve(slices, total, &work->memory);
-    if (slices->capacity < total) { // more than can be numbered, or no memory
+    status = paradt__cells_reserve(slices, total, total, &work->memory);
+    if (status) {
         paradt__cells_free(slices, &work->memory);
-        return status;
+        return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
     }
     paradt__share_memory(work);
     for (i = 0; i < work->regions && !status; i++) {
@@ -10244,8 +10242,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
         *cells = work->slices;
     } else {
         paradt__release_records(work, &work->memory);
-        status = paradt__cells_reserve(cells, total ? total : 1, &work->memory);
-        if (!status && cells->capacity < total) status = PARADT_ERROR_TOO_LARGE;
+        status = paradt__cells_reserve(cells, total, total, &work->memory);
     }
     cells->count = total;
     paradt__share_memory(work);
@@ -10445,7 +10442,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     largest->hull_facets = patch->hull_facets;
     if (!status && patch->bw.cells.lent) {
         work->cells.corners = patch->bw.cells.corners;
-        status = paradt__cells_reserve(&work->cells, patch->bw.cells.count, &work->memory);
+        status = paradt__cells_reserve(&work->cells, patch->bw.cells.count, patch->bw.cells.count, &work->memory);
         if (!status) paradt__cells_append(&work->cells, &patch->bw.cells);
     } else if (!status) {
         work->cells = patch->bw.cells;
@@ -10516,7 +10513,7 @@ static paradt_status paradt__build_trivial(paradt__work *work) {
     paradt_status status;
     work->regions = 1;
     cells->corners = 1;
-    status = paradt__cells_reserve(cells, 1, &work->memory);
+    status = paradt__cells_reserve(cells, 1, 1, &work->memory);
     if (status) return status;
     cells->count = work->set.count;
     cells->vertices[0] = 0;
@@ -11280,7 +11277,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
 static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
     paradt_status status;
     part->cells.corners = 1;
-    status = paradt__cells_reserve(&part->cells, 1, &part->memory);
+    status = paradt__cells_reserve(&part->cells, 1, 1, &part->memory);
     if (status) return status;
     part->cells.count = region ? 0 : part->set.count;
     part->cells.vertices[0] = 0;
