@@ -11113,8 +11113,14 @@ static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__me
 }
 
 // What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone.
-enum { PARADT__NO_VERTEX = 0, PARADT__VERTEX = 1, PARADT__OF_OWN_CELL = 2, PARADT__OF_NONE_DROPPED = 4 };
+// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+enum {
+    PARADT__NO_VERTEX = 0,
+    PARADT__VERTEX = 1,
+    PARADT__OF_OWN_CELL = 2,
+    PARADT__OF_NONE_DROPPED = 4,
+    PARADT__OF_LATER_RANK = 8
+};
 
 PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
                                           paradt_index bits) {
@@ -11122,25 +11128,22 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// The lexicographically smallest of the vertices
-static paradt_index paradt__smallest_vertex(const paradt__set *set, const paradt_index *vertices, int count) {
-    paradt_index best = vertices[0];
-    int i;
-    for (i = 1; i < count; i++) {
-        if (paradt__compare(&set->space, paradt__record(set, vertices[i]), paradt__record(set, best)) < 0)
-            best = vertices[i];
+// Is a cell an own one? It is owned by the last rank that has a vertex of it. own: so many positions are the own
+// points'; mark: of all points, says which are a later rank's.
+PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                       const paradt_index *mark) {
+    paradt_index bits = 0;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        share |= vertices[j] < own;
+        bits |= mark[vertices[j]];
     }
-    return best;
-}
-
-// Is what is at a place of the fringe an own cell, one whose smallest vertex is?
-PARADT__INLINE int paradt__remote_engine_owns(const paradt__set *set, const paradt_index *vertices, size_t corners) {
-    paradt_index own = (paradt_index)set->count;
-    return paradt__vertices_below(vertices, corners, own) && paradt__smallest_vertex(set, vertices, (int)corners) < own;
+    return share && !(bits & PARADT__OF_LATER_RANK);
 }
 
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.
-PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, const paradt__set *set, size_t corners,
+PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
                                                 paradt_index *mark) {
     const paradt__cells *cells = &engine->bw.cells;
     size_t count = engine->fringe_count, i, j, left = 0;
@@ -11150,7 +11153,7 @@ PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, c
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
         paradt__fetch_listed(cells, engine->fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
-        if (is_cell && paradt__remote_engine_owns(set, vertices, corners)) {
+        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
             continue;
         }
@@ -11202,26 +11205,27 @@ PARADT__INLINE uint64_t paradt__remote_engine_drop(paradt__remote_engine *engine
     return others;
 }
 
-PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, const paradt__set *set,
+PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
                                                           size_t corners, paradt_index *mark) {
-    paradt__remote_engine_judge(engine, set, corners, mark);
-    return paradt__remote_engine_drop(engine, (paradt_index)set->count, corners, mark);
+    paradt__remote_engine_judge(engine, own, corners, mark);
+    return paradt__remote_engine_drop(engine, own, corners, mark);
 }
 
 // Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
 // open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point. Returns how many cells are dropped since others own them.
+// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
+// cells are dropped since others own them.
 static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
                                           paradt__cells *cells, paradt_index *mark) {
     paradt__bw *bw = &engine->bw;
+    paradt_index own = (paradt_index)set->count;
     size_t end = bw->cells.count, corners = (size_t)bw->cells.corners, i;
     uint64_t others;
     // of points without weights none is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
-    for (; i < bw->count; i++) mark[i] = PARADT__NO_VERTEX;
-    others = corners == 4 ? paradt__remote_engine_drop_others(engine, set, 4, mark)
-                          : paradt__remote_engine_drop_others(engine, set, corners, mark);
+    others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
+                          : paradt__remote_engine_drop_others(engine, own, corners, mark);
     bw->cells.count -= bw->spare_count + engine->fringe_count;
     paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
     paradt__bw_fill_gaps(bw, engine->fringe, engine->fringe_count, &end);

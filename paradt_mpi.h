@@ -98,7 +98,7 @@
 //     3. answers for itself: has it a point in conflict with a cell that it got, by the exact test? Then it adds those
 //        of the cell's vertices that are the sender's own points;
 //     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion, or in regions of
-//        its own, it triangulates again), and keeps the cells whose lexicographically smallest vertex is its own.
+//        its own, it triangulates again), and keeps the cells of which it is the last rank to have a vertex.
 //
 //
 // WHY THE CELLS ARE RIGHT
@@ -1835,33 +1835,53 @@ static paradt_status paradt_mpi__tell(paradt_mpi__work *w) {
     return status;
 }
 
-// Squared distance of the box low..high from box `lane` of a group. low and high may be the same point.
-static double paradt_mpi__distance(const double *group, int lane, const double *low, const double *high, int dim) {
+// Is the box low..high nearer than `reach` to box `lane` of a group? low and high may be the same point.
+PARADT__INLINE int paradt_mpi__is_near(const double *group, int lane, const double *low, const double *high, int dim,
+                                       double reach) {
     double sum = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
         double below = group[2 * j * PARADT__LANES + lane] - high[j];
         double above = low[j] - group[(2 * j + 1) * PARADT__LANES + lane];
-        double away = below > above ? below : above;
-        if (away > 0.0) sum += away * away;
+        double away = paradt__larger(paradt__larger(below, above), 0.0);
+        sum += away * away;
     }
-    return sum;
+    return sum < reach * reach;
 }
 
-// Has the rank a box that is nearer?
-static int paradt_mpi__near(const paradt_mpi__work *w, int rank, const double *low, const double *high, double reach) {
-    const paradt_mpi__directory *d = &w->directory;
-    const double *groups = d->groups + (size_t)rank * PARADT_MPI__GROUPS * d->width;
-    int b;
-    if (paradt_mpi__distance(d->ranks + (size_t)(rank / PARADT__LANES) * d->width, rank % PARADT__LANES, low, high,
-                             w->dim) >= reach * reach)
-        return 0;
-    for (b = 0; b < d->count[rank]; b++) {
-        if (paradt_mpi__distance(groups + (size_t)(b / PARADT__LANES) * d->width, b % PARADT__LANES, low, high,
-                                 w->dim) < reach * reach)
-            return 1;
+// The boxes of a rank, by number, of which something is yet to be found out
+typedef struct paradt_mpi__boxes {
+    const double *groups;
+    size_t width; // of a group
+    int count;
+    unsigned char number[PARADT_MPI__GROUPS * PARADT__LANES];
+} paradt_mpi__boxes;
+
+PARADT__INLINE int paradt_mpi__is_near_box(const paradt_mpi__boxes *boxes, int i, const double *low, const double *high,
+                                           int dim, double reach) {
+    int number = boxes->number[i];
+    const double *group = boxes->groups + (size_t)(number / PARADT__LANES) * boxes->width;
+    return paradt_mpi__is_near(group, number % PARADT__LANES, low, high, dim, reach);
+}
+
+// Lists in *found those of the boxes that are nearer than `reach`. Returns how many.
+static int paradt_mpi__list_near_boxes(const paradt_mpi__boxes *boxes, const double *low, const double *high, int dim,
+                                       double reach, paradt_mpi__boxes *found) {
+    int i;
+    found->groups = boxes->groups;
+    found->width = boxes->width;
+    found->count = 0;
+    for (i = 0; i < boxes->count; i++) {
+        found->number[found->count] = boxes->number[i];
+        found->count += paradt_mpi__is_near_box(boxes, i, low, high, dim, reach);
     }
-    return 0;
+    return found->count;
+}
+
+static int paradt_mpi__is_near_any(const paradt_mpi__boxes *boxes, const double *x, int dim, double reach) {
+    int i = 0;
+    while (i < boxes->count && !paradt_mpi__is_near_box(boxes, i, x, x, dim, reach)) i++;
+    return i < boxes->count;
 }
 
 // A bit more than the smallest distance of the first point of a grid cell from its others: in a lattice, the step.
@@ -1881,26 +1901,53 @@ static double paradt_mpi__step(const paradt_mpi__work *w, size_t box) {
     return least < PARADT__FAR ? 1.01 * sqrt(least) : 0.0;
 }
 
-// Lists the points for a rank that are in one box of the grid.
-static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level,
-                                           size_t box) {
+// The bounds of a box of the grid. Returns how near it must be to another rank's box for its points to be sent there.
+static double paradt_mpi__bounds(const paradt_mpi__work *w, int level, size_t box, double *low, double *high) {
     const double *group = w->grid.boxes[level] + box / PARADT__LANES * w->grid.group_width + box % PARADT__LANES;
-    size_t i, end = (box + 1) * PARADT__LANES, below = level ? w->grid.box_count[level - 1] : w->set.count;
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], side = 0.0, reach;
-    paradt_status status = PARADT_OK;
+    double side = 0.0;
     int j;
     for (j = 0; j < w->dim; j++) {
         low[j] = group[2 * j * PARADT__LANES];
         high[j] = group[(2 * j + 1) * PARADT__LANES];
         side = paradt__larger(side, high[j] - low[j]);
     }
-    reach = side * PARADT_MPI__REACH;
-    if (!level) reach = paradt__larger(reach, paradt_mpi__step(w, box));
-    if (!paradt_mpi__near(w, rank, low, high, reach)) return PARADT_OK;
+    side *= PARADT_MPI__REACH;
+    return level ? side : paradt__larger(side, paradt_mpi__step(w, box));
+}
+
+// Lists the points for a rank that are in one box of the grid. boxes: the rank's, that may be near.
+static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level, size_t box,
+                                           const paradt_mpi__boxes *boxes) {
+    size_t i, end = (box + 1) * PARADT__LANES, below = level ? w->grid.box_count[level - 1] : w->set.count;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], reach = paradt_mpi__bounds(w, level, box, low, high);
+    paradt_mpi__boxes nearby;
+    paradt_status status = PARADT_OK;
+    if (!paradt_mpi__list_near_boxes(boxes, low, high, w->dim, reach, &nearby)) return PARADT_OK;
     for (i = box * PARADT__LANES; i < end && i < below && !status; i++) {
         const double *x = w->set.records + i * w->set.width;
-        if (level) status = paradt_mpi__guess_box(w, list, rank, level - 1, i);
-        else if (paradt_mpi__near(w, rank, x, x, reach)) status = paradt_mpi__list_news(w, list, rank, (paradt_index)i);
+        if (level) status = paradt_mpi__guess_box(w, list, rank, level - 1, i, &nearby);
+        else if (paradt_mpi__is_near_any(&nearby, x, w->dim, reach))
+            status = paradt_mpi__list_news(w, list, rank, (paradt_index)i);
+    }
+    return status;
+}
+
+// Lists the points for a rank that are near to its boxes.
+static paradt_status paradt_mpi__guess_for(paradt_mpi__work *w, paradt_mpi__list *list, int rank) {
+    const paradt_mpi__directory *d = &w->directory;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], reach;
+    paradt_mpi__boxes all;
+    paradt_status status = PARADT_OK;
+    int top = w->grid.levels - 1, i;
+    size_t box;
+    all.groups = d->groups + (size_t)rank * PARADT_MPI__GROUPS * d->width;
+    all.width = d->width;
+    all.count = d->count[rank];
+    for (i = 0; i < all.count; i++) all.number[i] = (unsigned char)i;
+    for (box = 0; box < w->grid.box_count[top] && !status; box++) {
+        reach = paradt_mpi__bounds(w, top, box, low, high);
+        if (paradt_mpi__is_near(paradt_mpi__rank_box(d, rank), 0, low, high, w->dim, reach))
+            status = paradt_mpi__guess_box(w, list, rank, top, box, &all);
     }
     return status;
 }
@@ -1975,17 +2022,16 @@ static void paradt_mpi__widen(paradt_mpi__work *w, const double *kept, double *o
 static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
     paradt_mpi__list list;
     paradt_status status = PARADT_OK;
-    size_t news, box, ranks = (size_t)w->ranks;
+    size_t news, ranks = (size_t)w->ranks;
     double *kept = (double *)paradt__alloc(&w->memory, 2 * ranks, sizeof *kept);
-    int r, top = w->grid.levels - 1;
+    int r;
     memset(&list, 0, sizeof list);
     if (!kept) status = PARADT_ERROR_MEMORY;
     for (r = 0; r < w->ranks && !status; r++) {
         size_t before = list.count;
         kept[r] = 1.0;
         if (r == w->rank || !w->directory.count[r] || !w->ready) continue;
-        for (box = 0; box < w->grid.box_count[top] && !status; box++)
-            status = paradt_mpi__guess_box(w, &list, r, top, box);
+        status = paradt_mpi__guess_for(w, &list, r);
         if (!status) status = paradt_mpi__keep_room(w, &list, r, list.count - before, kept + r);
     }
     status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
@@ -2763,9 +2809,10 @@ static paradt_status paradt_mpi__rounds(paradt_mpi__work *w) {
 // >>result
 //
 // From the last local triangulation to the arrays that are handed out: the own cells get numbers that run through all
-// ranks; a facet whose other cell is not an own one is sent, with the ids of its vertices, to the rank that their hash
-// names, where it meets its twin; one that meets none is on the hull. Representatives that are not the point itself are
-// sent to the rank that handed the point in. Doors: paradt_mpi__deliver.
+// ranks; a facet whose other cell is not an own one is sent, with the ids of its vertices, to the rank where one of
+// them, which their hashes choose, is at home. There it meets its twin; one that meets none is on the hull.
+// Representatives that are not the point itself are sent to the rank that handed the point in. Doors:
+// paradt_mpi__deliver.
 
 typedef struct paradt_mpi__facets { // that look for the cell on their other side
     size_t count;
@@ -2773,6 +2820,7 @@ typedef struct paradt_mpi__facets { // that look for the cell on their other sid
     uint64_t *rows;  // [count][width], in the order of the ranks they are sent to
     size_t *handles; // [count] place in the neighbors, in the order of the rows when there are any
     size_t capacity; // of handles
+    int *home;       // [vertex_count - vertex_own] the ranks where others' vertices are at home
 } paradt_mpi__facets;
 
 static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, size_t handle) {
@@ -2783,11 +2831,12 @@ static int paradt_mpi__facet_add(paradt_mpi__work *w, paradt_mpi__facets *f, siz
     return 1;
 }
 
-// Is the vertex that decides who owns a cell of k vertices, the lexicographically smallest, an own point?
-PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, int k, const paradt_index *cell) {
-    if (PARADT__LIKELY(paradt__vertices_among(cell, k, 0, (paradt_index)w->set.count))) return 1;
-    if (w->options.flags & PARADT_MPI_REPLICATED) return 1;
-    return (size_t)paradt__smallest_vertex(&w->set, cell, k) < w->set.count;
+// Is a cell of k vertices an own one? Replicated, others' cells are not among them. mark: see paradt__remote_owns.
+PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, size_t k, const paradt_index *cell,
+                                    const paradt_index *mark) {
+    paradt_index own = (paradt_index)w->set.count;
+    if (PARADT__LIKELY(paradt__vertices_among(cell, (int)k, 0, own))) return 1;
+    return w->options.flags & PARADT_MPI_REPLICATED || paradt__remote_owns(cell, k, own, mark);
 }
 
 // In the neighbours of a cell, if it is one, the number of a cell becomes another. It is there once; where cannot be
@@ -2826,9 +2875,9 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
     const paradt_index *cells = w->local.cells;
     for (c = 0; c < end; c++) {
         paradt__fetch_row(cells, w->local.neighbors, c + PARADT__ROWS_AHEAD, k);
-        if (!PARADT__LIKELY(paradt_mpi__owns(w, (int)k, cells + c * k))) {
+        if (!PARADT__LIKELY(paradt_mpi__owns(w, k, cells + c * k, mark))) {
             paradt_mpi__drop_cell(w, k, c, mark);
-            for (end--; end > c && !paradt_mpi__owns(w, (int)k, cells + end * k); end--)
+            for (end--; end > c && !paradt_mpi__owns(w, k, cells + end * k, mark); end--)
                 paradt_mpi__drop_cell(w, k, end, mark);
             if (end == c) break;
             paradt_mpi__move_cell(w, k, end, c);
@@ -2840,10 +2889,11 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
 
 // Leaves the own cells in w->local, and in mark, [known], what all cells make of each point. Not collective.
 static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
-    size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, i;
+    size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, own = w->set.count, i;
     paradt__cells cells;
+    for (i = 0; i < own; i++) mark[i] = PARADT__NO_VERTEX;
+    for (; i < w->known; i++) mark[i] = w->home[i - own].rank > w->rank ? PARADT__OF_LATER_RANK : PARADT__NO_VERTEX;
     if (!w->inserting) {
-        for (i = 0; i < w->known; i++) mark[i] = PARADT__NO_VERTEX;
         w->local.cell_count = k == 4 ? paradt_mpi__keep_own(w, 4, mark) : paradt_mpi__keep_own(w, k, mark);
         w->stats.cells_recomputed += made - w->local.cell_count;
         return;
@@ -2919,19 +2969,20 @@ static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_i
 }
 
 // The row of a facet of a cell of k vertices: returns the rank that it is sent to.
-PARADT__INLINE int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t k, size_t handle, uint64_t *row) {
-    size_t base = handle / k * k, i, j, count = 0;
-    uint64_t h = 0;
+PARADT__INLINE int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t k, const paradt_mpi__facets *f,
+                                         size_t handle, uint64_t *row) {
+    size_t base = handle / k * k, own = w->out->vertex_own, chosen = 0, i, j, count = 0;
+    uint64_t least = UINT64_MAX;
     for (i = 0; i < k; i++) {
-        uint64_t id;
+        size_t vertex = (size_t)w->out->cells[base + i];
+        uint64_t id = (uint64_t)w->out->vertices[vertex], h = paradt__mix(id);
         if (base + i == handle) continue;
-        id = (uint64_t)w->out->vertices[w->out->cells[base + i]];
         for (j = count++; j > 0 && row[j - 1] > id; j--) row[j] = row[j - 1];
         row[j] = id;
-        h += paradt__mix(id);
+        if (h <= least) least = h, chosen = vertex;
     }
     row[count] = w->out->first_cell + handle / k;
-    return (int)((paradt__mix(h) >> 32) * (uint64_t)w->ranks >> 32);
+    return chosen < own ? w->rank : f->home[chosen - own];
 }
 
 // The rows of all facets, and the ranks that they are sent to. The facets are in the order of their cells, which are
@@ -2942,7 +2993,7 @@ PARADT__INLINE void paradt_mpi__facet_rows(const paradt_mpi__work *w, size_t k, 
     size_t i;
     for (i = 0; i < f->count; i++) {
         if (i + AHEAD < f->count) PARADT__PREFETCH(w->out->cells + f->handles[i + AHEAD]);
-        rank[i] = paradt_mpi__facet_row(w, k, f->handles[i], rows + i * k);
+        rank[i] = paradt_mpi__facet_row(w, k, f, f->handles[i], rows + i * k);
     }
 }
 
@@ -3056,7 +3107,7 @@ static paradt_status paradt_mpi__place_coordinates(paradt_mpi__work *w, size_t c
 }
 
 // The table of vertices. number: [known], the marks of the points; becomes their places in it. Not collective.
-static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index *number) {
+static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index *number, paradt_mpi__facets *f) {
     paradt_mpi_triangulation *out = w->out;
     const double *records = w->set.records;
     size_t i, count = 0, ambient = (size_t)w->dim;
@@ -3069,14 +3120,18 @@ static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index
     }
     out->vertex_count = count;
     out->vertices = (int64_t *)paradt__alloc_filled(&w->memory, count, sizeof *out->vertices);
-    status = out->vertices ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
+    f->home = (int *)paradt__alloc(&w->memory, count - out->vertex_own, sizeof *f->home);
+    status = out->vertices && f->home ? paradt_mpi__place_coordinates(w, count) : PARADT_ERROR_MEMORY;
     for (i = 0; i < w->known && !status; i++) {
         double *to, x[PARADT_MAX_DIM];
+        paradt_mpi__home home;
         if (i + PARADT__POINTS_AHEAD < w->set.count) // the ids are in the order that the points came in
             PARADT__FETCH(w->received, w->set.origin[i + PARADT__POINTS_AHEAD]);
         if (number[i] < 0) continue;
         to = out->coordinates + (size_t)number[i] * ambient;
-        out->vertices[number[i]] = (int64_t)paradt_mpi__home_of(w, (paradt_index)i).id;
+        home = paradt_mpi__home_of(w, (paradt_index)i);
+        out->vertices[number[i]] = (int64_t)home.id;
+        if (i >= w->set.count) f->home[(size_t)number[i] - out->vertex_own] = home.rank;
         memcpy(x, records + i * w->set.width, ambient * sizeof *x);
         for (axis = 0; axis < w->dim; axis++)
             to[w->set.axes[axis]] = w->shift ? paradt__scale(x[axis], -w->shift, &exact) : x[axis];
@@ -3182,7 +3237,7 @@ static paradt_status paradt_mpi__take_result(paradt_mpi__work *w, paradt_mpi__fa
         for (i = 0; i < out->point_count; i++) out->representative[i] = (int64_t)(out->first_point + i);
         status = paradt_mpi__exceptions(w, number, rows);
     }
-    if (!status) status = paradt_mpi__list_vertices(w, number);
+    if (!status) status = paradt_mpi__list_vertices(w, number, facets);
     if (!status) status = paradt_mpi__close_cells(w, number, facets);
     paradt__release(&w->memory, number);
     return status;
@@ -3204,6 +3259,7 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status stat
     }
     if (!status && wanted && w->out->dim > 0) status = paradt_mpi__link(w, &facets);
     paradt__release(&w->memory, facets.rows);
+    paradt__release(&w->memory, facets.home);
     paradt__release(&w->memory, facets.handles);
     paradt__release(&w->memory, rows);
     w->stats.seconds_finish = paradt__now() - begun;
@@ -3259,6 +3315,7 @@ static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     }
     for (i = 0; i < count; i++) {
         w->home[i].id = i;
+        w->home[i].rank = (int)(i % (size_t)w->ranks); // all have it; there its facets meet
         if (weights) weights[i] = rows[i * width + (size_t)w->dim];
     }
     memset(&points, 0, sizeof points);
