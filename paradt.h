@@ -3962,7 +3962,7 @@ static size_t paradt__most_cells(int corners) {
 // Makes room for the cells that are needed, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t needed, size_t wanted, paradt__memory *memory) {
     size_t corners = (size_t)cells->corners, used = cells->count * corners, most = paradt__most_cells(cells->corners);
-    size_t capacity = wanted < most ? wanted : most;
+    size_t capacity = wanted < needed ? needed : wanted < most ? wanted : most;
     void *array = cells->vertices;
     if (needed > most) return PARADT_ERROR_TOO_LARGE;
     if (cells->lent) return paradt__cells_own(cells, capacity, memory);
@@ -6242,7 +6242,7 @@ static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t needed, size_t wa
     size_t before = bw->cells.capacity;
     void *array = bw->marks;
     paradt_status status;
-    if (wanted <= before) return PARADT_OK;
+    if (needed <= before && wanted <= before) return PARADT_OK;
     status = paradt__cells_reserve(&bw->cells, needed, wanted, bw->memory);
     if (status) return status;
     bw->paged = bw->cells.count;
@@ -6294,10 +6294,12 @@ static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
     double more = rise * (count - inserted),
            expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
     double most = dim <= 3 ? (double)paradt__bw_places(points, dim) : 1e15;
+    double numbered = (double)paradt__most_cells(bw->cells.corners);
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     bw->rate = rate;
     bw->rate_at = inserted;
     if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > numbered) expected = numbered;
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
@@ -10793,8 +10795,8 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 //
 // paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
 // hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_region,
-// paradt__remote_bytes.
+// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_late_order,
+// paradt__remote_is_suspect, paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
@@ -11128,8 +11130,8 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// Is a cell an own one? It is owned by the last rank that has a vertex of it. own: so many positions are the own
-// points'; mark: of all points, says which are a later rank's.
+// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
+// are the own points'; mark: of all points, says which are a later rank's.
 PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
                                        const paradt_index *mark) {
     paradt_index bits = 0;

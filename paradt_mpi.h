@@ -98,7 +98,8 @@
 //     3. answers for itself: has it a point in conflict with a cell that it got, by the exact test? Then it adds those
 //        of the cell's vertices that are the sender's own points;
 //     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion, or in regions of
-//        its own, it triangulates again), and keeps the cells of which it is the last rank to have a vertex.
+//        its own, it triangulates again), and keeps the cells with vertices of its own and none of a rank with a higher
+//        number.
 //
 //
 // WHY THE CELLS ARE RIGHT
@@ -1850,23 +1851,23 @@ PARADT__INLINE int paradt_mpi__is_near(const double *group, int lane, const doub
 }
 
 // The boxes of a rank, by number, of which something is yet to be found out
-typedef struct paradt_mpi__boxes {
+typedef struct paradt_mpi__near_boxes {
     const double *groups;
     size_t width; // of a group
     int count;
     unsigned char number[PARADT_MPI__GROUPS * PARADT__LANES];
-} paradt_mpi__boxes;
+} paradt_mpi__near_boxes;
 
-PARADT__INLINE int paradt_mpi__is_near_box(const paradt_mpi__boxes *boxes, int i, const double *low, const double *high,
-                                           int dim, double reach) {
+PARADT__INLINE int paradt_mpi__is_near_box(const paradt_mpi__near_boxes *boxes, int i, const double *low,
+                                           const double *high, int dim, double reach) {
     int number = boxes->number[i];
     const double *group = boxes->groups + (size_t)(number / PARADT__LANES) * boxes->width;
     return paradt_mpi__is_near(group, number % PARADT__LANES, low, high, dim, reach);
 }
 
 // Lists in *found those of the boxes that are nearer than `reach`. Returns how many.
-static int paradt_mpi__list_near_boxes(const paradt_mpi__boxes *boxes, const double *low, const double *high, int dim,
-                                       double reach, paradt_mpi__boxes *found) {
+static int paradt_mpi__list_near_boxes(const paradt_mpi__near_boxes *boxes, const double *low, const double *high,
+                                       int dim, double reach, paradt_mpi__near_boxes *found) {
     int i;
     found->groups = boxes->groups;
     found->width = boxes->width;
@@ -1878,7 +1879,7 @@ static int paradt_mpi__list_near_boxes(const paradt_mpi__boxes *boxes, const dou
     return found->count;
 }
 
-static int paradt_mpi__is_near_any(const paradt_mpi__boxes *boxes, const double *x, int dim, double reach) {
+static int paradt_mpi__is_near_any(const paradt_mpi__near_boxes *boxes, const double *x, int dim, double reach) {
     int i = 0;
     while (i < boxes->count && !paradt_mpi__is_near_box(boxes, i, x, x, dim, reach)) i++;
     return i < boxes->count;
@@ -1915,12 +1916,13 @@ static double paradt_mpi__bounds(const paradt_mpi__work *w, int level, size_t bo
     return level ? side : paradt__larger(side, paradt_mpi__step(w, box));
 }
 
-// Lists the points for a rank that are in one box of the grid. boxes: the rank's, that may be near.
+// Lists the points for a rank that are in one box of the grid. boxes: the rank's that are near to what it is in. (Where
+// a lattice's step reaches farther than the level above, some are left out; they are asked for then.)
 static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list *list, int rank, int level, size_t box,
-                                           const paradt_mpi__boxes *boxes) {
+                                           const paradt_mpi__near_boxes *boxes) {
     size_t i, end = (box + 1) * PARADT__LANES, below = level ? w->grid.box_count[level - 1] : w->set.count;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], reach = paradt_mpi__bounds(w, level, box, low, high);
-    paradt_mpi__boxes nearby;
+    paradt_mpi__near_boxes nearby;
     paradt_status status = PARADT_OK;
     if (!paradt_mpi__list_near_boxes(boxes, low, high, w->dim, reach, &nearby)) return PARADT_OK;
     for (i = box * PARADT__LANES; i < end && i < below && !status; i++) {
@@ -1936,7 +1938,7 @@ static paradt_status paradt_mpi__guess_box(paradt_mpi__work *w, paradt_mpi__list
 static paradt_status paradt_mpi__guess_for(paradt_mpi__work *w, paradt_mpi__list *list, int rank) {
     const paradt_mpi__directory *d = &w->directory;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], reach;
-    paradt_mpi__boxes all;
+    paradt_mpi__near_boxes all;
     paradt_status status = PARADT_OK;
     int top = w->grid.levels - 1, i;
     size_t box;
@@ -2869,7 +2871,8 @@ PARADT__INLINE void paradt_mpi__move_cell(paradt_mpi__work *w, size_t k, size_t 
 }
 
 // Drops others' cells of k vertices, and fills the gaps that they leave from the end, so that nearly all cells keep
-// their numbers. mark: [known], gets what the cells make of each point. Returns how many are left.
+// their numbers. mark: [known], gets what the cells make of each point; says before which are a later rank's. Returns
+// how many are left.
 PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt_index *mark) {
     size_t end = w->local.cell_count, c;
     const paradt_index *cells = w->local.cells;
@@ -3025,6 +3028,8 @@ static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__fa
     paradt__release(&w->memory, handles);
     paradt__release(&w->memory, rows);
     paradt__release(&w->memory, rank);
+    paradt__release(&w->memory, f->home);
+    f->home = NULL;
     return status;
 }
 
@@ -3106,7 +3111,8 @@ static paradt_status paradt_mpi__place_coordinates(paradt_mpi__work *w, size_t c
     return w->out->coordinates ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
-// The table of vertices. number: [known], the marks of the points; becomes their places in it. Not collective.
+// The table of vertices, and where others' are at home. number: [known], the marks of the points; becomes their places
+// in it. Not collective.
 static paradt_status paradt_mpi__list_vertices(paradt_mpi__work *w, paradt_index *number, paradt_mpi__facets *f) {
     paradt_mpi_triangulation *out = w->out;
     const double *records = w->set.records;
@@ -3315,7 +3321,8 @@ static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     }
     for (i = 0; i < count; i++) {
         w->home[i].id = i;
-        w->home[i].rank = (int)(i % (size_t)w->ranks); // all have it; there its facets meet
+        w->home[i].rank =
+            (int)((paradt__mix(i) >> 32) * (uint64_t)w->ranks >> 32); // all have it; its facets meet there
         if (weights) weights[i] = rows[i * width + (size_t)w->dim];
     }
     memset(&points, 0, sizeof points);

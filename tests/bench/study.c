@@ -50,6 +50,8 @@ static void rank_program(int rank) {
     uint64_t hash;
     memset(&options, 0, sizeof options);
     options.local.progress = alone_progress;
+    options.local.allocator.alloc = alone_alloc;
+    options.local.allocator.free = alone_free;
     if (!coordinates) fail("no memory");
     paradt_gen_points(&study.spec, DIM, first, end - first, coordinates);
     alone_leave(); // the time begins

@@ -134,6 +134,28 @@ static int table_is_of_vertices(const paradt_mpi_triangulation *t) {
     return good && found == t->vertex_count;
 }
 
+// Is each cell that of the rank with the highest number among those where its vertices are at home? Replicated points
+// are at home on no rank. Collective; count: points of all ranks.
+static int highest_rank_owns(const paradt_mpi_triangulation *t, MPI_Comm comm, int count) {
+    int *home = (int *)need((size_t)count, sizeof *home), me, point, somewhere = 0, good = 1;
+    size_t corners = (size_t)(t->dim + 1), i, j;
+    MPI_Comm_rank(comm, &me);
+    for (point = 0; point < count; point++) home[point] = -1;
+    for (i = 0; i < t->vertex_own; i++) home[t->vertices[i]] = me;
+    MPI_Allreduce(MPI_IN_PLACE, home, count, MPI_INT, MPI_MAX, comm);
+    for (point = 0; point < count; point++) somewhere |= home[point] >= 0;
+    for (i = 0; i < t->cell_count && somewhere; i++) {
+        int highest = -1;
+        for (j = 0; j < corners; j++) {
+            int rank_of = home[t->vertices[t->cells[i * corners + j]]];
+            highest = rank_of > highest ? rank_of : highest;
+        }
+        good = good && highest == me;
+    }
+    free(home);
+    return good;
+}
+
 // NULL, or what is wrong with the distributed result.
 static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, const sample *s, const int *order,
                            const paradt_triangulation *expected) {
@@ -142,7 +164,7 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     paradt_triangulation gathered;
     paradt_fault fault;
     size_t i;
-    int j, me;
+    int j, me, owned = highest_rank_owns(t, comm, s->count);
     uint64_t hash = paradt_mpi_hash(t, comm);
     const char *wrong = NULL;
     MPI_Comm_rank(comm, &me);
@@ -160,6 +182,7 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
         if (t->representative[i] != expected->representative[t->first_point + i]) wrong = "representatives";
     }
     if (!wrong && !others_are_others(t)) wrong = "cells of others";
+    if (!wrong && !owned) wrong = "owners";
     if (!wrong && t->sum.hull_facets != expected->stats.hull_facets) wrong = "hull facets";
     if (!wrong && t->sum.hidden != expected->stats.hidden) wrong = "hidden";
     if (!wrong && t->sum.duplicates != expected->stats.duplicates) wrong = "duplicates";

@@ -10,6 +10,10 @@
 // to alone_progress, which comes after every thousand insertions; of each stretch the least time counts, so that what
 // else the machine does is not taken for the rank's work. A step as a whole would be no measure: one rank's insertion
 // takes so long that its least time still holds the machine's average, and beside it many ranks would look fast.
+//
+// Ranks wait for seconds here where those of a cluster wait for milliseconds, and the host of a virtual machine takes
+// back pages that have been idle so long. What a rank has from alone_alloc is touched before its turn and where it is
+// allocated, in no rank's time.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
@@ -37,6 +41,13 @@ typedef struct alone_message {
     char *data;
 } alone_message;
 
+// What stands before a block of memory
+typedef struct alone_block {
+    struct alone_block *next, *previous;
+    size_t bytes;
+    void *unused; // so that what follows is aligned as malloc aligns it
+} alone_block;
+
 typedef struct alone_rank {
     pthread_t thread;
     pthread_cond_t turn;
@@ -46,6 +57,8 @@ typedef struct alone_rank {
     double messages, bytes; // of this step
     size_t stretch;         // the number of the one at hand
     int ended;
+    alone_block blocks;  // a ring of those that it has; NULL at first
+    double waits;        // since when, by the clock on the wall
     alone_message *mail; // sent to it, first come first
     alone_message **last;
 } alone_rank;
@@ -134,12 +147,56 @@ static void alone_await_turn(void) {
     while (alone.runs != alone_me) pthread_cond_wait(&alone.rank[alone_me].turn, &alone.lock);
 }
 
+static void alone_touch(alone_block *block) {
+    enum { PAGE = 4096 };
+    for (size_t at = 0; at < block->bytes; at += PAGE) {
+        volatile char *byte = (volatile char *)(block + 1) + at;
+        *byte = *byte;
+    }
+}
+
+// A paradt_allocator's two functions; a block goes back on the rank that it came from.
+static void *alone_alloc(void *user, size_t bytes) {
+    alone_rank *me = &alone.rank[alone_me];
+    alone_block *block = (alone_block *)malloc(sizeof *block + bytes);
+    double began = alone_now();
+    (void)user;
+    if (!block) return NULL;
+    if (!me->blocks.next) me->blocks.next = me->blocks.previous = &me->blocks;
+    block->bytes = bytes;
+    block->previous = &me->blocks;
+    block->next = me->blocks.next;
+    block->next->previous = me->blocks.next = block;
+    alone_touch(block);
+    me->began += alone_now() - began;
+    return block + 1;
+}
+
+static void alone_free(void *user, void *memory) {
+    alone_block *block = (alone_block *)memory - 1;
+    (void)user;
+    block->next->previous = block->previous;
+    block->previous->next = block->next;
+    free(block);
+}
+
+static double alone_wall(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 // Lets the others run until it is this one's turn again.
 static void alone_yield(void) {
+    const double LONG = 0.5; // seconds
+    alone_rank *me = &alone.rank[alone_me];
+    me->waits = alone_wall();
     pthread_mutex_lock(&alone.lock);
     alone_pass();
     alone_await_turn();
     pthread_mutex_unlock(&alone.lock);
+    if (alone_wall() - me->waits < LONG || !me->blocks.next) return;
+    for (alone_block *block = me->blocks.next; block != &me->blocks; block = block->next) alone_touch(block);
 }
 
 // received: bytes that each rank gets in the call that ends the step
