@@ -8,6 +8,7 @@ smallest=tests/programs/smallest.c
 common="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
 c="$common -Wstrict-prototypes -x c"
 number=0
+runner= # what programs for another processor are run by
 
 report() { # ok|not ok, name, log
     number=$((number + 1))
@@ -26,7 +27,7 @@ expected=
 builds() {
     name=$1
     log=$work/$name.log
-    if sh -c "$2" >"$log" 2>&1 && [ ! -s "$log" ] && "$work/$name" >"$log" 2>&1 &&
+    if sh -c "$2" >"$log" 2>&1 && [ ! -s "$log" ] && $runner "$work/$name" >"$log" 2>&1 &&
         { [ -n "$expected" ] || expected=$(head -1 "$log"); } && [ "$(sort -u "$log")" = "$expected" ]; then
         report ok "$name"
     else
@@ -71,11 +72,12 @@ for family in gcc clang; do
         $family $work/${family}_5.o $work/${family}_6.o -o $work/${family}_static_in_two_files -lm"
     builds "${family}_static_cxx" \
         "$cxx -std=c++11 -DPARADT_STATIC $common -x c++ $smallest -o $work/${family}_static_cxx -lm"
-    if echo 'int main(void) { return 0; }' | $family -m32 -x c - -o "$work/probe" 2>/dev/null && "$work/probe"; then
+    if runner=$(sh tests/programs/runner_32.sh $family -m32); then
         builds "${family}_m32" "$family -std=c99 -m32 $c $smallest -o $work/${family}_m32 -lm"
     else
-        skip "${family}_m32" "$family has no 32-bit libraries here (gcc-multilib)"
+        skip "${family}_m32" "$family has no 32-bit libraries here (gcc-multilib), or nothing runs them"
     fi
+    runner=
     if echo 'int main(void) { return 0; }' | $family -fsanitize=undefined -x c - -o "$work/probe" 2>/dev/null; then
         builds "${family}_undefined_behaviour" "$family -std=c99 -fsanitize=undefined \
             -fno-sanitize-recover=all $c $smallest -o $work/${family}_undefined_behaviour -lm"

@@ -238,9 +238,9 @@ report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
 $CC -O2 -Wall -Wextra -Wshadow -Wno-unused-function -Werror -Itests/bench/alone -I. -o "$work/ranks" \
     tests/programs/ranks.c -pthread -lm 2>"$work/log" && timeout 300 "$work/ranks" 700 >>"$work/log" 2>&1
 report $? small_sets_on_up_to_twelve_ranks_have_the_serial_cells "$work/log"
-if printf '#include <stdio.h>\nint main(void) { return 0; }\n' | $CC -m32 -msse2 -x c - -o "$work/probe" 2>/dev/null; then
+if runner=$(sh tests/programs/runner_32.sh "$CC" -m32 -msse2); then
     $CC -m32 -msse2 -mfpmath=sse -O2 -w -Itests/bench/alone -I. -o "$work/ranks" tests/programs/ranks.c -pthread -lm \
-        2>"$work/log" && timeout 300 "$work/ranks" 200 >>"$work/log" 2>&1
+        2>"$work/log" && timeout 300 $runner "$work/ranks" 200 >>"$work/log" 2>&1
     report $? so_they_have_where_sizes_have_32_bits "$work/log"
 fi
 
