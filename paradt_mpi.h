@@ -1850,7 +1850,7 @@ PARADT__INLINE int paradt_mpi__is_near(const double *group, int lane, const doub
     return sum < reach * reach;
 }
 
-// The boxes of a rank, by number, of which something is yet to be found out
+// Of a rank's boxes, by their numbers, those that are near to something
 typedef struct paradt_mpi__near_boxes {
     const double *groups;
     size_t width; // of a group
@@ -2894,9 +2894,10 @@ PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt
 static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, own = w->set.count, i;
     paradt__cells cells;
-    for (i = 0; i < own; i++) mark[i] = PARADT__NO_VERTEX;
-    for (; i < w->known; i++) mark[i] = w->home[i - own].rank > w->rank ? PARADT__OF_LATER_RANK : PARADT__NO_VERTEX;
+    for (i = own; i < w->known; i++)
+        mark[i] = w->home[i - own].rank > w->rank ? PARADT__OF_LATER_RANK : PARADT__NO_VERTEX;
     if (!w->inserting) {
+        for (i = 0; i < own; i++) mark[i] = PARADT__NO_VERTEX;
         w->local.cell_count = k == 4 ? paradt_mpi__keep_own(w, 4, mark) : paradt_mpi__keep_own(w, k, mark);
         w->stats.cells_recomputed += made - w->local.cell_count;
         return;
@@ -3321,8 +3322,7 @@ static paradt_status paradt_mpi__region(paradt_mpi__work *w, double *rows) {
     }
     for (i = 0; i < count; i++) {
         w->home[i].id = i;
-        w->home[i].rank =
-            (int)((paradt__mix(i) >> 32) * (uint64_t)w->ranks >> 32); // all have it; its facets meet there
+        w->home[i].rank = (int)((paradt__mix(i) >> 32) * (uint64_t)w->ranks >> 32); // where facets meet: all have it
         if (weights) weights[i] = rows[i * width + (size_t)w->dim];
     }
     memset(&points, 0, sizeof points);
