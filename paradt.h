@@ -8542,7 +8542,8 @@ typedef struct paradt__field {
 enum {
     PARADT__WAITING = 2, // it is in the list of cells to be asked about, or of wrong ones
     PARADT__ASKED = 4,   // it is one of T(P)
-    PARADT__LISTED = 8   // it is in the list of the fringe; not in all regions
+    PARADT__LISTED = 8,  // it is in the list of the fringe; not in all regions
+    PARADT__DROPPED = 16 // it is not kept in the end; of ranks alone
 };
 
 typedef struct paradt__patch {
@@ -11103,11 +11104,13 @@ PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engi
 // No more points come: gives all memory back but that of what is at the places, and the lists of these.
 static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
     paradt_index *spare = engine->bw.spare;
+    unsigned char *marks = engine->bw.marks;
     paradt__bw_mark_free(&engine->bw);
     engine->bw.spare = NULL;
+    engine->bw.marks = NULL;
     paradt__bw_end(&engine->bw);
     paradt__release(memory, engine->order);
-    engine->bw.marks = NULL;
+    engine->bw.marks = marks;
     engine->bw.cavity = engine->bw.rim = engine->order = NULL;
     engine->bw.ridges = NULL;
     engine->bw.spheres = NULL;
@@ -11144,11 +11147,13 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
     return share && !(bits & PARADT__OF_LATER_RANK);
 }
 
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells.
-PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                paradt_index *mark) {
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
+// marked as dropped. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
+                                                    paradt_index *mark) {
     const paradt__cells *cells = &engine->bw.cells;
     size_t count = engine->fringe_count, i, j, left = 0;
+    uint64_t others = 0;
     for (i = 0; i < count; i++) {
         paradt_index place = engine->fringe[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
@@ -11159,11 +11164,15 @@ PARADT__INLINE void paradt__remote_engine_judge(paradt__remote_engine *engine, p
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
             continue;
         }
+        if (engine->bw.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
         for (j = 0; j < corners && is_cell; j++)
             mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        others += (uint64_t)is_cell;
+        engine->bw.marks[place] |= PARADT__DROPPED;
         engine->fringe[left++] = place;
     }
     engine->fringe_count = left;
+    return others;
 }
 
 // Is a vertex of the cell an own point that was not found to be one of an own cell?
@@ -11178,39 +11187,32 @@ PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, si
 
 // Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
 // so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already. Returns how many are cells.
-PARADT__INLINE uint64_t paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                   paradt_index *mark) {
+// others' points have had their vertices marked already.
+PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
+                                               paradt_index *mark) {
     paradt__cells *cells = &engine->bw.cells;
-    size_t i, j, count = engine->fringe_count, dropped = 0;
-    uint64_t others = 0;
+    size_t i, j, count = engine->fringe_count;
     for (i = 0; i < count; i++) {
         size_t base = (size_t)engine->fringe[i] * corners;
-        const paradt_index *links = cells->neighbors + base;
-        int leaves;
         paradt__fetch_listed(cells, engine->fringe, count, i);
-        if (cells->vertices[base] == PARADT__DEAD) continue; // it is in the list twice
-        leaves = paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark);
-        others += (uint64_t)paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE);
-        engine->fringe[dropped++] = engine->fringe[i];
         for (j = 0; j < corners; j++) {
-            const paradt_index *across;
-            if (links[j] < 0) continue; // what is there was dropped before
-            cells->neighbors[links[j]] = PARADT__OPEN;
-            across = cells->vertices + (size_t)links[j] / corners * corners;
-            if (leaves && paradt__vertices_among(across, (int)corners, 0, own))
+            paradt_index link = cells->neighbors[base + j];
+            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
+            if (PARADT__LIKELY(engine->bw.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->neighbors[link] = PARADT__OPEN;
+            if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
+                paradt__vertices_among(across, (int)corners, 0, own))
                 paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
         }
-        cells->vertices[base] = PARADT__DEAD;
     }
-    engine->fringe_count = dropped;
-    return others;
+    for (i = 0; i < count; i++) cells->vertices[(size_t)engine->fringe[i] * corners] = PARADT__DEAD;
 }
 
 PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
                                                           size_t corners, paradt_index *mark) {
-    paradt__remote_engine_judge(engine, own, corners, mark);
-    return paradt__remote_engine_drop(engine, own, corners, mark);
+    uint64_t others = paradt__remote_engine_judge(engine, own, corners, mark);
+    paradt__remote_engine_drop(engine, own, corners, mark);
+    return others;
 }
 
 // Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
@@ -11234,6 +11236,7 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     for (i = 0; i < bw->cells.count && set->space.weighted; i++)
         paradt__mark_vertices(mark, bw->cells.vertices + i * corners, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
     paradt__release(memory, bw->spare);
+    paradt__release(memory, bw->marks);
     paradt__release(memory, engine->fringe);
     *cells = bw->cells;
     memset(engine, 0, sizeof *engine);
