@@ -1490,23 +1490,31 @@ static paradt_status paradt_mpi__lay(paradt_mpi__work *w) {
     return PARADT_OK;
 }
 
-// Every rank learns the points that span all: so every local triangulation has the dimension of the whole.
+// Every rank learns the points that span all: so every local triangulation has the dimension of the whole. origins: see
+// paradt_mpi__span
 static paradt_status paradt_mpi__share_basis(paradt_mpi__work *w, const paradt_index *origins) {
-    paradt_mpi__list list;
-    size_t news, i;
-    int k, r;
-    paradt_status status = PARADT_OK;
-    memset(&list, 0, sizeof list);
-    for (r = 0; r < w->ranks; r++) {
-        for (k = 0; k <= w->set.space.dim; k++) {
-            if (r == w->rank || origins[k] < 0) continue;
-            for (i = 0; w->set.origin[i] != origins[k];) i++;
-            if (!status) status = paradt_mpi__list_news(w, &list, r, (paradt_index)i);
-        }
+    enum { MOST = PARADT_MAX_DIM + 5 };          // words a point: its row on the wire and, last, its rank
+    uint64_t words[(PARADT_MAX_DIM + 1) * MOST]; // zero but for one rank's
+    double wire[MOST];
+    size_t count = (size_t)w->set.space.dim + 1, width = paradt_mpi__wire_width(w), i, k;
+    paradt_status status;
+    memset(words, 0, sizeof words);
+    for (k = 0; k < count; k++) {
+        if (origins[k] < 0) continue;
+        for (i = 0; w->set.origin[i] != origins[k];) i++;
+        paradt_mpi__put_wire(w, wire, (paradt_index)i);
+        memcpy(words + k * MOST, wire, width * sizeof *wire);
+        words[k * MOST + width] = (uint64_t)w->rank;
     }
-    status = paradt_mpi__agree(w, paradt_mpi__learn(w, status, &list, &news));
-    paradt__release(&w->memory, list.items);
-    return status;
+    MPI_Allreduce(MPI_IN_PLACE, words, (int)(count * MOST), MPI_UINT64_T, MPI_SUM, w->comm);
+    status = paradt_mpi__make_room(w, count);
+    if (!status) status = paradt_mpi__table_room(w, &w->others, count);
+    for (k = 0; k < count && !status; k++) {
+        int rank = (int)words[k * MOST + width];
+        memcpy(wire, words + k * MOST, width * sizeof *wire);
+        if (rank != w->rank) (void)paradt_mpi__add_other(w, rank, wire);
+    }
+    return paradt_mpi__agree(w, status);
 }
 
 // Makes the rows this rank got, in the order of their ids, its own points.
