@@ -940,7 +940,7 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
                                         paradt__from_ordered_bits(box->high[box->axis]) * part);
     }
     box->origin = paradt__from_ordered_bits(box->low[box->axis]) * 0.5;
-    box->scale = longest > 0.0 ? PARADT_MPI__PARTS / longest : 0.0;
+    box->scale = longest > 0.0 ? (double)PARADT_MPI__PARTS / longest : 0.0;
     if (!(box->scale < PARADT__FAR)) box->scale = 0.0;
     for (axis = 0; axis < w->dim && longest > 0.0; axis++) length[axis] /= longest;
     if (box->ranks > 1)
