@@ -11101,7 +11101,7 @@ PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engi
     }
 }
 
-// No more points come: gives all memory back but that of what is at the places, and the lists of these.
+// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
 static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
     paradt_index *spare = engine->bw.spare;
     unsigned char *marks = engine->bw.marks;
