@@ -769,7 +769,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>bits
+// >>numbers
 //
 // Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
 // the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
@@ -949,6 +949,145 @@ PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t ma
     }
 }
 
+// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+PARADT__INLINE int paradt__max(int a, int b) {
+    return a > b ? a : b;
+}
+PARADT__INLINE int paradt__min(int a, int b) {
+    return a < b ? a : b;
+}
+
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+PARADT__INLINE double paradt__abs(double x) {
+#if defined(__GNUC__) || defined(__clang__)
+    return __builtin_fabs(x);
+#else
+    return x < 0 ? -x : x;
+#endif
+}
+
+// The largest size among count values
+PARADT__INLINE double paradt__largest(const double *x, int count) {
+    double m = paradt__abs(x[0]);
+    for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
+    return m;
+}
+
+// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
+// and hosts have done so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
+// in several places: all must see the same.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
+}
+
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>tasks
+//
+// What runs on several threads: teams of tasks, progress, giving up, and pauses of insertions that work together.
+// Doors: to be listed.
+
+// Tasks that may run at once, for work that is divided by points
+typedef struct paradt__team {
+    paradt_parallel_for parallel_for; // NULL: one after another
+    void *user;
+    size_t tasks; // 1..PARADT__MOST_TASKS
+} paradt__team;
+
+enum { PARADT__MOST_TASKS = 4 };
+
+static paradt__team paradt__team_of(const paradt_options *options, size_t regions) {
+    paradt__team team;
+    team.parallel_for = options->parallel_for;
+    team.user = options->user;
+    team.tasks = options->parallel_for ? regions : 1;
+    if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
+    return team;
+}
+
+static const paradt__team paradt__alone = {NULL, NULL, 1};
+
+static void paradt__team_run(const paradt__team *team, void (*task)(void *context, size_t index), void *context) {
+    if (team->tasks > 1) team->parallel_for(team->user, team->tasks, task, context);
+    else task(context, 0);
+}
+// Progress and cancellation, asked for now and then.
+typedef struct paradt__progress {
+    paradt_progress call; // NULL: none
+    void *user;
+    double begin, length; // the part of the work that this task is
+} paradt__progress;
+
+static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
+    if (!progress->call) return 0;
+    if (fraction > 1.0) fraction = 1.0;
+    return progress->call(progress->user, progress->begin + fraction * progress->length) != 0;
+}
+
+// A status that no caller gets to see
+#define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
+
+// What insertions at once have in common that are to pause together
+typedef struct paradt__relay {
+    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
+    ptrdiff_t stop; // they pause when it is so much
+} paradt__relay;
+
+// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
+static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
+#if defined(PARADT__ADD_AT_ONCE)
+    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, (ptrdiff_t)worth) >= relay->stop;
+#else
+    (void)relay, (void)done, (void)worth;
+    return 0;
+#endif
+}
+
+// The others do not pause while one does what takes as long as so many points and can't be paused.
+static void paradt__relay_waits(paradt__relay *relay, size_t points) {
+#if defined(PARADT__ADD_AT_ONCE)
+    if (relay) PARADT__ADD_AT_ONCE(&relay->done, -(ptrdiff_t)points);
+#else
+    (void)relay, (void)points;
+#endif
+}
+
+static double paradt__now(void) {
+#if defined(__wasi__) // has no clock()
+    struct timespec now;
+    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#else
+#if defined(TIME_UTC)
+    struct timespec now;
+    if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#endif
+    return (double)clock() / (double)CLOCKS_PER_SEC;
+#endif
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>predicates
 //
@@ -1010,39 +1149,10 @@ typedef struct paradt__space {
 
 #define PARADT__UNDECIDED 2
 
-// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
-#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
-
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
 // ceil(log2(n!))
 static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
-
-PARADT__INLINE int paradt__max(int a, int b) {
-    return a > b ? a : b;
-}
-PARADT__INLINE int paradt__min(int a, int b) {
-    return a < b ? a : b;
-}
-
-PARADT__INLINE double paradt__larger(double a, double b) {
-    return a > b ? a : b;
-}
-
-PARADT__INLINE double paradt__abs(double x) {
-#if defined(__GNUC__) || defined(__clang__)
-    return __builtin_fabs(x);
-#else
-    return x < 0 ? -x : x;
-#endif
-}
-
-// The largest size among count values
-PARADT__INLINE double paradt__largest(const double *x, int count) {
-    double m = paradt__abs(x[0]);
-    for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
-    return m;
-}
 
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
@@ -1128,24 +1238,6 @@ static double paradt__rounding(int k, int n) {
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
-// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
-// and hosts have done so.
-static int paradt__precise(void) {
-#if defined(__i386__) || defined(_M_IX86)
-    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
-    return above > one;
-#else
-    return 1;
-#endif
-}
-
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
-// in several places: all must see the same.
-PARADT__INLINE double paradt__rounded(double x) {
-    volatile double rounded = x;
-    return rounded;
-}
-
 // Adds what another has measured.
 static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     for (int j = 0; j < s->ambient; j++) {
@@ -1214,6 +1306,11 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
     }
     return 0;
 }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>filters
+//
+// Doors: to be listed.
 
 // The filters' last step. largest: the product of the columns' largest entries
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
@@ -1391,6 +1488,11 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
     if (n > k && k & 1) det = -det;
     return paradt__decide(s, det, product, n == k ? &s->orient[k] : &s->insphere[k]);
 }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>exact stages
+//
+// Doors: to be listed.
 
 // What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
 // n > k, the lift over d coordinates.
@@ -1941,7 +2043,10 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     return k & 1 ? -sign : sign;
 }
 
-// --- the predicates
+// ---------------------------------------------------------------------------------------------------------------------
+// >>signs
+//
+// Doors: to be listed.
 
 PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
     int sign = PARADT__UNDECIDED;
@@ -2554,30 +2659,6 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 // What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
 // paradt__span, paradt__record.
 
-// Tasks that may run at once, for work that is divided by points
-typedef struct paradt__team {
-    paradt_parallel_for parallel_for; // NULL: one after another
-    void *user;
-    size_t tasks; // 1..PARADT__MOST_TASKS
-} paradt__team;
-
-enum { PARADT__MOST_TASKS = 4 };
-
-static paradt__team paradt__team_of(const paradt_options *options, size_t regions) {
-    paradt__team team;
-    team.parallel_for = options->parallel_for;
-    team.user = options->user;
-    team.tasks = options->parallel_for ? regions : 1;
-    if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
-    return team;
-}
-
-static const paradt__team paradt__alone = {NULL, NULL, 1};
-
-static void paradt__team_run(const paradt__team *team, void (*task)(void *context, size_t index), void *context) {
-    if (team->tasks > 1) team->parallel_for(team->user, team->tasks, task, context);
-    else task(context, 0);
-}
 
 enum {
     PARADT__UNGRADED,
@@ -2680,14 +2761,6 @@ PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t poin
             x[axis] = paradt__signless_zero(bits);
         }
     }
-}
-
-static uint64_t paradt__mix(uint64_t h) {
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    return h ^ h >> 32;
 }
 
 static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
@@ -2856,7 +2929,10 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
     return PARADT_OK;
 }
 
-// --- in the order of a curve
+// ---------------------------------------------------------------------------------------------------------------------
+// >>order
+//
+// Doors: to be listed.
 
 PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t point) {
     double x[PARADT_MAX_DIM];
@@ -3216,7 +3292,10 @@ static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *
     return status;
 }
 
-// --- scale, dimension and measures
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures
+//
+// Doors: to be listed.
 
 // Brings the largest coordinate near 1, if no bit of any coordinate or weight is lost by that: T(P) does not change,
 // and sets far from 1 get the floating-point filter. Weights are squares of lengths. Returns whether it has.
@@ -3559,314 +3638,6 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>grid
-//
-// The thesis speeds InCoDe up by a uniform grid. This one adapts: the set is halved again and again across the longest
-// side of its bounding box, down to grid cells of eight points, which stand side by side in memory. Eight grid cells
-// make a group, eight groups one of the next level, and so on: cell i of a level covers the points from 8^(level+1) i.
-// On uniform points that is a uniform grid; in clusters it is as fine as they are, and in any dimension it has n/8
-// cells. The halves are cut at multiples of 8, so positions need no pointers: the left half of a range is the smallest
-// 8 * 2^j points that are at least half of it. Ties on the cut are broken by the other axes (a symbolically tilted
-// plane), so a cut separates the vertices on its two sides in the sense DeWall needs.
-// Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
-// over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
-// Doors: paradt__grid_build, paradt__grid_free, paradt__grid_cut, paradt__grid_axis, paradt__before; the lanes.
-
-enum {
-    PARADT__LANES = 8,       // points a grid cell, grid cells a group
-    PARADT__MAX_LEVELS = 21, // 8^21 > 2^62
-    PARADT__GRID_ROOM = (PARADT_MAX_DIM + 1) * PARADT__LANES
-};
-
-#define PARADT__FAR 1e300 // farther than any point of a set that the floating-point filter is used on
-
-typedef struct paradt__grid {
-    int levels;
-    size_t cell_count;  // grid cells at level 0
-    size_t group_width; // doubles a group of boxes: low and high of each axis, the largest grade, in lanes
-    double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate; NULL: not kept
-    double *boxes[PARADT__MAX_LEVELS];    // [level] groups of eight bounding boxes
-    size_t box_count[PARADT__MAX_LEVELS]; // [level] boxes
-    double *rooms[PARADT__MAX_LEVELS];    // [level][group] low and high of each axis: the points inside are the group's
-    double heaviest;                      // largest weight, or 0
-} paradt__grid;
-
-// Is a before b along the axis? A total order on distinct points.
-PARADT__INLINE int paradt__before(const paradt__space *space, const double *a, const double *b, int axis) {
-    int i, dim = space->dim;
-    for (i = 0; i < dim; i++) {
-        if (space->filtered) {
-            if (a[axis] != b[axis]) return a[axis] < b[axis];
-        } else {
-            int64_t left = paradt__ordered_bits(a[axis]), right = paradt__ordered_bits(b[axis]);
-            if (left != right) return left < right;
-        }
-        if (++axis == dim) axis = 0;
-    }
-    return 0;
-}
-
-PARADT__INLINE void paradt__exchange(paradt__set *set, size_t width, size_t a, size_t b) {
-    double *x = set->records + a * width, *y = set->records + b * width;
-    paradt_index origin = set->origin[a];
-    size_t i;
-    for (i = 0; i < width; i++) {
-        double t = x[i];
-        x[i] = y[i];
-        y[i] = t;
-    }
-    set->origin[a] = set->origin[b];
-    set->origin[b] = origin;
-}
-
-// A place in [begin, end) whose point is likely to come a little after the nth one along the axis, or a little before
-// it: whichever leaves the smaller part to go on with. It is found in a sample of `size` points, which are brought to
-// the front of the range.
-PARADT__INLINE size_t paradt__pivot_place(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth,
-                                          int axis, size_t size) {
-    size_t i, j, count = end - begin, beyond = size / 16, target = (nth - begin) * size / count;
-    uint64_t state = count;
-#define PARADT__AT(place) (set->records + (place)*width)
-    for (i = 0; i < size; i++) {
-        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-        paradt__exchange(set, width, begin + i, begin + i + (size_t)((state >> 32) % (count - i)));
-        for (j = begin + i; j > begin && paradt__before(&set->space, PARADT__AT(j), PARADT__AT(j - 1), axis); j--) {
-            paradt__exchange(set, width, j, j - 1);
-        }
-    }
-#undef PARADT__AT
-    if (target < size / 2) target += beyond;
-    else target -= beyond < target ? beyond : target;
-    return begin + target;
-}
-
-// Quickselect (Hoare; the pivot by a sample, after Floyd and Rivest, CACM 18, 1975): afterwards the points of
-// [begin, nth) are before those of [nth, end) along the axis. Returns a coordinate that separates the two sides weakly.
-PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth, int axis) {
-    const paradt__space *space = &set->space;
-    while (end - begin > 1) {
-        double pivot[PARADT_MAX_DIM + 1];
-        size_t i = begin, j = end - 1, count = end - begin,
-               size = count > 4096  ? 48
-                      : count > 256 ? 15
-                      : count > 8   ? 3
-                                    : 1;
-        size_t place = paradt__pivot_place(set, width, begin, end, nth, axis, size);
-        memcpy(pivot, set->records + place * width, width * sizeof(double));
-#define PARADT__AT(place) (set->records + (place)*width)
-        for (;;) {
-            while (paradt__before(space, PARADT__AT(i), pivot, axis)) i++;
-            while (paradt__before(space, pivot, PARADT__AT(j), axis)) j--;
-            if (i >= j) break;
-            paradt__exchange(set, width, i++, j--);
-        }
-#undef PARADT__AT
-        // Points before i are not after the pivot, points after j not before it; i == j + 1, or i == j at the pivot.
-        if (nth == i || (i == j && nth == i + 1)) return pivot[axis];
-        if (nth < i) end = i;
-        else begin = i == j ? i + 1 : i;
-    }
-    return set->records[nth * width + (size_t)axis];
-}
-
-// The first point of the right half of a range of more than eight points.
-static size_t paradt__grid_cut(size_t begin, size_t end) {
-    size_t left = PARADT__LANES;
-    while (left * 2 < end - begin) left *= 2;
-    return begin + left;
-}
-
-// The axis across which a range is cut: the longest side of its bounding box. Where differences of coordinates may
-// overflow, lengths are counted in representable numbers.
-PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length = -1.0;
-    const double *x = set->records + begin * width, *last = set->records + end * width;
-    int axis, longest = 0;
-    for (axis = 0; axis < dim; axis++) low[axis] = high[axis] = x[axis];
-    for (; x < last; x += width) {
-        for (axis = 0; axis < dim; axis++) {
-            low[axis] = x[axis] < low[axis] ? x[axis] : low[axis];
-            high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
-        }
-    }
-    for (axis = 0; axis < dim; axis++) {
-        double side = set->space.filtered ? high[axis] - low[axis]
-                                          : (double)paradt__ordered_bits(high[axis]) * 0.5 -
-                                                (double)paradt__ordered_bits(low[axis]) * 0.5;
-        if (side > length) length = side, longest = axis;
-    }
-    return longest;
-}
-
-static int paradt__grid_axis(const paradt__set *set, size_t begin, size_t end) {
-    if (set->width == 3 && set->space.dim == 3) return paradt__longest_side(set, begin, end, 3, 3);
-    return paradt__longest_side(set, begin, end, set->width, set->space.dim);
-}
-
-// Keeps the room of a range that is a whole group, on every level where it is one.
-static void paradt__grid_keep_room(paradt__grid *grid, const paradt__set *set, size_t begin, size_t end,
-                                   const double *room) {
-    int level;
-    size_t span = PARADT__LANES * PARADT__LANES, width = 2 * (size_t)set->space.dim;
-    for (level = 0; level < grid->levels; level++, span *= PARADT__LANES) {
-        if (begin % span == 0 && (end - begin == span || (end == set->count && end - begin < span))) {
-            memcpy(grid->rooms[level] + begin / span * width, room, width * sizeof(double));
-        }
-    }
-}
-
-// Halves the range down to grid cells. room: low and high of each axis between the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
-    double room[2 * PARADT_MAX_DIM];
-    memcpy(room, around, sizeof room);
-    for (;;) {
-        size_t cut;
-        double at, high;
-        int axis;
-        if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
-            paradt__grid_keep_room(grid, set, begin, end, room);
-        if (end - begin <= PARADT__LANES) return;
-        cut = paradt__grid_cut(begin, end);
-        axis = paradt__grid_axis(set, begin, end);
-        switch (set->width) { // the same code with the width known
-        case 2: at = paradt__select(set, 2, begin, end, cut, axis); break;
-        case 3: at = paradt__select(set, 3, begin, end, cut, axis); break;
-        default: at = paradt__select(set, set->width, begin, end, cut, axis);
-        }
-        high = room[2 * axis + 1];
-        room[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, room);
-        room[2 * axis + 1] = high;
-        room[2 * axis] = at;
-        begin = cut;
-    }
-}
-
-// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated. Inlined with a
-// constant width.
-PARADT__INLINE void paradt__lay_lanes_of(const paradt__set *set, size_t width, size_t cell, double *lanes) {
-    size_t lane, j;
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        size_t place = cell * PARADT__LANES + lane;
-        const double *record = set->records + (place < set->count ? place : set->count - 1) * width;
-        for (j = 0; j < width; j++) lanes[j * PARADT__LANES + lane] = record[j];
-    }
-}
-
-static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes) {
-    if (set->width == 3) paradt__lay_lanes_of(set, 3, cell, lanes);
-    else paradt__lay_lanes_of(set, set->width, cell, lanes);
-}
-
-// The same, kept or in `room`, which has PARADT__GRID_ROOM doubles.
-PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const paradt__set *set, size_t cell,
-                                                double *room) {
-    if (PARADT__LIKELY(grid->lanes != NULL)) return grid->lanes + cell * set->width * PARADT__LANES;
-    paradt__lay_lanes(set, cell, room);
-    return room;
-}
-
-// One box, around `count` points or boxes, with the largest weight where they are graded. From one of these to the next
-// it is `step` doubles, from axis to axis `stride`, and from the lower bound to the upper `rise`. Inlined with
-// constants.
-PARADT__INLINE void paradt__grid_bound(double *box, const double *below, size_t count, size_t step, size_t stride,
-                                       size_t rise, size_t ambient, int graded) {
-    size_t axis, i;
-    for (axis = 0; axis < ambient + (size_t)graded; axis++) {
-        const double *low = below + axis * stride, *high = axis < ambient ? low + rise : low;
-        double *to = box + axis * 2 * PARADT__LANES, least = low[0], most = high[0];
-        for (i = 1; i < count; i++) {
-            least = low[i * step] < least ? low[i * step] : least;
-            most = high[i * step] > most ? high[i * step] : most;
-        }
-        to[0] = axis < ambient ? least : most;
-        if (axis < ambient) to[PARADT__LANES] = most;
-    }
-}
-
-static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
-    enum { ROWS = 2 * PARADT__LANES };
-    size_t below = level ? grid->box_count[level - 1] : set->count, width = set->width, i;
-    size_t ambient = (size_t)set->space.ambient;
-    int graded = set->grade != PARADT__UNGRADED;
-    for (i = 0; i < grid->box_count[level]; i++) {
-        double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
-        const double *from =
-            level ? grid->boxes[level - 1] + i * grid->group_width : set->records + i * PARADT__LANES * width;
-        size_t left = below - i * PARADT__LANES, count = left < PARADT__LANES ? left : (size_t)PARADT__LANES;
-        if (level) paradt__grid_bound(box, from, count, 1, ROWS, PARADT__LANES, ambient, graded);
-        else if (width == 3 && ambient == 3 && count == PARADT__LANES)
-            paradt__grid_bound(box, from, PARADT__LANES, 3, 1, 0, 3, 0);
-        else paradt__grid_bound(box, from, count, width, 1, 0, ambient, graded);
-    }
-}
-
-// Fills the grid cells and boxes of a set in its present order.
-static void paradt__grid_fill(paradt__grid *grid, const paradt__set *set) {
-    int level;
-    size_t i;
-    for (i = 0; grid->lanes && i < grid->cell_count; i++)
-        paradt__lay_lanes(set, i, grid->lanes + i * set->width * PARADT__LANES);
-    for (level = 0; level < grid->levels; level++) paradt__grid_fill_level(grid, set, level);
-    for (i = 0; set->space.weighted && i < set->count; i++) {
-        double weight = set->records[i * set->width + (size_t)set->space.ambient];
-        if (i == 0 || weight > grid->heaviest) grid->heaviest = weight;
-    }
-}
-
-static void paradt__grid_free(paradt__grid *grid, paradt__memory *memory) {
-    int level;
-    paradt__release(memory, grid->lanes);
-    for (level = 0; level < grid->levels; level++) {
-        paradt__release(memory, grid->boxes[level]);
-        paradt__release(memory, grid->rooms[level]);
-    }
-    memset(grid, 0, sizeof *grid);
-}
-
-// front: for a method that searches for every facet; it keeps lanes and rooms.
-static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int front,
-                                           paradt__memory *memory) {
-    size_t count;
-    memset(grid, 0, sizeof *grid);
-    count = grid->cell_count = (set->count + PARADT__LANES - 1) / PARADT__LANES;
-    grid->group_width = (size_t)(2 * set->space.ambient + (set->grade != PARADT__UNGRADED)) * PARADT__LANES;
-    if (front) grid->lanes = (double *)paradt__alloc_filled(memory, count * PARADT__LANES, set->width * sizeof(double));
-    if (front && !grid->lanes) return PARADT_ERROR_MEMORY;
-    do {
-        int level = grid->levels++;
-        size_t groups = (count + PARADT__LANES - 1) / PARADT__LANES;
-        grid->box_count[level] = count;
-        grid->boxes[level] = (double *)paradt__alloc_filled(memory, groups * grid->group_width, sizeof(double));
-        if (front)
-            grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
-        if (!grid->boxes[level] || (front && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
-        memset(grid->boxes[level] + (groups - 1) * grid->group_width, 0, grid->group_width * sizeof(double));
-        count = groups;
-    } while (count > 1);
-    return PARADT_OK;
-}
-
-// Sorts the set and lays the grid over it. The set has at least one point.
-static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
-    double room[2 * PARADT_MAX_DIM];
-    paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
-    size_t i;
-    if (status) return status;
-    for (i = 0; i < 2 * PARADT_MAX_DIM; i++) room[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, room);
-    paradt__grid_fill(grid, set);
-    return PARADT_OK;
-}
-
-// Lays a grid over the set in the order that it has, for few searches, from the top. It has no lanes and no rooms.
-static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
-    paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
-    if (!status) paradt__grid_fill(grid, set);
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
 // >>cells and the active face list
 //
 // Cells are stored as they are made. A facet is named by its handle: (dim + 1) * cell + i is the facet of `cell`
@@ -4175,6 +3946,314 @@ static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
     lists->nodes[node].next = lists->spare;
     lists->spare = node;
     return handle;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>grid
+//
+// The thesis speeds InCoDe up by a uniform grid. This one adapts: the set is halved again and again across the longest
+// side of its bounding box, down to grid cells of eight points, which stand side by side in memory. Eight grid cells
+// make a group, eight groups one of the next level, and so on: cell i of a level covers the points from 8^(level+1) i.
+// On uniform points that is a uniform grid; in clusters it is as fine as they are, and in any dimension it has n/8
+// cells. The halves are cut at multiples of 8, so positions need no pointers: the left half of a range is the smallest
+// 8 * 2^j points that are at least half of it. Ties on the cut are broken by the other axes (a symbolically tilted
+// plane), so a cut separates the vertices on its two sides in the sense DeWall needs.
+// Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
+// over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
+// Doors: paradt__grid_build, paradt__grid_free, paradt__grid_cut, paradt__grid_axis, paradt__before; the lanes.
+
+enum {
+    PARADT__LANES = 8,       // points a grid cell, grid cells a group
+    PARADT__MAX_LEVELS = 21, // 8^21 > 2^62
+    PARADT__GRID_ROOM = (PARADT_MAX_DIM + 1) * PARADT__LANES
+};
+
+#define PARADT__FAR 1e300 // farther than any point of a set that the floating-point filter is used on
+
+typedef struct paradt__grid {
+    int levels;
+    size_t cell_count;  // grid cells at level 0
+    size_t group_width; // doubles a group of boxes: low and high of each axis, the largest grade, in lanes
+    double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate; NULL: not kept
+    double *boxes[PARADT__MAX_LEVELS];    // [level] groups of eight bounding boxes
+    size_t box_count[PARADT__MAX_LEVELS]; // [level] boxes
+    double *rooms[PARADT__MAX_LEVELS];    // [level][group] low and high of each axis: the points inside are the group's
+    double heaviest;                      // largest weight, or 0
+} paradt__grid;
+
+// Is a before b along the axis? A total order on distinct points.
+PARADT__INLINE int paradt__before(const paradt__space *space, const double *a, const double *b, int axis) {
+    int i, dim = space->dim;
+    for (i = 0; i < dim; i++) {
+        if (space->filtered) {
+            if (a[axis] != b[axis]) return a[axis] < b[axis];
+        } else {
+            int64_t left = paradt__ordered_bits(a[axis]), right = paradt__ordered_bits(b[axis]);
+            if (left != right) return left < right;
+        }
+        if (++axis == dim) axis = 0;
+    }
+    return 0;
+}
+
+PARADT__INLINE void paradt__exchange(paradt__set *set, size_t width, size_t a, size_t b) {
+    double *x = set->records + a * width, *y = set->records + b * width;
+    paradt_index origin = set->origin[a];
+    size_t i;
+    for (i = 0; i < width; i++) {
+        double t = x[i];
+        x[i] = y[i];
+        y[i] = t;
+    }
+    set->origin[a] = set->origin[b];
+    set->origin[b] = origin;
+}
+
+// A place in [begin, end) whose point is likely to come a little after the nth one along the axis, or a little before
+// it: whichever leaves the smaller part to go on with. It is found in a sample of `size` points, which are brought to
+// the front of the range.
+PARADT__INLINE size_t paradt__pivot_place(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth,
+                                          int axis, size_t size) {
+    size_t i, j, count = end - begin, beyond = size / 16, target = (nth - begin) * size / count;
+    uint64_t state = count;
+#define PARADT__AT(place) (set->records + (place)*width)
+    for (i = 0; i < size; i++) {
+        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        paradt__exchange(set, width, begin + i, begin + i + (size_t)((state >> 32) % (count - i)));
+        for (j = begin + i; j > begin && paradt__before(&set->space, PARADT__AT(j), PARADT__AT(j - 1), axis); j--) {
+            paradt__exchange(set, width, j, j - 1);
+        }
+    }
+#undef PARADT__AT
+    if (target < size / 2) target += beyond;
+    else target -= beyond < target ? beyond : target;
+    return begin + target;
+}
+
+// Quickselect (Hoare; the pivot by a sample, after Floyd and Rivest, CACM 18, 1975): afterwards the points of
+// [begin, nth) are before those of [nth, end) along the axis. Returns a coordinate that separates the two sides weakly.
+PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth, int axis) {
+    const paradt__space *space = &set->space;
+    while (end - begin > 1) {
+        double pivot[PARADT_MAX_DIM + 1];
+        size_t i = begin, j = end - 1, count = end - begin,
+               size = count > 4096  ? 48
+                      : count > 256 ? 15
+                      : count > 8   ? 3
+                                    : 1;
+        size_t place = paradt__pivot_place(set, width, begin, end, nth, axis, size);
+        memcpy(pivot, set->records + place * width, width * sizeof(double));
+#define PARADT__AT(place) (set->records + (place)*width)
+        for (;;) {
+            while (paradt__before(space, PARADT__AT(i), pivot, axis)) i++;
+            while (paradt__before(space, pivot, PARADT__AT(j), axis)) j--;
+            if (i >= j) break;
+            paradt__exchange(set, width, i++, j--);
+        }
+#undef PARADT__AT
+        // Points before i are not after the pivot, points after j not before it; i == j + 1, or i == j at the pivot.
+        if (nth == i || (i == j && nth == i + 1)) return pivot[axis];
+        if (nth < i) end = i;
+        else begin = i == j ? i + 1 : i;
+    }
+    return set->records[nth * width + (size_t)axis];
+}
+
+// The first point of the right half of a range of more than eight points.
+static size_t paradt__grid_cut(size_t begin, size_t end) {
+    size_t left = PARADT__LANES;
+    while (left * 2 < end - begin) left *= 2;
+    return begin + left;
+}
+
+// The axis across which a range is cut: the longest side of its bounding box. Where differences of coordinates may
+// overflow, lengths are counted in representable numbers.
+PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length = -1.0;
+    const double *x = set->records + begin * width, *last = set->records + end * width;
+    int axis, longest = 0;
+    for (axis = 0; axis < dim; axis++) low[axis] = high[axis] = x[axis];
+    for (; x < last; x += width) {
+        for (axis = 0; axis < dim; axis++) {
+            low[axis] = x[axis] < low[axis] ? x[axis] : low[axis];
+            high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
+        }
+    }
+    for (axis = 0; axis < dim; axis++) {
+        double side = set->space.filtered ? high[axis] - low[axis]
+                                          : (double)paradt__ordered_bits(high[axis]) * 0.5 -
+                                                (double)paradt__ordered_bits(low[axis]) * 0.5;
+        if (side > length) length = side, longest = axis;
+    }
+    return longest;
+}
+
+static int paradt__grid_axis(const paradt__set *set, size_t begin, size_t end) {
+    if (set->width == 3 && set->space.dim == 3) return paradt__longest_side(set, begin, end, 3, 3);
+    return paradt__longest_side(set, begin, end, set->width, set->space.dim);
+}
+
+// Keeps the room of a range that is a whole group, on every level where it is one.
+static void paradt__grid_keep_room(paradt__grid *grid, const paradt__set *set, size_t begin, size_t end,
+                                   const double *room) {
+    int level;
+    size_t span = PARADT__LANES * PARADT__LANES, width = 2 * (size_t)set->space.dim;
+    for (level = 0; level < grid->levels; level++, span *= PARADT__LANES) {
+        if (begin % span == 0 && (end - begin == span || (end == set->count && end - begin < span))) {
+            memcpy(grid->rooms[level] + begin / span * width, room, width * sizeof(double));
+        }
+    }
+}
+
+// Halves the range down to grid cells. room: low and high of each axis between the cuts around the range.
+static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+    double room[2 * PARADT_MAX_DIM];
+    memcpy(room, around, sizeof room);
+    for (;;) {
+        size_t cut;
+        double at, high;
+        int axis;
+        if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
+            paradt__grid_keep_room(grid, set, begin, end, room);
+        if (end - begin <= PARADT__LANES) return;
+        cut = paradt__grid_cut(begin, end);
+        axis = paradt__grid_axis(set, begin, end);
+        switch (set->width) { // the same code with the width known
+        case 2: at = paradt__select(set, 2, begin, end, cut, axis); break;
+        case 3: at = paradt__select(set, 3, begin, end, cut, axis); break;
+        default: at = paradt__select(set, set->width, begin, end, cut, axis);
+        }
+        high = room[2 * axis + 1];
+        room[2 * axis + 1] = at;
+        paradt__grid_sort(grid, set, begin, cut, room);
+        room[2 * axis + 1] = high;
+        room[2 * axis] = at;
+        begin = cut;
+    }
+}
+
+// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated. Inlined with a
+// constant width.
+PARADT__INLINE void paradt__lay_lanes_of(const paradt__set *set, size_t width, size_t cell, double *lanes) {
+    size_t lane, j;
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        size_t place = cell * PARADT__LANES + lane;
+        const double *record = set->records + (place < set->count ? place : set->count - 1) * width;
+        for (j = 0; j < width; j++) lanes[j * PARADT__LANES + lane] = record[j];
+    }
+}
+
+static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes) {
+    if (set->width == 3) paradt__lay_lanes_of(set, 3, cell, lanes);
+    else paradt__lay_lanes_of(set, set->width, cell, lanes);
+}
+
+// The same, kept or in `room`, which has PARADT__GRID_ROOM doubles.
+PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const paradt__set *set, size_t cell,
+                                                double *room) {
+    if (PARADT__LIKELY(grid->lanes != NULL)) return grid->lanes + cell * set->width * PARADT__LANES;
+    paradt__lay_lanes(set, cell, room);
+    return room;
+}
+
+// One box, around `count` points or boxes, with the largest weight where they are graded. From one of these to the next
+// it is `step` doubles, from axis to axis `stride`, and from the lower bound to the upper `rise`. Inlined with
+// constants.
+PARADT__INLINE void paradt__grid_bound(double *box, const double *below, size_t count, size_t step, size_t stride,
+                                       size_t rise, size_t ambient, int graded) {
+    size_t axis, i;
+    for (axis = 0; axis < ambient + (size_t)graded; axis++) {
+        const double *low = below + axis * stride, *high = axis < ambient ? low + rise : low;
+        double *to = box + axis * 2 * PARADT__LANES, least = low[0], most = high[0];
+        for (i = 1; i < count; i++) {
+            least = low[i * step] < least ? low[i * step] : least;
+            most = high[i * step] > most ? high[i * step] : most;
+        }
+        to[0] = axis < ambient ? least : most;
+        if (axis < ambient) to[PARADT__LANES] = most;
+    }
+}
+
+static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, int level) {
+    enum { ROWS = 2 * PARADT__LANES };
+    size_t below = level ? grid->box_count[level - 1] : set->count, width = set->width, i;
+    size_t ambient = (size_t)set->space.ambient;
+    int graded = set->grade != PARADT__UNGRADED;
+    for (i = 0; i < grid->box_count[level]; i++) {
+        double *box = grid->boxes[level] + i / PARADT__LANES * grid->group_width + i % PARADT__LANES;
+        const double *from =
+            level ? grid->boxes[level - 1] + i * grid->group_width : set->records + i * PARADT__LANES * width;
+        size_t left = below - i * PARADT__LANES, count = left < PARADT__LANES ? left : (size_t)PARADT__LANES;
+        if (level) paradt__grid_bound(box, from, count, 1, ROWS, PARADT__LANES, ambient, graded);
+        else if (width == 3 && ambient == 3 && count == PARADT__LANES)
+            paradt__grid_bound(box, from, PARADT__LANES, 3, 1, 0, 3, 0);
+        else paradt__grid_bound(box, from, count, width, 1, 0, ambient, graded);
+    }
+}
+
+// Fills the grid cells and boxes of a set in its present order.
+static void paradt__grid_fill(paradt__grid *grid, const paradt__set *set) {
+    int level;
+    size_t i;
+    for (i = 0; grid->lanes && i < grid->cell_count; i++)
+        paradt__lay_lanes(set, i, grid->lanes + i * set->width * PARADT__LANES);
+    for (level = 0; level < grid->levels; level++) paradt__grid_fill_level(grid, set, level);
+    for (i = 0; set->space.weighted && i < set->count; i++) {
+        double weight = set->records[i * set->width + (size_t)set->space.ambient];
+        if (i == 0 || weight > grid->heaviest) grid->heaviest = weight;
+    }
+}
+
+static void paradt__grid_free(paradt__grid *grid, paradt__memory *memory) {
+    int level;
+    paradt__release(memory, grid->lanes);
+    for (level = 0; level < grid->levels; level++) {
+        paradt__release(memory, grid->boxes[level]);
+        paradt__release(memory, grid->rooms[level]);
+    }
+    memset(grid, 0, sizeof *grid);
+}
+
+// front: for a method that searches for every facet; it keeps lanes and rooms.
+static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int front,
+                                           paradt__memory *memory) {
+    size_t count;
+    memset(grid, 0, sizeof *grid);
+    count = grid->cell_count = (set->count + PARADT__LANES - 1) / PARADT__LANES;
+    grid->group_width = (size_t)(2 * set->space.ambient + (set->grade != PARADT__UNGRADED)) * PARADT__LANES;
+    if (front) grid->lanes = (double *)paradt__alloc_filled(memory, count * PARADT__LANES, set->width * sizeof(double));
+    if (front && !grid->lanes) return PARADT_ERROR_MEMORY;
+    do {
+        int level = grid->levels++;
+        size_t groups = (count + PARADT__LANES - 1) / PARADT__LANES;
+        grid->box_count[level] = count;
+        grid->boxes[level] = (double *)paradt__alloc_filled(memory, groups * grid->group_width, sizeof(double));
+        if (front)
+            grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
+        if (!grid->boxes[level] || (front && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
+        memset(grid->boxes[level] + (groups - 1) * grid->group_width, 0, grid->group_width * sizeof(double));
+        count = groups;
+    } while (count > 1);
+    return PARADT_OK;
+}
+
+// Sorts the set and lays the grid over it. The set has at least one point.
+static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+    double room[2 * PARADT_MAX_DIM];
+    paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
+    size_t i;
+    if (status) return status;
+    for (i = 0; i < 2 * PARADT_MAX_DIM; i++) room[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
+    paradt__grid_sort(grid, set, 0, set->count, room);
+    paradt__grid_fill(grid, set);
+    return PARADT_OK;
+}
+
+// Lays a grid over the set in the order that it has, for few searches, from the top. It has no lanes and no rooms.
+static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
+    paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
+    if (!status) paradt__grid_fill(grid, set);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -4565,6 +4644,11 @@ static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
 #endif
     return plain[ambient - 2][grade];
 }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>search
+//
+// Doors: to be listed.
 
 typedef struct paradt__search {
     const paradt__set *set;
@@ -5410,13 +5494,6 @@ typedef struct paradt__region_view {
     uint32_t region;
 } paradt__region_view;
 
-// Progress and cancellation, asked for now and then.
-typedef struct paradt__progress {
-    paradt_progress call; // NULL: none
-    void *user;
-    double begin, length; // the part of the work that this task is
-} paradt__progress;
-
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
     uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
@@ -5443,12 +5520,6 @@ typedef struct paradt__front {
     paradt_index doors; // with regions: list of facets to look behind
     size_t next_seed;   // positions before it need no seed
 } paradt__front;
-
-static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
-    if (!progress->call) return 0;
-    if (fraction > 1.0) fraction = 1.0;
-    return progress->call(progress->user, progress->begin + fraction * progress->length) != 0;
-}
 
 // Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
 // the Poisson-Delaunay mosaic); near the hull there are fewer.
@@ -5785,9 +5856,6 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// A status that no caller gets to see
-#define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
-
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
 static uint64_t paradt__front_predicates(const paradt__front *front) {
@@ -5825,6 +5893,152 @@ static paradt_status paradt__incode(paradt__front *front) {
             status = paradt__front_expand(front, handle, NULL, NULL);
             if (!status && front->impatient && paradt__front_is_stuck(front)) return PARADT__GAVE_UP;
         }
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>dewall
+//
+// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
+// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
+// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
+// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
+// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
+// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
+// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
+// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
+// out of a range, and go back to the caller. Doors: paradt__dewall.
+
+enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
+
+typedef struct paradt__wall {
+    size_t begin, cut, end;
+    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
+    paradt_index outside;         // facets with a vertex out of the range
+} paradt__wall;
+
+static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
+    paradt__wall *wall = (paradt__wall *)method;
+    size_t low = SIZE_MAX, high = 0;
+    paradt_index *head = &wall->alpha;
+    int corners = front->cells.corners, opposite = (int)(handle % corners), i;
+    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    for (i = 0; i < corners; i++) {
+        size_t at = (size_t)cell[i];
+        if (i == opposite) continue;
+        low = at < low ? at : low;
+        high = at > high ? at : high;
+    }
+    if (low < wall->begin || high >= wall->end) head = &wall->outside;
+    else if (high < wall->cut) head = &wall->one;
+    else if (low >= wall->cut) head = &wall->two;
+    return paradt__list_push(&front->lists, head, handle, front->memory);
+}
+
+// Moves the facets of a list to the lists of the wall.
+static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
+    return status;
+}
+
+// Takes a facet from a list out of the AFL, if it is still active.
+static int paradt__front_take(paradt__front *front, paradt_index handle) {
+    int corners = front->cells.corners, opposite = (int)(handle % corners);
+    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
+    if (front->cells.neighbors[handle] != PARADT__OPEN) return 0;
+    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
+    return 1;
+}
+
+// Works on a list of the wall until it is empty.
+static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) {
+        paradt_index handle = paradt__list_pop(&front->lists, head);
+        if (paradt__front_take(front, handle)) {
+            status = paradt__front_expand(front, handle, paradt__wall_activate, wall);
+        }
+    }
+    return status;
+}
+
+// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
+static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
+    const paradt__set *set = front->set;
+    const paradt__space *space = &set->space;
+    int axis = paradt__grid_axis(set, wall->begin, wall->end), dim = space->dim, i;
+    size_t at, left = wall->begin, right = wall->cut;
+    const double *p, *q;
+    for (at = wall->begin; at < wall->cut; at++) {
+        if (paradt__before(space, set->records + left * set->width, set->records + at * set->width, axis)) left = at;
+    }
+    for (at = wall->cut; at < wall->end; at++) {
+        if (paradt__before(space, set->records + at * set->width, set->records + right * set->width, axis)) right = at;
+    }
+    p = set->records + left * set->width;
+    q = set->records + right * set->width;
+    cell[0] = (paradt_index)left;
+    cell[1] = (paradt_index)right;
+    front->search.begin = 0;
+    front->search.end = set->count;
+    paradt__cell_towards(&front->search, cell, 2);
+    do {
+        int behind = 0, within = 0;
+        for (i = 0; i <= dim; i++) {
+            behind += paradt__before(space, p, paradt__record(set, cell[i]), axis);
+            within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
+        }
+        if (behind > 0 && behind <= dim) return within == dim + 1;
+    } while (paradt__walk(&front->search, cell, q));
+    return 0;
+}
+
+// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
+// range are added to *outside. The depth is at most the logarithm of the number of points.
+static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
+                                        paradt_index *outside) {
+    paradt__wall wall;
+    paradt_status status;
+    wall.begin = begin;
+    wall.end = wall.cut = end;
+    wall.alpha = wall.one = wall.two = PARADT__OPEN;
+    wall.outside = *outside;
+    if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
+    status = paradt__wall_receive(front, &wall, head);
+    if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
+        paradt_index cell[PARADT_MAX_DIM + 1];
+        if (paradt__wall_seed(front, &wall, cell)) {
+            status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
+        }
+    }
+    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
+        paradt_index back = PARADT__OPEN;
+        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
+        status = paradt__wall_serve(front, &wall, &wall.alpha);
+        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
+        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
+        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
+        if (!status) status = paradt__wall_receive(front, &wall, &back);
+    }
+    *outside = wall.outside;
+    return status;
+}
+
+// On a line facets are points, which cross nothing: there is no wall to build.
+static paradt_status paradt__dewall(paradt__front *front) {
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    size_t count = front->set->count;
+    paradt_status status = PARADT_OK;
+    if (front->set->space.dim == 1) return paradt__incode(front);
+    while (!status && paradt__front_seed(front, cell)) {
+        paradt_index outside = PARADT__OPEN;
+        paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+        wall.cut = wall.end = count;
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
+        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, &outside);
     }
     return status;
 }
@@ -5870,7 +6084,10 @@ enum {
 #define PARADT__FOUR_AT_ONCE 0
 #endif
 
-// --- the order of insertion
+// ---------------------------------------------------------------------------------------------------------------------
+// >>order of insertion
+//
+// Doors: to be listed.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -6008,8 +6225,11 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     return r.order;
 }
 
-// --- spheres in three dimensions
+// ---------------------------------------------------------------------------------------------------------------------
+// >>kept spheres
 //
+// Doors: to be listed.
+
 // A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
 //     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
 // Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
@@ -6176,13 +6396,10 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
     paradt__release(memory, s);
 }
 
-// --- the triangulation under construction
-
-// What insertions at once have in common that are to pause together
-typedef struct paradt__relay {
-    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
-    ptrdiff_t stop; // they pause when it is so much
-} paradt__relay;
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion
+//
+// Doors: to be listed.
 
 typedef struct paradt__bw {
     paradt__space space; // its own, for the counters
@@ -6538,7 +6755,10 @@ static paradt_status paradt__bw_insert(paradt__bw *bw, paradt_index point) {
     return status;
 }
 
-// --- insertion in three dimensions
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion in space
+//
+// Doors: to be listed.
 
 PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const double *x) {
     paradt__seen3 seen;
@@ -7311,6 +7531,11 @@ static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
                                   paradt__turn3_plain, paradt__put3_plain);
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion in space, avx2
+//
+// Doors: to be listed.
+
 #if PARADT__BW_AVX2
 // The same for four facets, cells or vertices at a time. It differs in nothing but the last bits of powers, which
 // decide nothing where they are in doubt.
@@ -7810,7 +8035,10 @@ static paradt_status paradt__bw3_begin(paradt__bw *bw) {
     return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, PARADT__FIRST_DIG);
 }
 
-// --- the first cells, and the end
+// ---------------------------------------------------------------------------------------------------------------------
+// >>ends
+//
+// Doors: to be listed.
 
 // Cell 0 is that of the first points, cell 1 + i the ghost on its facet opposite vertex i.
 static paradt_status paradt__bw_first(paradt__bw *bw) {
@@ -8014,25 +8242,6 @@ static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
     return paradt__bw3_insert;
 }
 
-// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
-static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
-#if defined(PARADT__ADD_AT_ONCE)
-    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, (ptrdiff_t)worth) >= relay->stop;
-#else
-    (void)relay, (void)done, (void)worth;
-    return 0;
-#endif
-}
-
-// The others do not pause while one does what takes as long as so many points and can't be paused.
-static void paradt__relay_waits(paradt__relay *relay, size_t points) {
-#if defined(PARADT__ADD_AT_ONCE)
-    if (relay) PARADT__ADD_AT_ONCE(&relay->done, -(ptrdiff_t)points);
-#else
-    (void)relay, (void)points;
-#endif
-}
-
 // Inserts the points that are left, in their order, until it pauses.
 static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(bw);
@@ -8173,152 +8382,6 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
         cells->neighbors = NULL;
     }
     if (status) paradt__cells_free(cells, memory);
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>dewall
-//
-// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
-// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
-// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
-// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
-// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
-// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
-// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
-// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Doors: paradt__dewall.
-
-enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
-
-typedef struct paradt__wall {
-    size_t begin, cut, end;
-    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
-    paradt_index outside;         // facets with a vertex out of the range
-} paradt__wall;
-
-static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
-    paradt__wall *wall = (paradt__wall *)method;
-    size_t low = SIZE_MAX, high = 0;
-    paradt_index *head = &wall->alpha;
-    int corners = front->cells.corners, opposite = (int)(handle % corners), i;
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
-    for (i = 0; i < corners; i++) {
-        size_t at = (size_t)cell[i];
-        if (i == opposite) continue;
-        low = at < low ? at : low;
-        high = at > high ? at : high;
-    }
-    if (low < wall->begin || high >= wall->end) head = &wall->outside;
-    else if (high < wall->cut) head = &wall->one;
-    else if (low >= wall->cut) head = &wall->two;
-    return paradt__list_push(&front->lists, head, handle, front->memory);
-}
-
-// Moves the facets of a list to the lists of the wall.
-static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
-    paradt_status status = PARADT_OK;
-    while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
-    return status;
-}
-
-// Takes a facet from a list out of the AFL, if it is still active.
-static int paradt__front_take(paradt__front *front, paradt_index handle) {
-    int corners = front->cells.corners, opposite = (int)(handle % corners);
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
-    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
-    if (front->cells.neighbors[handle] != PARADT__OPEN) return 0;
-    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
-    return 1;
-}
-
-// Works on a list of the wall until it is empty.
-static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
-    paradt_status status = PARADT_OK;
-    while (*head >= 0 && !status) {
-        paradt_index handle = paradt__list_pop(&front->lists, head);
-        if (paradt__front_take(front, handle)) {
-            status = paradt__front_expand(front, handle, paradt__wall_activate, wall);
-        }
-    }
-    return status;
-}
-
-// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
-static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
-    const paradt__set *set = front->set;
-    const paradt__space *space = &set->space;
-    int axis = paradt__grid_axis(set, wall->begin, wall->end), dim = space->dim, i;
-    size_t at, left = wall->begin, right = wall->cut;
-    const double *p, *q;
-    for (at = wall->begin; at < wall->cut; at++) {
-        if (paradt__before(space, set->records + left * set->width, set->records + at * set->width, axis)) left = at;
-    }
-    for (at = wall->cut; at < wall->end; at++) {
-        if (paradt__before(space, set->records + at * set->width, set->records + right * set->width, axis)) right = at;
-    }
-    p = set->records + left * set->width;
-    q = set->records + right * set->width;
-    cell[0] = (paradt_index)left;
-    cell[1] = (paradt_index)right;
-    front->search.begin = 0;
-    front->search.end = set->count;
-    paradt__cell_towards(&front->search, cell, 2);
-    do {
-        int behind = 0, within = 0;
-        for (i = 0; i <= dim; i++) {
-            behind += paradt__before(space, p, paradt__record(set, cell[i]), axis);
-            within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
-        }
-        if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__walk(&front->search, cell, q));
-    return 0;
-}
-
-// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
-// range are added to *outside. The depth is at most the logarithm of the number of points.
-static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
-                                        paradt_index *outside) {
-    paradt__wall wall;
-    paradt_status status;
-    wall.begin = begin;
-    wall.end = wall.cut = end;
-    wall.alpha = wall.one = wall.two = PARADT__OPEN;
-    wall.outside = *outside;
-    if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    status = paradt__wall_receive(front, &wall, head);
-    if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
-        paradt_index cell[PARADT_MAX_DIM + 1];
-        if (paradt__wall_seed(front, &wall, cell)) {
-            status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-        }
-    }
-    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
-        paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
-        status = paradt__wall_serve(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
-        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
-        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
-        if (!status) status = paradt__wall_receive(front, &wall, &back);
-    }
-    *outside = wall.outside;
-    return status;
-}
-
-// On a line facets are points, which cross nothing: there is no wall to build.
-static paradt_status paradt__dewall(paradt__front *front) {
-    paradt_index cell[PARADT_MAX_DIM + 1];
-    size_t count = front->set->count;
-    paradt_status status = PARADT_OK;
-    if (front->set->space.dim == 1) return paradt__incode(front);
-    while (!status && paradt__front_seed(front, cell)) {
-        paradt_index outside = PARADT__OPEN;
-        paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
-        wall.cut = wall.end = count;
-        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, &outside);
-    }
     return status;
 }
 
@@ -9058,6 +9121,11 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     return paradt__patch_wait(patch, paradt__bw_cell(bw, bw->cells.neighbors[cell * bw->cells.corners + ghost]));
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>telling
+//
+// Doors: to be listed.
+
 // --- what regions tell each other
 //
 // Let v be a vertex of a cell, or of the facet of a ghost, and a point of a set Q. If any point of Q is in conflict
@@ -9352,6 +9420,11 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
     return status;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>seam
+//
+// Doors: to be listed.
+
 // --- the seam
 //
 // The first region has built T(S) of its own points S, and lacks nothing: a cell of T(P) with vertices in S alone is
@@ -9638,19 +9711,6 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>triangulate
-
-static double paradt__now(void) {
-#if defined(__wasi__) // has no clock()
-    struct timespec now;
-    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-#else
-#if defined(TIME_UTC)
-    struct timespec now;
-    if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-#endif
-    return (double)clock() / (double)CLOCKS_PER_SEC;
-#endif
-}
 
 // How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
 typedef paradt_status (*paradt__front_method)(paradt__front *front);
