@@ -393,7 +393,10 @@ typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
-enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
+enum {
+    PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
+    PARADT_FACETS = 2 // neighbors are half-facets: the same facet seen from its other cell, (dim + 1) * cell + place
+};
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
 // user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
@@ -2659,7 +2662,6 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 // What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
 // paradt__span, paradt__record.
 
-
 enum {
     PARADT__UNGRADED,
     PARADT__WEIGHT,
@@ -3638,126 +3640,663 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>cells and the active face list
+// >>mesh
 //
-// Cells are stored as they are made. A facet is named by its handle: (dim + 1) * cell + i is the facet of `cell`
-// opposite its vertex i. A facet is active while the cell on its other side is not known. The active face list (AFL) is
-// a hash table with chains, keyed by the facet's vertices. The chain is chosen by the smallest vertex, so that facets
-// close to each other in grid order are close in memory too: the front moves over the table as it moves over the
-// points. The rest of the key, a sum over the vertices that does not depend on their order, spreads the facets of one
-// vertex where there are many (in high dimension), and tells facets in a chain apart. The table itself says where to go
-// on: at its lowest chain. Work lists, for methods with an order of their own, are linked lists of handles; a facet
-// that was matched meanwhile stays in its list and is passed over when it comes up. Doors: paradt__cells_*,
-// paradt__active_*, paradt__list_*.
+// The triangulation, whoever builds it: its cells, how they hang together, which places are free. All methods build
+// one, the result is delivered from one, and every construction on a triangulation starts from one.
+//
+// A cell has a place, a row of `corners` vertices and a row of as many links. `corners` is the mesh's own number. The
+// facet opposite vertex i of the cell at a place is named by its handle, corners * place + i. So a handle is a
+// half-facet: a facet as one of its two cells sees it. Its link is the mirror, the handle of the same facet as the
+// other cell sees it. Two cells with the facet b c d in common, corners = 4:
+//
+//     place       0            1
+//     vertices    a  b  c  d   d  c  e  b
+//     handles     0  1  2  3   4  5  6  7
+//     links       6  .  .  .   .  .  0  .        links[0] = 6, links[6] = 0: the facet b c d, twice
+//
+// A link is PARADT__HULL where the hull has no cell on the other side, and PARADT__OPEN where that cell is not known.
+// A mesh may be closed: then ghosts stand on the hull's facets, cells with the vertex PARADT__INFINITE in the place of
+// a point beyond the facet, and no link is negative. Inside and outside are one case so.
+//
+// What holds between two changes, and what paradt__mesh_verify checks in debug builds:
+//     - links[links[handle]] is the handle;
+//     - the two handles of a facet name the same vertices, and the cells see it with opposite orientation;
+//     - a ghost has one infinite vertex;
+//     - a place that is free has PARADT__DEAD for its first vertex, and stands once in `spare`, unless the mesh is
+//     about
+//       to be compacted: then dead places stand in no list.
+// Marks are bits of a cell; each has one owner, who clears it.
+//
+// The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
+// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
+// paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row, PARADT__VERIFY,
+// PARADT__VERIFY_SMALL.
 
-// A position that no point of a set has
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
+#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
-typedef struct paradt__cells {
-    int corners;             // dim + 1
-    size_t count, capacity;  // cells
-    paradt_index *vertices;  // [capacity][corners]
-    paradt_index *neighbors; // [capacity][corners]
-    int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
-} paradt__cells;
-
+// Links that are no handles
 enum {
     PARADT__HULL = -1, // no cell on the other side
     PARADT__OPEN = -2  // the cell on the other side is not known
 };
 
-typedef struct paradt__slot { // of an open-addressed table of facets
-    uint32_t key;
-    paradt_index handle; // PARADT__OPEN: free
-} paradt__slot;
+// Vertices that are no positions
+enum {
+    PARADT__INFINITE = -1, // that of ghosts
+    PARADT__DEAD = -3      // the first vertex at a free place
+};
 
-typedef struct paradt__link {
-    paradt_index handle, next;
-    paradt_index smallest; // vertex of the facet
-    uint32_t key;
-} paradt__link;
+// Marks of a cell
+enum {
+    PARADT__CONFLICT = 1, // in conflict with the point that is being inserted
+    PARADT__WAITING = 2,  // in the list of cells to be asked about
+    PARADT__ASKED = 4,    // known to be one of T(P)
+    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
+    PARADT__DROPPED = 16, // not kept in the end; used by ranks
+    PARADT__WRONG = 32    // in the list of cells that are not of T(P)
+};
 
-typedef struct paradt__active {
-    paradt_index *heads; // [mask + 1] first link of each chain, or PARADT__OPEN
-    paradt__link *links;
-    size_t mask, capacity;
-    paradt_index fresh, spare; // first link never used, first one given back
-    int spread;                // a vertex has 2^spread chains
-    size_t lowest;             // the chains before it are empty
-    size_t count, peak;        // active facets
-} paradt__active;
+#ifdef PARADT_INDEX64
+typedef uint64_t paradt__tag;
+#else
+typedef uint32_t paradt__tag; // an index without its sign: comparing two in one step, dividing by shifts
+#endif
 
-typedef struct paradt__node {
-    paradt_index handle, next;
-} paradt__node;
+// Whether four indices fit into a register that every processor of the kind has
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#define PARADT__FOUR_AT_ONCE 1
+#else
+#define PARADT__FOUR_AT_ONCE 0
+#endif
 
-typedef struct paradt__lists {
-    paradt__node *nodes;
-    size_t capacity;
-    paradt_index fresh, spare; // first node never used, first node given back
-} paradt__lists;
+typedef struct paradt__mesh {
+    int corners;            // vertices a cell
+    size_t count, capacity; // places in use or free; places that there is memory for
+    paradt_index *vertices; // [capacity][corners]
+    paradt_index *links;    // [capacity][corners] handles of the mirrors
+    int lent;             // vertices and links are parts of others' arrays: left behind when the mesh grows, not freed
+    int marked;           // there are marks
+    unsigned char *marks; // [capacity] bits; 0 at first
+    size_t paged;         // places whose rows have their pages already
+    paradt_index *spare;  // [spare_capacity] free places
+    size_t spare_count, spare_capacity;
+} paradt__mesh;
 
-static void paradt__cells_free(paradt__cells *cells, paradt__memory *memory) {
-    if (!cells->lent) {
-        paradt__release(memory, cells->vertices);
-        paradt__release(memory, cells->neighbors);
-    }
-    memset(cells, 0, sizeof *cells);
+// --- how many cells to expect
+
+// Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
+// the Poisson-Delaunay mosaic); near the hull there are fewer.
+static double paradt__cells_a_point(int dim) {
+    static const double mean[] = {1.0, 1.0, 2.0, 6.7677, 31.78, 186.1, 1297.0, 10470.0, 96000.0};
+    return mean[dim];
 }
 
-// Arrays of its own in the place of lent ones
-static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
-    paradt__cells own = *cells;
-    size_t used = cells->count * (size_t)cells->corners * sizeof(paradt_index);
-    own.vertices = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
-    own.neighbors = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
-    own.capacity = capacity;
-    own.lent = 0;
-    if (!own.vertices || !own.neighbors) {
-        paradt__cells_free(&own, memory);
-        return PARADT_ERROR_MEMORY;
-    }
-    if (used) {
-        memcpy(own.vertices, cells->vertices, used);
-        memcpy(own.neighbors, cells->neighbors, used);
-    }
-    *cells = own;
+// The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
+// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
+// eight.
+static double paradt__off_hull(double points, int dim) {
+    double layer = pow(points + 1.0, -1.0 / dim);
+    return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
+}
+
+// Places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
+static size_t paradt__expected_places(size_t count, int dim) {
+    return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
+}
+
+// --- memory
+
+// Room for `count` elements in a list of which `used` are in use
+static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                       paradt__memory *memory) {
+    void *array = *list;
+    size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
+    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
+    if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
+    *list = (paradt_index *)array;
+    *capacity = larger;
     return PARADT_OK;
 }
 
-// How many cells have facets that can be numbered
+static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
+    memset(mesh, 0, sizeof *mesh);
+    mesh->corners = corners;
+    mesh->marked = marked;
+}
+
+// Frees what only changes need: marks and the list of free places.
+static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__release(memory, mesh->marks);
+    paradt__release(memory, mesh->spare);
+    mesh->marks = NULL;
+    mesh->spare = NULL;
+    mesh->spare_count = mesh->spare_capacity = 0;
+}
+
+static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__mesh_rest(mesh, memory);
+    if (!mesh->lent) {
+        paradt__release(memory, mesh->vertices);
+        paradt__release(memory, mesh->links);
+    }
+    memset(mesh, 0, sizeof *mesh);
+}
+
+// The most cells whose facets can be numbered
 static size_t paradt__most_cells(int corners) {
     return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
 }
 
-// Makes room for the cells that are needed, and for as many as are wanted if these can be numbered.
-static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t needed, size_t wanted, paradt__memory *memory) {
-    size_t corners = (size_t)cells->corners, used = cells->count * corners, most = paradt__most_cells(cells->corners);
+// Replaces one of the two arrays of rows by a larger one.
+static paradt_status paradt__mesh_grow_rows(const paradt__mesh *mesh, paradt_index **rows, size_t capacity,
+                                            paradt__memory *memory) {
+    size_t corners = (size_t)mesh->corners, used = mesh->count * corners;
+    void *array = mesh->lent ? NULL : *rows;
+    if (!paradt__grow(memory, &array, mesh->lent ? 0 : used, capacity * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    if (mesh->lent && used) memcpy(array, *rows, used * sizeof(paradt_index));
+    *rows = (paradt_index *)array;
+    return PARADT_OK;
+}
+
+// Makes room for `needed` places, and for as many as are wanted if these can be numbered.
+static paradt_status paradt__mesh_reserve(paradt__mesh *mesh, size_t needed, size_t wanted, paradt__memory *memory) {
+    size_t before = mesh->capacity, most = paradt__most_cells(mesh->corners);
     size_t capacity = wanted < needed ? needed : wanted < most ? wanted : most;
-    void *array = cells->vertices;
+    paradt_index *vertices = mesh->vertices, *links = mesh->links;
+    void *marks = mesh->marks;
+    paradt_status status;
     if (needed > most) return PARADT_ERROR_TOO_LARGE;
-    if (cells->lent) return paradt__cells_own(cells, capacity, memory);
-    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)array;
-    array = cells->neighbors;
-    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-    cells->neighbors = (paradt_index *)array;
-    cells->capacity = capacity;
+    status = paradt__mesh_grow_rows(mesh, &vertices, capacity, memory);
+    if (status) return status;
+    if (!mesh->lent) mesh->vertices = vertices;
+    status = paradt__mesh_grow_rows(mesh, &links, capacity, memory);
+    if (status) {
+        if (mesh->lent) paradt__release(memory, vertices);
+        return status;
+    }
+    mesh->vertices = vertices;
+    mesh->links = links;
+    mesh->lent = 0;
+    mesh->capacity = capacity;
+    mesh->paged = mesh->count;
+    if (!mesh->marked) return PARADT_OK;
+    if (!paradt__grow(memory, &marks, before, capacity, 1)) {
+        mesh->capacity = before; // of the marks: nothing reads rows behind that
+        return PARADT_ERROR_MEMORY;
+    }
+    mesh->marks = (unsigned char *)marks;
+    paradt__make_pages(mesh->marks, before, capacity);
+    memset(mesh->marks + before, 0, capacity - before);
     return PARADT_OK;
 }
 
 // Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
-PARADT__INLINE paradt_status paradt__cells_room(paradt__cells *cells, paradt__memory *memory) {
-    if (PARADT__LIKELY(cells->count < cells->capacity)) return PARADT_OK;
-    return paradt__cells_reserve(cells, cells->count + 1, cells->capacity + cells->capacity / 4 + 64, memory);
+PARADT__INLINE paradt_status paradt__mesh_room(paradt__mesh *mesh, paradt__memory *memory) {
+    if (PARADT__LIKELY(mesh->count < mesh->capacity)) return PARADT_OK;
+    return paradt__mesh_reserve(mesh, mesh->count + 1, mesh->capacity + mesh->capacity / 4 + 64, memory);
 }
+
+// Lends an empty mesh rows of other arrays. Its marks, which are its own, are not cleared yet.
+static paradt_status paradt__mesh_lend(paradt__mesh *mesh, paradt_index *vertices, paradt_index *links, size_t capacity,
+                                       paradt__memory *memory) {
+    PARADT_ASSERT(!mesh->count && !mesh->vertices);
+    mesh->marks = (unsigned char *)paradt__alloc(memory, capacity, 1);
+    if (!mesh->marks) return PARADT_ERROR_MEMORY;
+    mesh->vertices = vertices;
+    mesh->links = links;
+    mesh->capacity = capacity;
+    mesh->lent = 1;
+    return PARADT_OK;
+}
+
+// Makes the pages of the marks that came with lent rows, and clears them. By the thread that is going to use them.
+static void paradt__mesh_clear_marks(paradt__mesh *mesh) {
+    paradt__make_pages(mesh->marks, 0, mesh->capacity);
+    memset(mesh->marks, 0, mesh->capacity);
+}
+
+// Makes the pages of some more rows than are needed. The last page may lie behind them in part; then it is not made
+// now, and the cells on it do not count as paged.
+static void paradt__mesh_make_pages(paradt__mesh *mesh, size_t needed) {
+    enum { AHEAD = 1 << 17 }; // bytes
+    size_t row = (size_t)mesh->corners * sizeof(paradt_index), end = needed + AHEAD / row + PARADT__PAGE / row;
+    if (end > mesh->capacity) end = mesh->capacity;
+    paradt__make_pages(mesh->vertices, mesh->paged * row, end * row);
+    paradt__make_pages(mesh->links, mesh->paged * row, end * row);
+    mesh->paged = end < mesh->capacity ? end - PARADT__PAGE / row : end;
+}
+
+// --- cells, facets, ghosts
+
+// The place of the cell that a handle's facet belongs to. Divisions by what is not a constant are slow.
+PARADT__INLINE paradt_index paradt__mesh_cell(const paradt__mesh *mesh, paradt_index handle) {
+    return mesh->corners == 4 ? handle >> 2 : handle / mesh->corners;
+}
+
+// The vertices of the cell at a place
+PARADT__INLINE const paradt_index *paradt__mesh_row(const paradt__mesh *mesh, paradt_index place) {
+    PARADT_ASSERT(place >= 0 && (size_t)place < mesh->count);
+    return mesh->vertices + (size_t)place * (size_t)mesh->corners;
+}
+
+// Ties two half-facets to each other.
+PARADT__INLINE void paradt__mesh_tie(paradt__mesh *mesh, paradt_index a, paradt_index b) {
+    mesh->links[a] = b;
+    mesh->links[b] = a;
+}
+
+// Takes a place for a new cell: a free one, or the next.
+PARADT__INLINE paradt_index paradt__mesh_take(paradt__mesh *mesh) {
+    PARADT_ASSERT(mesh->spare_count || mesh->count < mesh->capacity);
+    if (mesh->spare_count) return mesh->spare[--mesh->spare_count];
+    return (paradt_index)mesh->count++;
+}
+
+// Makes sure that so many places can be given back.
+static paradt_status paradt__mesh_spare_room(paradt__mesh *mesh, size_t count, paradt__memory *memory) {
+    return paradt__list_room(&mesh->spare, mesh->spare_count, &mesh->spare_capacity, mesh->spare_count + count, memory);
+}
+
+// Gives the place of a cell back; there is room for it in the list.
+PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, size_t corners) {
+    mesh->vertices[(size_t)place * corners] = PARADT__DEAD;
+    mesh->spare[mesh->spare_count++] = place;
+}
+
+// Number of the vertices of a cell or ghost that are in [0, end)
+PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
+    int count = 0;
+    size_t i;
+    for (i = 0; i < corners; i++) count += (paradt__tag)vertices[i] < (paradt__tag)end;
+    return count;
+}
+
+// Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
+PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
+                                          paradt_index end) {
+    paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
+    int i, among = 1;
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        const __m128i sign = _mm_set1_epi32(INT32_MIN), most = _mm_set1_epi32((int)(span ^ (paradt__tag)INT32_MIN));
+        __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
+        return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
+    }
+#else
+    if (corners == 4) {
+        return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
+               ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
+    }
+#endif
+    for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
+    return among;
+}
+
+// Is there a cell, neither a ghost nor a free place?
+PARADT__INLINE int paradt__is_finite_cell(const paradt_index *vertices, int corners) {
+    return paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE);
+}
+
+// The place of the infinite vertex in the cell, or -1: it is no ghost
+PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
+    int i;
+    for (i = 0; i < corners; i++) {
+        if (cell[i] == PARADT__INFINITE) return i;
+    }
+    return -1;
+}
+
+// The vertices of the facet opposite `opposite`, in the cell's order.
+PARADT__INLINE void paradt__facet_without(const paradt_index *cell, int corners, int opposite, paradt_index *facet) {
+    int i, count = 0;
+    for (i = 0; i < corners; i++) {
+        if (i != opposite) facet[count++] = cell[i];
+    }
+}
+
+// Do two handles, each of a mesh of its own, name the same set of vertices?
+PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index a, const paradt_index *others,
+                                      paradt_index b, int corners) {
+    int skip_a = (int)(a % corners), skip_b = (int)(b % corners), i, j, missing = 0;
+    const paradt_index *x = vertices + (a - skip_a), *y = others + (b - skip_b);
+    for (i = 0; i < corners; i++) {
+        int met = i == skip_a;
+        for (j = 0; j < corners; j++) met |= (y[j] == x[i]) & (j != skip_b);
+        missing |= !met;
+    }
+    return !missing;
+}
+
+// --- the star of a vertex
+
+enum {
+    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
+    PARADT__STAR_PLACES = 512
+};
+
+typedef struct paradt__star {
+    size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
+    paradt_index handles[PARADT__STAR_CELLS + PARADT_MAX_DIM + 1]; // of the facet by which each cell was entered
+    paradt_index table[PARADT__STAR_PLACES];                       // places of the cells, hashed; -1: free
+} paradt__star;
+
+// Adds the cell of a handle, unless the star has it.
+PARADT__INLINE void paradt__star_add(paradt__star *star, paradt_index handle, paradt_index cell) {
+    size_t at = (uint32_t)cell * 0x9E3779B1u >> 23;
+    for (; star->table[at] != cell; at = (at + 1) % PARADT__STAR_PLACES) {
+        if (star->table[at] >= 0) continue;
+        star->table[at] = cell;
+        star->handles[star->count++] = handle;
+        return;
+    }
+}
+
+// Collects the cells and ghosts around a vertex of the cell at `first`, through the facets that have the vertex. The
+// first is entered by the facet opposite its first other vertex; every vertex of the star but the first cell's stands
+// opposite to an entry.
+static void paradt__star_of(const paradt__mesh *mesh, paradt_index first, paradt_index vertex, paradt__star *star) {
+    paradt_index corners = mesh->corners, base = first * corners, i;
+    size_t next;
+    star->count = 0;
+    memset(star->table, -1, sizeof star->table);
+    paradt__star_add(star, base + (mesh->vertices[base] == vertex), first);
+    for (next = 0; next < star->count && star->count <= PARADT__STAR_CELLS; next++) {
+        base = star->handles[next] - star->handles[next] % corners;
+        for (i = base; i < base + corners; i++) {
+            PARADT_ASSERT(mesh->links[i] >= 0);
+            if (mesh->vertices[i] != vertex) paradt__star_add(star, mesh->links[i], mesh->links[i] / corners);
+        }
+    }
+}
+
+// --- compacting and closing
+
+// Fetches the row of a place ahead of its use, of vertices and links.
+PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *links, size_t row,
+                                      size_t corners) {
+    PARADT__FETCH(vertices, row * corners);
+    PARADT__FETCH(links, row * corners);
+}
+
+// Passes over all cells ask for rows so far ahead: processors do that themselves, but only within a page.
+enum { PARADT__ROWS_AHEAD = 128 };
+
+// Fetches the row of a place that comes soon in a list.
+PARADT__INLINE void paradt__mesh_fetch_listed(const paradt__mesh *mesh, const paradt_index *list, size_t count,
+                                              size_t at) {
+    enum { AHEAD = 8 };
+    if (at + AHEAD < count)
+        paradt__fetch_row(mesh->vertices, mesh->links, (size_t)list[at + AHEAD], (size_t)mesh->corners);
+}
+
+// Drops the cell at a place that is to be compacted away. Its mirrors become `becomes`: PARADT__OPEN or PARADT__HULL.
+PARADT__INLINE void paradt__mesh_drop(const paradt__mesh *mesh, size_t place, size_t corners, paradt_index becomes) {
+    const paradt_index *links = mesh->links + place * corners;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        if (links[j] >= 0) mesh->links[links[j]] = becomes; // else the cell there was dropped before
+    }
+    mesh->vertices[place * corners] = PARADT__DEAD;
+}
+
+// Drops the ghost at a place, if there is one: its facet becomes the hull's. Returns whether a cell is there.
+PARADT__INLINE int paradt__mesh_keeps(const paradt__mesh *mesh, size_t place, size_t corners, uint64_t *ghosts) {
+    paradt_index *vertices = mesh->vertices + place * corners;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mesh->links[mesh->links[place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)]] = PARADT__HULL;
+    vertices[0] = PARADT__DEAD;
+    ++*ghosts;
+    return 0;
+}
+
+// Moves a cell to a free place before it. Rows before `numbered` have been emitted with numbers for links. As a rule
+// the cells just before this one are moved next: their neighbours, which are anywhere, are fetched ahead.
+PARADT__INLINE void paradt__mesh_move(const paradt__mesh *mesh, size_t place, size_t from, size_t corners,
+                                      size_t numbered) {
+    enum { AHEAD = 8 };
+    paradt_index *vertices = mesh->vertices, *links = mesh->links;
+    const paradt_index *soon = links + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
+    size_t j;
+    for (j = 0; j < corners; j++) PARADT__FETCH(links, soon[j]);
+    memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
+    memcpy(links + place * corners, links + from * corners, corners * sizeof *links);
+    for (j = 0; j < corners; j++) {
+        paradt_index mirror = links[place * corners + j];
+        if (mirror >= 0)
+            links[mirror] = (paradt_index)((size_t)mirror < numbered * corners ? place : place * corners + j);
+    }
+}
+
+// Fills those of the listed places that are dead and below mesh->count, which is the number of cells already, with the
+// last cells. end: where these end. Returns where they end afterwards.
+PARADT__INLINE size_t paradt__mesh_fill_listed(const paradt__mesh *mesh, const paradt_index *places, size_t count,
+                                               size_t end, size_t corners) {
+    size_t i;
+    for (i = 0; i < count; i++) {
+        size_t place = (size_t)places[i];
+        if (place >= mesh->count || mesh->vertices[place * corners] != PARADT__DEAD) continue;
+        do end--;
+        while (mesh->vertices[end * corners] == PARADT__DEAD);
+        paradt__mesh_move(mesh, place, end, corners, 0);
+    }
+    return end;
+}
+
+static void paradt__mesh_fill_gaps(const paradt__mesh *mesh, const paradt_index *places, size_t count, size_t *end) {
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    if (copy.corners == 4) *end = paradt__mesh_fill_listed(&copy, places, count, *end, 4);
+    else *end = paradt__mesh_fill_listed(&copy, places, count, *end, (size_t)copy.corners);
+}
+
+// Where the rows of emitted cells go, and in what form
+typedef struct paradt__rows {
+    paradt_index *vertices, *links;
+    paradt_index offset; // what is added to a link for the cells before these
+    int divisor, shift;  // a handle divided by that, or with four corners shifted, is the link that is wanted
+} paradt__rows;
+
+// Rows for cells of the mesh from number `first` on. facets: links remain half-facets; else they become the numbers of
+// the cells on the other side.
+static paradt__rows paradt__mesh_rows(int corners, int facets, paradt_index *vertices, paradt_index *links,
+                                      size_t first) {
+    paradt__rows to;
+    to.vertices = vertices;
+    to.links = links;
+    to.offset = (paradt_index)(facets ? first * (size_t)corners : first);
+    to.divisor = facets ? 1 : corners;
+    to.shift = facets ? 0 : 2;
+    return to;
+}
+
+// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: not). Returns whether a
+// facet of it has no mirror.
+PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place, size_t corners,
+                                         const paradt_index *origin, const paradt__rows *to) {
+    const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
+    paradt_index *new_vertices = to->vertices + place * corners, *new_links = to->links + place * corners, any = 0;
+    size_t j;
+    paradt__fetch_row(mesh->vertices, mesh->links, place + PARADT__ROWS_AHEAD, corners);
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)links), bare = _mm_srai_epi32(handles, 31);
+        __m128i mirrors = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
+        mirrors = _mm_add_epi32(mirrors, _mm_set1_epi32(to->offset));
+        any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
+        _mm_storeu_si128((__m128i *)(void *)new_links,
+                         _mm_or_si128(_mm_and_si128(bare, handles), _mm_andnot_si128(bare, mirrors)));
+    } else
+#endif
+        for (j = 0; j < corners; j++) {
+            paradt_index handle = links[j];
+            any |= handle;
+            new_links[j] =
+                handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor) + to->offset;
+        }
+    for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
+    return any < 0;
+}
+
+// Drops the ghosts, closes the gaps from the end, and emits the cells in place: links in the form that is wanted,
+// vertices translated by `origin`. All in one pass, for the cells don't fit into a cache. Returns the number of ghosts.
+PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_index *origin, int facets,
+                                               size_t corners) {
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    const paradt__rows to = paradt__mesh_rows(copy.corners, facets, copy.vertices, copy.links, 0);
+    size_t end = copy.count, i;
+    uint64_t ghosts = 0;
+    for (i = 0; i < end; i++) {
+        if (!paradt__mesh_keeps(&copy, i, corners, &ghosts)) {
+            for (end--; end > i && !paradt__mesh_keeps(&copy, end, corners, &ghosts);) end--;
+            if (end == i) break;
+            paradt__mesh_move(&copy, i, end, corners, facets ? 0 : i);
+        }
+        paradt__mesh_emit_row(&copy, i, corners, origin, &to);
+    }
+    mesh->count = end;
+    return ghosts;
+}
+
+static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets) {
+    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, 4);
+    return paradt__mesh_close_any(mesh, origin, facets, (size_t)mesh->corners);
+}
+
+// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
+// is none.
+PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own,
+                                               size_t place) {
+    for (; place < mesh->count; place++) {
+        const paradt_index *vertices = mesh->vertices + place * corners;
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+        if (vertices[0] != PARADT__DEAD) break;
+    }
+    return place;
+}
+
+// Appends the cells of another mesh, which has no free places.
+static void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
+    size_t corners = (size_t)mesh->corners, i;
+    paradt_index offset = (paradt_index)(mesh->count * corners), *to = mesh->links + offset;
+    PARADT_ASSERT(mesh->count + part->count <= mesh->capacity && mesh->corners == part->corners);
+    if (!part->count) return;
+    memcpy(mesh->vertices + offset, part->vertices, part->count * corners * sizeof *to);
+    for (i = 0; i < part->count * corners; i++) to[i] = part->links[i] < 0 ? part->links[i] : part->links[i] + offset;
+    mesh->count += part->count;
+}
+
+// --- the validator
+
+#if defined(PARADT_VERIFY)
+// 1 where sorting the row takes an odd number of exchanges; -1: two vertices are equal
+static int paradt__parity(const paradt_index *row, int count) {
+    int i, j, odd = 0;
+    for (i = 0; i < count; i++) {
+        for (j = i + 1; j < count; j++) {
+            if (row[i] == row[j]) return -1;
+            odd ^= row[i] > row[j];
+        }
+    }
+    return odd;
+}
+
+// Does what the head of the section says hold at a place?
+static int paradt__mesh_is_sound_at(const paradt__mesh *mesh, size_t place) {
+    int corners = mesh->corners, i, j, infinite = 0;
+    const paradt_index *vertices = mesh->vertices + place * (size_t)corners;
+    paradt_index facet[PARADT_MAX_DIM + 1], other[PARADT_MAX_DIM + 1];
+    for (i = 0; i < corners; i++) infinite += vertices[i] == PARADT__INFINITE;
+    if (infinite > 1 || paradt__parity(vertices, corners) < 0) return 0;
+    for (i = 0; i < corners; i++) {
+        paradt_index handle = (paradt_index)(place * (size_t)corners) + i, mirror = mesh->links[handle];
+        int opposite = (int)(mirror % corners);
+        if (mirror == PARADT__HULL || mirror == PARADT__OPEN) continue;
+        if (mirror < 0 || (size_t)mirror >= mesh->count * (size_t)corners || mesh->links[mirror] != handle) return 0;
+        if (!paradt__same_facet(mesh->vertices, handle, mesh->vertices, mirror, corners)) return 0;
+        // With one name for the vertices off the facet, the rows are permutations of each other, an odd one.
+        for (j = 0; j < corners; j++) {
+            facet[j] = j == i ? PARADT__NOWHERE : vertices[j];
+            other[j] = j == opposite ? PARADT__NOWHERE : mesh->vertices[mirror - opposite + j];
+        }
+        if (paradt__parity(facet, corners) == paradt__parity(other, corners)) return 0;
+    }
+    return 1;
+}
+
+// Is the mesh sound? closed: it has ghosts and no open facets; unmarked: these marks are clear.
+static int paradt__mesh_verify(const paradt__mesh *mesh, int closed, unsigned char unmarked) {
+    size_t corners = (size_t)mesh->corners, dead = 0, i, j;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * corners] == PARADT__DEAD) {
+            dead++;
+            continue;
+        }
+        if (!paradt__mesh_is_sound_at(mesh, i) || (mesh->marks && mesh->marks[i] & unmarked)) return 0;
+        for (j = 0; j < corners && closed; j++) {
+            if (mesh->links[i * corners + j] < 0) return 0;
+        }
+    }
+    return dead == mesh->spare_count;
+}
+
+enum { PARADT__VERIFIED_PLACES = 200 }; // a larger mesh is not verified after every change
+
+#define PARADT__VERIFY(mesh, closed, unmarked) PARADT_ASSERT(paradt__mesh_verify(mesh, closed, unmarked))
+#define PARADT__VERIFY_SMALL(mesh, closed, unmarked)                                                                   \
+    PARADT_ASSERT((mesh)->count > PARADT__VERIFIED_PLACES || paradt__mesh_verify(mesh, closed, unmarked))
+#else
+#define PARADT__VERIFY(mesh, closed, unmarked)       ((void)0)
+#define PARADT__VERIFY_SMALL(mesh, closed, unmarked) ((void)0)
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>facets
+//
+// A table of facets that wait for their mirrors, by their vertices: the active face list of the thesis (AFL), the
+// ridges of a cavity, the open facets of regions. An entry is a handle in a mesh. paradt__facets_match finds the entry
+// with the same vertices as a handle and takes it out, or else enters the handle; so every facet of a complete
+// triangulation is entered once and taken out once, and a table that has done its work is empty without being cleared.
+//
+// The table is hashed with chains. The chain is chosen by the facet's smallest vertex, so that facets close to each
+// other in grid order are close in memory too: the front moves over the table as it moves over the points. The rest of
+// the key, a sum over the vertices that does not depend on their order, spreads the facets of one vertex where there
+// are many (in high dimension), and tells facets in a chain apart. A table begun for no vertices is spread by that key
+// alone: all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
+// chain. Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
+
+typedef struct paradt__facet_entry {
+    paradt_index handle, next;
+    paradt_index smallest; // vertex of the facet; 0 where the table is spread by the key alone
+    uint32_t key;
+} paradt__facet_entry;
+
+typedef struct paradt__facets {
+    paradt_index *heads; // [mask + 1] first entry of each chain, or PARADT__OPEN
+    paradt__facet_entry *entries;
+    size_t mask, capacity;
+    paradt_index fresh, spare; // first entry never used, first one given back
+    int spread;                // a vertex has 2^spread chains
+    int by_key;                // vertices do not matter
+    size_t lowest;             // the chains before it are empty
+    size_t count, peak;        // facets
+} paradt__facets;
+
+// How the table finds a facet
+typedef struct paradt__facet_key {
+    paradt_index smallest;
+    uint32_t key;
+} paradt__facet_key;
 
 PARADT__INLINE uint64_t paradt__vertex_key(paradt_index vertex) {
     return ((uint64_t)vertex + 1) * UINT64_C(0x9e3779b97f4a7c15);
 }
 
 // The sum of products alone would be linear in the vertices; a square mixes it.
-PARADT__INLINE uint32_t paradt__facet_key(uint64_t sum) {
+PARADT__INLINE uint32_t paradt__facet_hash(uint64_t sum) {
     return (uint32_t)(((sum ^ sum >> 29) * UINT64_C(0xbf58476d1ce4e5b9)) >> 32);
 }
 
@@ -3768,139 +4307,7 @@ PARADT__INLINE uint64_t paradt__cell_sum(const paradt_index *vertices, int corne
     return sum;
 }
 
-// Do the two handles name the same set of vertices?
-PARADT__INLINE int paradt__same_facet(const paradt__cells *cells, paradt_index a, paradt_index b, int corners) {
-    int skip_a = (int)(a % corners), skip_b = (int)(b % corners), i, j, missing = 0;
-    const paradt_index *x = cells->vertices + (a - skip_a), *y = cells->vertices + (b - skip_b);
-    for (i = 0; i < corners; i++) {
-        int met = i == skip_a;
-        for (j = 0; j < corners; j++) met |= (y[j] == x[i]) & (j != skip_b);
-        missing |= !met;
-    }
-    return !missing;
-}
-
-static void paradt__active_free(paradt__active *active, paradt__memory *memory) {
-    paradt__release(memory, active->heads);
-    paradt__release(memory, active->links);
-    active->heads = NULL;
-    active->links = NULL;
-}
-
-PARADT__INLINE paradt_index *paradt__active_chain(const paradt__active *active, paradt_index smallest, uint32_t key) {
-    size_t place = (size_t)smallest << active->spread | (key & (((size_t)1 << active->spread) - 1));
-    return active->heads + (place & active->mask);
-}
-
-// Makes the table anew, with `chains` of them.
-static paradt_status paradt__active_rehash(paradt__active *active, size_t chains, paradt__memory *memory) {
-    paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = active->heads;
-    size_t count = old ? active->mask + 1 : 0, i;
-    if (!heads) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
-    active->heads = heads;
-    active->mask = chains - 1;
-    active->lowest = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index at = old[i];
-        while (at >= 0) {
-            paradt__link *link = active->links + at;
-            paradt_index next = link->next, *head = paradt__active_chain(active, link->smallest, link->key);
-            link->next = *head;
-            *head = at;
-            at = next;
-        }
-    }
-    paradt__release(memory, old);
-    return PARADT_OK;
-}
-
-enum { PARADT__ACTIVE_SPREAD = 1 }; // to begin with: a small table stays in the cache
-
-// vertices: how many there may be active facets at.
-static paradt_status paradt__active_begin(paradt__active *active, size_t vertices, paradt__memory *memory) {
-    size_t chains = 64;
-    memset(active, 0, sizeof *active);
-    active->spare = PARADT__OPEN;
-    active->spread = PARADT__ACTIVE_SPREAD;
-    while (chains >> PARADT__ACTIVE_SPREAD < vertices) chains *= 2;
-    return paradt__active_rehash(active, chains, memory);
-}
-
-// Room for the facets of one more cell. There are at least as many chains as facets.
-PARADT__INLINE paradt_status paradt__active_room(paradt__active *active, paradt__memory *memory) {
-    void *links = active->links;
-    size_t capacity = active->capacity ? active->capacity * 2 : 256;
-    paradt_status status = PARADT_OK;
-    if (!PARADT__LIKELY(active->count + PARADT_MAX_DIM + 1 <= active->mask)) {
-        active->spread++;
-        status = paradt__active_rehash(active, (active->mask + 1) * 2, memory);
-    }
-    if (PARADT__LIKELY((size_t)active->fresh + PARADT_MAX_DIM + 1 <= active->capacity) || status) return status;
-    if (!paradt__grow(memory, &links, (size_t)active->fresh, capacity, sizeof *active->links))
-        return PARADT_ERROR_MEMORY;
-    active->links = (paradt__link *)links;
-    active->capacity = capacity;
-    return PARADT_OK;
-}
-
-// Takes a link out of its chain.
-PARADT__INLINE paradt_index paradt__active_unlink(paradt__active *active, paradt_index *from) {
-    paradt_index at = *from, handle = active->links[at].handle;
-    *from = active->links[at].next;
-    active->links[at].next = active->spare;
-    active->spare = at;
-    active->count--;
-    return handle;
-}
-
-// The active facet with the same vertices as `handle`, which is active no more, or PARADT__OPEN: then `handle` is
-// active from now on. chain: that of the smallest vertex and the key.
-PARADT__INLINE paradt_index paradt__active_match(paradt__active *active, const paradt__cells *cells,
-                                                 paradt_index *chain, paradt_index smallest, uint32_t key,
-                                                 paradt_index handle, int corners) {
-    paradt_index *from = chain, at;
-    paradt__link *link;
-    while ((at = *from) >= 0) {
-        link = active->links + at;
-        if (link->key == key && link->smallest == smallest &&
-            paradt__same_facet(cells, link->handle, handle, corners)) {
-            return paradt__active_unlink(active, from);
-        }
-        from = &link->next;
-    }
-    at = active->spare;
-    if (at >= 0) active->spare = active->links[at].next;
-    else at = active->fresh++;
-    link = active->links + at;
-    link->handle = handle;
-    link->smallest = smallest;
-    link->key = key;
-    link->next = *chain;
-    *chain = at;
-    if ((size_t)(chain - active->heads) < active->lowest) active->lowest = (size_t)(chain - active->heads);
-    if (++active->count > active->peak) active->peak = active->count;
-    return PARADT__OPEN;
-}
-
-// Takes out a facet that is active.
-PARADT__INLINE void paradt__active_remove(paradt__active *active, paradt_index smallest, uint32_t key,
-                                          paradt_index handle) {
-    paradt_index *from = paradt__active_chain(active, smallest, key);
-    while (active->links[*from].handle != handle) from = &active->links[*from].next;
-    paradt__active_unlink(active, from);
-}
-
-// Takes out a facet at the lowest vertex that there is one at, up to the wrap; PARADT__OPEN: no facet is active.
-PARADT__INLINE paradt_index paradt__active_first(paradt__active *active) {
-    size_t at = active->lowest;
-    if (!active->count) return PARADT__OPEN;
-    while (active->heads[at] < 0) at++;
-    active->lowest = at;
-    return paradt__active_unlink(active, active->heads + at);
-}
-
-// Smallest vertex of a cell, but for the one at `without`.
+// Smallest vertex of a cell, but for the one at `without`
 PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int corners, int without) {
     paradt_index smallest = PARADT__NOWHERE;
     int i;
@@ -3911,41 +4318,288 @@ PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int c
     return smallest;
 }
 
-static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
-    paradt__release(memory, lists->nodes);
-    memset(lists, 0, sizeof *lists);
+// The key of the facet of a handle
+PARADT__INLINE paradt__facet_key paradt__facet_key_of(const paradt__facets *facets, const paradt__mesh *mesh,
+                                                      paradt_index handle) {
+    int opposite = (int)(handle % mesh->corners);
+    const paradt_index *cell = mesh->vertices + (handle - opposite);
+    paradt__facet_key key;
+    key.key = paradt__facet_hash(paradt__cell_sum(cell, mesh->corners) - paradt__vertex_key(cell[opposite]));
+    key.smallest = facets->by_key ? 0 : paradt__smallest_but(cell, mesh->corners, opposite);
+    return key;
 }
 
-static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
-                                       paradt__memory *memory) {
-    paradt_index node = lists->spare;
-    if (node >= 0 && lists->capacity) {
-        lists->spare = lists->nodes[node].next;
-    } else {
-        if ((size_t)lists->fresh == lists->capacity) {
-            void *nodes = lists->nodes;
-            size_t capacity = lists->capacity ? lists->capacity * 2 : 256;
-            if (!paradt__grow(memory, &nodes, lists->capacity, capacity, sizeof(paradt__node)))
-                return PARADT_ERROR_MEMORY;
-            if (!lists->capacity) lists->spare = PARADT__OPEN;
-            lists->nodes = (paradt__node *)nodes;
-            lists->capacity = capacity;
+static void paradt__facets_free(paradt__facets *facets, paradt__memory *memory) {
+    paradt__release(memory, facets->heads);
+    paradt__release(memory, facets->entries);
+    facets->heads = NULL;
+    facets->entries = NULL;
+}
+
+PARADT__INLINE paradt_index *paradt__facets_chain(const paradt__facets *facets, paradt__facet_key key) {
+    size_t place = (size_t)key.smallest << facets->spread | (key.key & (((size_t)1 << facets->spread) - 1));
+    return facets->heads + (place & facets->mask);
+}
+
+// Makes the table anew, with `chains` of them.
+static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains, paradt__memory *memory) {
+    paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = facets->heads;
+    size_t count = old ? facets->mask + 1 : 0, i;
+    if (!heads) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
+    facets->heads = heads;
+    facets->mask = chains - 1;
+    facets->lowest = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index at = old[i];
+        while (at >= 0) {
+            paradt__facet_entry *entry = facets->entries + at;
+            paradt__facet_key key = {entry->smallest, entry->key};
+            paradt_index next = entry->next, *head = paradt__facets_chain(facets, key);
+            entry->next = *head;
+            *head = at;
+            at = next;
         }
-        node = lists->fresh++;
     }
-    lists->nodes[node].handle = handle;
-    lists->nodes[node].next = *head;
-    *head = node;
+    paradt__release(memory, old);
     return PARADT_OK;
 }
 
-// The list must not be empty.
-static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
-    paradt_index node = *head, handle = lists->nodes[node].handle;
-    *head = lists->nodes[node].next;
-    lists->nodes[node].next = lists->spare;
-    lists->spare = node;
+enum { PARADT__FACETS_SPREAD = 1 }; // to begin with: a small table stays in the cache
+
+// vertices: how many there may be facets at; 0: the table is spread by keys alone.
+static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertices, int by_key, paradt__memory *memory) {
+    size_t chains = 64;
+    memset(facets, 0, sizeof *facets);
+    facets->spare = PARADT__OPEN;
+    facets->by_key = by_key;
+    facets->spread = by_key ? 6 : PARADT__FACETS_SPREAD;
+    while (chains >> PARADT__FACETS_SPREAD < vertices) chains *= 2;
+    return paradt__facets_rehash(facets, chains, memory);
+}
+
+// Room for so many more facets. There are at least as many chains as facets.
+PARADT__INLINE paradt_status paradt__facets_room(paradt__facets *facets, size_t more, paradt__memory *memory) {
+    void *entries = facets->entries;
+    size_t capacity = facets->capacity ? facets->capacity * 2 : 256, chains = (facets->mask + 1) * 2;
+    paradt_status status = PARADT_OK;
+    if (!PARADT__LIKELY(facets->count + more <= facets->mask)) {
+        for (facets->spread++; chains <= facets->count + more; facets->spread++) chains *= 2;
+        status = paradt__facets_rehash(facets, chains, memory);
+    }
+    if (PARADT__LIKELY((size_t)facets->fresh + more <= facets->capacity) || status) return status;
+    if (capacity < (size_t)facets->fresh + more) capacity = (size_t)facets->fresh + more;
+    if (!paradt__grow(memory, &entries, (size_t)facets->fresh, capacity, sizeof *facets->entries))
+        return PARADT_ERROR_MEMORY;
+    facets->entries = (paradt__facet_entry *)entries;
+    facets->capacity = capacity;
+    return PARADT_OK;
+}
+
+// Takes an entry out of its chain. Returns its handle.
+PARADT__INLINE paradt_index paradt__facets_unlink(paradt__facets *facets, paradt_index *from) {
+    paradt_index at = *from, handle = facets->entries[at].handle;
+    *from = facets->entries[at].next;
+    facets->entries[at].next = facets->spare;
+    facets->spare = at;
+    facets->count--;
     return handle;
+}
+
+// Takes out the facet with the same vertices as `handle` and returns it; or enters the handle, for which there is room,
+// and returns PARADT__OPEN. chain: that of the key
+PARADT__INLINE paradt_index paradt__facets_match(paradt__facets *facets, const paradt__mesh *mesh, paradt_index *chain,
+                                                 paradt__facet_key key, paradt_index handle, int corners) {
+    paradt_index *from = chain, at;
+    paradt__facet_entry *entry;
+    while ((at = *from) >= 0) {
+        entry = facets->entries + at;
+        if (entry->key == key.key && entry->smallest == key.smallest &&
+            paradt__same_facet(mesh->vertices, entry->handle, mesh->vertices, handle, corners)) {
+            return paradt__facets_unlink(facets, from);
+        }
+        from = &entry->next;
+    }
+    at = facets->spare;
+    if (at >= 0) facets->spare = facets->entries[at].next;
+    else at = facets->fresh++;
+    PARADT_ASSERT((size_t)at < facets->capacity);
+    entry = facets->entries + at;
+    entry->handle = handle;
+    entry->smallest = key.smallest;
+    entry->key = key.key;
+    entry->next = *chain;
+    *chain = at;
+    if ((size_t)(chain - facets->heads) < facets->lowest) facets->lowest = (size_t)(chain - facets->heads);
+    if (++facets->count > facets->peak) facets->peak = facets->count;
+    return PARADT__OPEN;
+}
+
+// Ties a facet to its mirror, if the table has that, or enters it.
+PARADT__INLINE void paradt__facets_tie(paradt__facets *facets, paradt__mesh *mesh, paradt__facet_key key,
+                                       paradt_index handle, int corners) {
+    paradt_index mirror = paradt__facets_match(facets, mesh, paradt__facets_chain(facets, key), key, handle, corners);
+    if (mirror >= 0) paradt__mesh_tie(mesh, handle, mirror);
+}
+
+// Finds the entry with the same vertices as a handle of another mesh. Returns its handle, or PARADT__OPEN.
+PARADT__INLINE paradt_index paradt__facets_find(const paradt__facets *facets, const paradt__mesh *mesh,
+                                                paradt__facet_key key, const paradt_index *vertices,
+                                                paradt_index handle, int corners) {
+    paradt_index at = *paradt__facets_chain(facets, key);
+    for (; at >= 0; at = facets->entries[at].next) {
+        const paradt__facet_entry *entry = facets->entries + at;
+        if (entry->key == key.key && paradt__same_facet(mesh->vertices, entry->handle, vertices, handle, corners))
+            return entry->handle;
+    }
+    return PARADT__OPEN;
+}
+
+// Takes out a facet that is in the table.
+PARADT__INLINE void paradt__facets_remove(paradt__facets *facets, paradt__facet_key key, paradt_index handle) {
+    paradt_index *from = paradt__facets_chain(facets, key);
+    while (facets->entries[*from].handle != handle) {
+        PARADT_ASSERT(facets->entries[*from].next >= 0);
+        from = &facets->entries[*from].next;
+    }
+    paradt__facets_unlink(facets, from);
+}
+
+// Takes out a facet at the lowest vertex that there is one at, up to the wrap; PARADT__OPEN: the table is empty.
+PARADT__INLINE paradt_index paradt__facets_first(paradt__facets *facets) {
+    size_t at = facets->lowest;
+    if (!facets->count) return PARADT__OPEN;
+    while (facets->heads[at] < 0) at++;
+    facets->lowest = at;
+    return paradt__facets_unlink(facets, facets->heads + at);
+}
+
+enum { PARADT__JOINED = 8 }; // facets whose mirrors are looked for together
+
+// Ties open facets to their mirrors, if these were seen before. Each step waits for memory, for all facets together.
+// numbered: links are numbers of cells, as when they are delivered
+static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *mesh, const paradt_index *handles,
+                                         size_t count, int numbered, paradt__memory *memory) {
+    const paradt_index divisor = numbered ? mesh->corners : 1;
+    paradt_index *chain[PARADT__JOINED];
+    paradt__facet_key key[PARADT__JOINED];
+    paradt_status status = paradt__facets_room(facets, PARADT__JOINED, memory);
+    size_t i;
+    PARADT_ASSERT(count <= PARADT__JOINED);
+    for (i = 0; i < count && !status; i++) {
+        key[i] = paradt__facet_key_of(facets, mesh, handles[i]);
+        chain[i] = paradt__facets_chain(facets, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] >= 0) PARADT__PREFETCH(facets->entries + *chain[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] < 0) continue;
+        PARADT__PREFETCH(mesh->vertices + facets->entries[*chain[i]].handle);
+        PARADT__PREFETCH(mesh->links + facets->entries[*chain[i]].handle);
+    }
+    for (i = 0; i < count && !status; i++) {
+        paradt_index mirror = paradt__facets_match(facets, mesh, chain[i], key[i], handles[i], mesh->corners);
+        if (mirror < 0) continue;
+        mesh->links[handles[i]] = mirror / divisor;
+        mesh->links[mirror] = handles[i] / divisor;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>scene
+//
+// A mesh whose vertices are points: what walks, conflict tests and changes work on. Points are positions: their record
+// is records + position * width, and all have been measured with `space`.
+//
+// The mesh is a closed one of T(P), P the points so far: every cell is positively oriented, never flat, and has no
+// point of P in conflict with it; a ghost has the vertices of its hull facet, and the infinite vertex on the outer
+// side. Each change hands out an update: the cells it killed and those it made.
+//
+// A ghost is in conflict with the points strictly beyond its hull facet. In the plane of the facet, it is in conflict
+// with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
+// the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
+// with an affine function through the facet's lifted vertices alone.
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+
+typedef struct paradt__scene {
+    paradt__space space;   // its own, for the counters
+    const double *records; // [points][width]
+    size_t width;
+    paradt__mesh mesh;
+    paradt_index hint; // a cell near the point inserted last
+} paradt__scene;
+
+// What a change did to the mesh. A cell is named by the handle of any of its facets. Places of killed cells may be
+// those of cells made.
+typedef struct paradt__update {
+    paradt_index *killed; // [killed_capacity]
+    size_t killed_count, killed_capacity;
+    paradt_index *made; // [made_capacity]
+    size_t made_count, made_capacity;
+} paradt__update;
+
+static void paradt__update_free(paradt__update *update, paradt__memory *memory) {
+    paradt__release(memory, update->killed);
+    paradt__release(memory, update->made);
+    memset(update, 0, sizeof *update);
+}
+
+PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, paradt_index point) {
+    PARADT_ASSERT(point >= 0);
+    return scene->records + (size_t)point * scene->width;
+}
+
+// Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
+static int paradt__side(paradt__scene *scene, paradt_index cell, int place, const double *x) {
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) p[i] = i == place ? x : paradt__scene_record(scene, vertices[i]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Is the cell or ghost in conflict with x?
+static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const double *x) {
+    int corners = scene->mesh.corners, ghost, i, side;
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 2];
+    ghost = paradt__ghost_place(vertices, corners);
+    if (ghost >= 0) {
+        side = paradt__side(scene, cell, ghost, x);
+        if (side) return side > 0;
+        cell = paradt__mesh_cell(&scene->mesh, scene->mesh.links[(size_t)cell * (size_t)corners + (size_t)ghost]);
+        vertices = paradt__mesh_row(&scene->mesh, cell);
+    }
+    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(scene, vertices[i]);
+    p[corners] = x;
+    return paradt__conflict(&scene->space, p);
+}
+
+// Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
+// visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
+// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+    const paradt__mesh *mesh = &scene->mesh;
+    int corners = mesh->corners, i, from = -1;
+    for (;;) {
+        size_t base = (size_t)cell * (size_t)corners;
+        int ghost = paradt__ghost_place(mesh->vertices + base, corners);
+        PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
+        if (ghost >= 0) {
+            if (paradt__side(scene, cell, ghost, x) > 0) return cell;
+            i = ghost;
+        } else {
+            for (i = 0; i < corners; i++) {
+                if (i != from && paradt__side(scene, cell, i, x) < 0) break;
+            }
+            if (i == corners) return cell;
+        }
+        from = (int)(mesh->links[base + (size_t)i] % corners);
+        cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5441,7 +6095,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
 
 // One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
 // is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
-static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) {
+static int paradt__search_step(paradt__search *s, paradt_index *cell, const double *x) {
     int dim = s->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
         if (paradt__orient_with(s, cell, place, x) < 0) {
@@ -5455,45 +6109,164 @@ static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>incode
+// >>reach
 //
-// Incremental construction: from a first cell, a cell on each active facet, until there is none. What is common to all
-// methods that make cells facet by facet is here: the store of the cells, the active face list, and the region for
-// which the cells are made. A vertex that no active facet is left at has all its cells, and can't be an apex any more.
-// InCoDe counts the active facets at each vertex and takes grid cells and groups without other points out of the
-// search: it need not look behind the front.
+// Which cells a region of InCoDe or DeWall makes, and which of them it owns. (Insertion has another rule, see
+// >>patches.)
 //
-// Regions. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if
-// equally far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the
-// region's points: needed are the facets in which one does. All such cells are found from one around each vertex: the
-// neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex figure
-// of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others are
-// reached around their ends, and all cells around them. Facets that are not needed end in the seam: they are stored, so
-// that two cells that both were made get linked, but not worked on. A vertex of the region that no edge led away from
-// gets a cell of its own to start from.
+// The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if equally
+// far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the region's
+// points; the facets that it needs are those in which one does. All these cells are found from one around each vertex:
+// the neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex
+// figure of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others
+// are reached around their ends, and all cells around them. A facet that is not needed is entered, so that two cells
+// that both were made get linked, but not worked on. A vertex of the region that no edge led away from gets a cell of
+// its own to start from.
 //
 // The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
 // points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
-// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then it is
-// nearest to v too, and one of two points is always the farther. So a cell with two vertices in a region is reached by
-// it, and few cells are made by several: those across a cut with two vertices on either side, and some in which the cut
-// nearest to a vertex is not the one that the cell crosses.
+// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then the cut
+// is nearest to v too, and one of two points is always the farther. So a region reaches every cell with two vertices in
+// it, and few cells are made by several regions: those across a cut with two vertices on either side, and some in which
+// the cut nearest to a vertex is not the one that the cell crosses.
 //
-// A few cells nobody reaches, where boxes meet at an edge or corner. They are in clusters, connected by facets in which
-// no edge leads away. A region that owns a cell with such a facet looks behind it; if it finds one of a cluster there,
-// it goes on to all of the cluster and the cells next to it: these facets are its doors. So whoever owns a cell next to
-// a cluster knows all of them, and the first of these owns the cluster. If there is none, the cluster is all of T(P):
-// then every region has it, since all begin with a cell, and the first that has points owns it.
+// A few cells nobody reaches, where boxes meet at an edge or corner. They form clusters, connected by facets in which
+// no edge leads away. A region that owns a cell with such a facet looks behind the facet, its gate; if a cell of a
+// cluster is there, the region goes on to all of the cluster and the cells next to it. So whoever owns a cell next to a
+// cluster knows all of these cells, and the first of them owns the cluster. If there is none, the cluster is all of
+// T(P): then every region has it, since all begin with a cell, and the first that has points owns it.
 //
-// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_seed,
-// paradt__incode, paradt__cell_owner.
+// Vertices are positions in the set.
+// Doors: paradt__region_view, paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
 
+// A region, as its front sees it
 typedef struct paradt__region_view {
-    const uint32_t *owner; // [set.count] region of each point; NULL: undivided
+    const uint32_t *owner; // [set.count] region of each point; NULL: space is undivided
     const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
+// Does the edge from a point to another lead away from the cut nearest to the point (NULL: there is none)?
+static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
+                                   const double *to) {
+    if (cut) {
+        int64_t x = paradt__ordered_bits(from[cut->axis]), y = paradt__ordered_bits(to[cut->axis]);
+        if (x != y) return (y < x) == paradt__cut_is_above(cut, from);
+    }
+    return paradt__compare(space, to, from) > 0;
+}
+
+// Does an edge of the simplex lead away from its vertex `place`?
+static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
+                              int count, int place) {
+    const double *x = paradt__record(set, simplex[place]);
+    const paradt__cut *cut = paradt__cuts_nearest(view->cuts, x);
+    int i;
+    for (i = 0; i < count; i++) {
+        const double *to = paradt__record(set, simplex[i]);
+        if (i != place && paradt__edge_leads_away(&set->space, cut, x, to)) return 1;
+    }
+    return 0;
+}
+
+// Does the region need the facet: has it an edge that leads away from a point of the region? Two points of the region
+// have one.
+static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
+                         int count) {
+    int i, inside = 0, only = 0;
+    if (!view->owner) return 1;
+    for (i = 0; i < count; i++) {
+        if (view->owner[facet[i]] == view->region) inside++, only = i;
+    }
+    if (inside != 1) return inside != 0;
+    return paradt__leads_away(view, set, facet, count, only);
+}
+
+// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
+// PARADT__OPEN: nobody reaches it.
+static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
+                                       const paradt_index *simplex, int count) {
+    paradt_index owner = PARADT__OPEN;
+    int most = 0, i, j;
+    for (i = 0; i < count; i++) {
+        paradt_index region = (paradt_index)view->owner[simplex[i]];
+        int inside = 0;
+        for (j = 0; j < count; j++) inside += view->owner[simplex[j]] == view->owner[simplex[i]];
+        if (inside > count / 2 && inside > 1) return region;
+        if (inside < most || (inside == most && region >= owner)) continue;
+        if (inside == 1 && !paradt__leads_away(view, set, simplex, count, i)) continue;
+        owner = region;
+        most = inside;
+    }
+    return owner;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>front
+//
+// What builds facet by facet has in common: a mesh that is not closed, the facets whose other cell is not known yet
+// (the active face list of the thesis, AFL), the search for the cell across such a facet, and the region for which the
+// cells are made. A cell once made is never changed. Vertices are positions in the set.
+//
+// A vertex at which no facet is active has all its cells, and can't be an apex any more. InCoDe counts the active
+// facets at each vertex and takes grid cells and groups without unfinished points out of the search: it need not look
+// behind the front.
+//
+// Work lists, for methods with an order of their own, are linked lists of handles; a facet that was matched meanwhile
+// stays in its list and is passed over when it comes up.
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
+// paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
+// paradt__list_pop.
+
+// Work lists of handles, in one pool of nodes. The head of an empty list is PARADT__OPEN.
+typedef struct paradt__node {
+    paradt_index handle, next;
+} paradt__node;
+
+typedef struct paradt__lists {
+    paradt__node *nodes;
+    size_t capacity;
+    paradt_index fresh, spare; // first node never used, first node given back
+} paradt__lists;
+
+static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->nodes);
+    memset(lists, 0, sizeof *lists);
+}
+
+static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
+                                       paradt__memory *memory) {
+    paradt_index node = lists->spare;
+    if (node >= 0 && lists->capacity) {
+        lists->spare = lists->nodes[node].next;
+    } else {
+        if ((size_t)lists->fresh == lists->capacity) {
+            void *nodes = lists->nodes;
+            size_t capacity = lists->capacity ? lists->capacity * 2 : 256;
+            if (!paradt__grow(memory, &nodes, lists->capacity, capacity, sizeof(paradt__node)))
+                return PARADT_ERROR_MEMORY;
+            if (!lists->capacity) lists->spare = PARADT__OPEN;
+            lists->nodes = (paradt__node *)nodes;
+            lists->capacity = capacity;
+        }
+        node = lists->fresh++;
+    }
+    lists->nodes[node].handle = handle;
+    lists->nodes[node].next = *head;
+    *head = node;
+    return PARADT_OK;
+}
+
+// The list must not be empty.
+static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
+    paradt_index node = *head, handle = lists->nodes[node].handle;
+    *head = lists->nodes[node].next;
+    lists->nodes[node].next = lists->spare;
+    lists->spare = node;
+    return handle;
+}
+
+// Vertices that may still get cells
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
     uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
@@ -5505,9 +6278,9 @@ typedef struct paradt__front {
     const paradt__grid *grid;
     paradt__memory *memory;
     paradt__search search;
-    paradt__cells cells;
-    paradt__active active; // to be worked on
-    paradt__active seam;   // with regions: not needed, but known
+    paradt__mesh mesh;     // without ghosts
+    paradt__facets active; // the AFL: facets to be worked on
+    paradt__facets passed; // with regions: open facets that the region does not need
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
@@ -5517,24 +6290,9 @@ typedef struct paradt__front {
     uint64_t hull_facets;
     paradt__finished finished;
     uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
-    paradt_index doors; // with regions: list of facets to look behind
+    paradt_index gates; // with regions: list of facets to look behind
     size_t next_seed;   // positions before it need no seed
 } paradt__front;
-
-// Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
-// the Poisson-Delaunay mosaic); near the hull there are fewer.
-static double paradt__cells_a_point(int dim) {
-    static const double mean[PARADT_MAX_DIM + 1] = {1.0, 1.0, 2.0, 6.7677, 31.78, 186.1, 1297.0, 10470.0, 96000.0};
-    return mean[dim];
-}
-
-// The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
-// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
-// eight.
-static double paradt__off_hull(double points, int dim) {
-    double layer = pow(points + 1.0, -1.0 / dim);
-    return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
-}
 
 static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
     int level;
@@ -5581,8 +6339,8 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
 }
 
 static void paradt__front_end(paradt__front *front) {
-    paradt__active_free(&front->active, front->memory);
-    paradt__active_free(&front->seam, front->memory);
+    paradt__facets_free(&front->active, front->memory);
+    paradt__facets_free(&front->passed, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
     paradt__release(front->memory, front->touched);
@@ -5591,95 +6349,42 @@ static void paradt__front_end(paradt__front *front) {
 
 // Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
 static paradt_status paradt__front_room(paradt__front *front) {
-    const size_t some = 1 << 16, most = paradt__most_cells(front->cells.corners);
+    const size_t some = 1 << 16, most = paradt__most_cells(front->mesh.corners);
     double expected = front->expected * 1.01 + 64.0;
     size_t cells = expected < (double)most ? (size_t)expected : most;
-    paradt_status status = paradt__cells_reserve(&front->cells, 1, cells, front->memory);
+    paradt_status status = paradt__mesh_reserve(&front->mesh, 1, cells, front->memory);
     if (!status || cells <= some) return status;
-    paradt__release(front->memory, front->cells.vertices); // the one array that may be there
-    front->cells.vertices = NULL;
-    return paradt__cells_reserve(&front->cells, 1, some, front->memory);
+    paradt__release(front->memory, front->mesh.vertices); // the one array that may be there
+    front->mesh.vertices = NULL;
+    return paradt__mesh_reserve(&front->mesh, 1, some, front->memory);
 }
 
-// share: the part of the points that the front is for.
+// part: of the set's points, those that the front is for
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
-                                         paradt__memory *memory, paradt__region_view view, double share) {
-    double points = (double)set->count * share;
+                                         paradt__memory *memory, paradt__region_view view, double part) {
+    double points = (double)set->count * part;
     memset(front, 0, sizeof *front);
     front->set = set;
     front->grid = grid;
     front->memory = memory;
     front->view = view;
-    front->doors = PARADT__OPEN;
-    front->cells.corners = set->space.dim + 1;
+    front->gates = PARADT__OPEN;
+    paradt__mesh_begin(&front->mesh, set->space.dim + 1, 0);
     front->expected = points * paradt__cells_a_point(set->space.dim) * paradt__off_hull(points, set->space.dim) + 16.0;
     paradt__search_begin(&front->search, set, grid);
     if (view.owner) {
         size_t words = set->count / 64 + 1;
         front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched || paradt__active_begin(&front->seam, 0, memory)) return PARADT_ERROR_MEMORY;
+        if (!front->touched || paradt__facets_begin(&front->passed, 0, 0, memory)) return PARADT_ERROR_MEMORY;
         memset(front->touched, 0, words * sizeof(uint64_t));
     }
-    if (paradt__active_begin(&front->active, (size_t)points, memory)) return PARADT_ERROR_MEMORY;
+    if (paradt__facets_begin(&front->active, (size_t)points, 0, memory)) return PARADT_ERROR_MEMORY;
     return paradt__front_room(front);
 }
 
-// Does the edge from a point to another lead away from the cut, the one nearest to it, or NULL?
-static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
-                                   const double *to) {
-    if (cut) {
-        int64_t x = paradt__ordered_bits(from[cut->axis]), y = paradt__ordered_bits(to[cut->axis]);
-        if (x != y) return (y < x) == paradt__cut_is_above(cut, from);
-    }
-    return paradt__compare(space, to, from) > 0;
-}
-
-// Does an edge of the simplex lead away from its vertex `place`?
-static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
-                              int count, int place) {
-    const double *x = paradt__record(set, simplex[place]);
-    const paradt__cut *cut = paradt__cuts_nearest(view->cuts, x);
-    int i;
-    for (i = 0; i < count; i++) {
-        const double *to = paradt__record(set, simplex[i]);
-        if (i != place && paradt__edge_leads_away(&set->space, cut, x, to)) return 1;
-    }
-    return 0;
-}
-
-// Has the facet an edge that leads away from a point of the region? Two points of the region have one.
-static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
-                         int count) {
-    int i, inside = 0, only = 0;
-    if (!view->owner) return 1;
-    for (i = 0; i < count; i++) {
-        if (view->owner[facet[i]] == view->region) inside++, only = i;
-    }
-    if (inside != 1) return inside != 0;
-    return paradt__leads_away(view, set, facet, count, only);
-}
-
-// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
-// PARADT__OPEN: nobody reaches it.
-static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
-                                       const paradt_index *simplex, int count) {
-    paradt_index owner = PARADT__OPEN;
-    int most = 0, i, j;
-    for (i = 0; i < count; i++) {
-        paradt_index region = (paradt_index)view->owner[simplex[i]];
-        int inside = 0;
-        for (j = 0; j < count; j++) inside += view->owner[simplex[j]] == view->owner[simplex[i]];
-        if (inside > count / 2 && inside > 1) return region;
-        if (inside < most || (inside == most && region >= owner)) continue;
-        if (inside == 1 && !paradt__leads_away(view, set, simplex, count, i)) continue;
-        owner = region;
-        most = inside;
-    }
-    return owner;
-}
-
+// Notes for which of its vertices an edge of a new cell leads away.
 static void paradt__touch(paradt__front *front, const paradt_index *cell) {
-    int corners = front->cells.corners, i;
+    int corners = front->mesh.corners, i;
     for (i = 0; i < corners; i++) {
         uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
         if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
@@ -5687,52 +6392,46 @@ static void paradt__touch(paradt__front *front, const paradt_index *cell) {
     }
 }
 
-// The vertices of the facet opposite `opposite`, in the cell's order.
-PARADT__INLINE void paradt__facet_of(const paradt_index *cell, int corners, int opposite, paradt_index *facet) {
-    int i, count = 0;
-    for (i = 0; i < corners; i++) {
-        if (i != opposite) facet[count++] = cell[i];
-    }
-}
-
 // Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
-// Stores a cell and updates the AFL with its facets: a facet that was active is linked and leaves, the others enter.
-// across: the place of the apex, whose facet is the one that the cell was made on, and that facet's handle; or -1.
-PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt_index *cell, int across,
-                                              paradt_index from, paradt__activate activate, void *method, int corners) {
-    paradt__cells *cells = &front->cells;
-    paradt_index number = (paradt_index)cells->count, base = number * corners;
+// Stores a cell and updates the AFL with its facets: a facet that was active is tied and leaves, the others enter.
+// across: the place of the apex, whose facet is the one that the cell was made on; from: the mirror of that facet,
+// which has left the AFL; or -1 and PARADT__OPEN
+PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const paradt_index *cell, int across,
+                                                 paradt_index from, paradt__activate activate, void *method,
+                                                 int corners) {
+    paradt__mesh *mesh = &front->mesh;
+    paradt_index base = (paradt_index)mesh->count * corners;
     uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
-    uint32_t keys[PARADT_MAX_DIM + 1];
-    paradt_index smallest[PARADT_MAX_DIM + 1], *chains[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
-    paradt__active *table = &front->active;
+    paradt__facet_key key[PARADT_MAX_DIM + 1];
+    paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
+    paradt__facets *table = &front->active;
     for (i = 0; i < corners; i++) {
-        cells->vertices[base + i] = cell[i];
-        keys[i] = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
-        smallest[i] = paradt__smallest_but(cell, corners, i);
-        chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
-        PARADT__PREFETCH(chains[i]);
+        mesh->vertices[base + i] = cell[i];
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(table, key[i]);
+        PARADT__PREFETCH(chain[i]);
     }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->links + (*chains[i] < 0 ? 0 : *chains[i]));
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
     for (i = 0; i < corners && !status; i++) {
-        paradt_index twin = from;
+        paradt_index mirror = from;
         if (i != across) {
             if (front->view.owner) {
-                paradt__facet_of(cell, corners, i, facet);
-                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->seam;
-                chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
+                paradt__facet_without(cell, corners, i, facet);
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->passed;
+                chain[i] = paradt__facets_chain(table, key[i]);
             }
-            twin = paradt__active_match(table, cells, chains[i], smallest[i], keys[i], base + i, corners);
+            mirror = paradt__facets_match(table, mesh, chain[i], key[i], base + i, corners);
         }
-        cells->neighbors[base + i] = twin < 0 ? (paradt_index)PARADT__OPEN : twin / corners;
-        change[i] = twin < 0 ? 1 : -1;
+        mesh->links[base + i] = mirror < 0 ? (paradt_index)PARADT__OPEN : mirror;
+        change[i] = mirror < 0 ? 1 : -1;
         sum_of_changes += change[i];
-        if (twin >= 0) {
-            cells->neighbors[twin] = number;
+        if (mirror >= 0) {
+            mesh->links[mirror] = base + i;
         } else if (activate && table == &front->active) {
             status = activate(front, method, base + i);
         }
@@ -5740,17 +6439,17 @@ PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt
     for (i = 0; i < corners && front->finished.incident && !status; i++) {
         paradt__finished_count(&front->finished, front->grid, cell[i], sum_of_changes - change[i]);
     }
-    cells->count++;
+    mesh->count++;
     return status;
 }
 
-// Lists the facets of the newest cell behind which there may be a cell that nobody reaches, if it is for the region to
-// look. No two vertices of such a cell are of one region.
-static paradt_status paradt__front_list_doors(paradt__front *front) {
-    const paradt__cells *cells = &front->cells;
-    int corners = cells->corners, foreign = 0, i;
-    size_t base = (cells->count - 1) * (size_t)corners;
-    const paradt_index *cell = cells->vertices + base;
+// Lists the gates of the newest cell: the facets behind which there may be a cell that nobody reaches, if it is for the
+// region to look. No two vertices of such a cell are of one region.
+static paradt_status paradt__front_list_gates(paradt__front *front) {
+    const paradt__mesh *mesh = &front->mesh;
+    int corners = mesh->corners, foreign = 0, i;
+    size_t base = (mesh->count - 1) * (size_t)corners;
+    const paradt_index *cell = mesh->vertices + base;
     paradt_index facet[PARADT_MAX_DIM], owner;
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners; i++) foreign += front->view.owner[cell[i]] != front->view.region;
@@ -5758,26 +6457,27 @@ static paradt_status paradt__front_list_doors(paradt__front *front) {
     owner = paradt__cell_owner(&front->view, front->set, cell, corners);
     if (owner >= 0 && owner != (paradt_index)front->view.region) return PARADT_OK;
     for (i = 0; i < corners && !status; i++) {
-        if (cells->neighbors[base + (size_t)i] != PARADT__OPEN) continue;
-        paradt__facet_of(cell, corners, i, facet);
+        if (mesh->links[base + (size_t)i] != PARADT__OPEN) continue;
+        paradt__facet_without(cell, corners, i, facet);
         if (paradt__cell_owner(&front->view, front->set, facet, corners - 1) < 0)
-            status = paradt__list_push(&front->lists, &front->doors, (paradt_index)base + i, front->memory);
+            status = paradt__list_push(&front->lists, &front->gates, (paradt_index)base + i, front->memory);
     }
     return status;
 }
 
+// Adds a cell, see paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
-    paradt_status status = paradt__cells_room(&front->cells, front->memory);
-    if (!status) status = paradt__active_room(&front->active, front->memory);
-    if (!status && front->view.owner) status = paradt__active_room(&front->seam, front->memory);
+    paradt_status status = paradt__mesh_room(&front->mesh, front->memory);
+    if (!status) status = paradt__facets_room(&front->active, PARADT_MAX_DIM + 1, front->memory);
+    if (!status && front->view.owner) status = paradt__facets_room(&front->passed, PARADT_MAX_DIM + 1, front->memory);
     if (status) return status;
     if (front->touched) paradt__touch(front, cell);
-    if (front->cells.corners == 4) status = paradt__add_cell(front, cell, across, from, activate, method, 4);
-    else status = paradt__add_cell(front, cell, across, from, activate, method, front->cells.corners);
-    if (!status && front->view.owner) status = paradt__front_list_doors(front);
-    if (!status && front->cells.count % 1024 == 0) {
-        double done = (double)front->cells.count / front->expected;
+    if (front->mesh.corners == 4) status = paradt__front_store(front, cell, across, from, activate, method, 4);
+    else status = paradt__front_store(front, cell, across, from, activate, method, front->mesh.corners);
+    if (!status && front->view.owner) status = paradt__front_list_gates(front);
+    if (!status && front->mesh.count % 1024 == 0) {
+        double done = (double)front->mesh.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
@@ -5786,27 +6486,34 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
 // MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
-    int corners = front->cells.corners, opposite = (int)(handle % corners), place;
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
+    const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
     if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
         return paradt__front_add(front, made, place, handle, activate, method);
     }
     front->hull_facets++;
-    front->cells.neighbors[handle] = PARADT__HULL;
+    front->mesh.links[handle] = PARADT__HULL;
     for (place = 0; place < corners && front->finished.incident; place++) {
         if (place != opposite) paradt__finished_count(&front->finished, front->grid, cell[place], -1);
     }
     return PARADT_OK;
 }
 
-// A cell behind a door, or 0 when there is none: one of a cluster, or next to it.
-static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
-    int corners = front->cells.corners, unused;
-    while (front->doors >= 0) {
-        paradt_index handle = paradt__list_pop(&front->lists, &front->doors);
-        const paradt_index *from = front->cells.vertices + handle / corners * corners;
-        if (front->cells.neighbors[handle] != PARADT__OPEN) continue;
+// Takes a facet from a work list out of the AFL. Returns whether it was still active.
+static int paradt__front_take(paradt__front *front, paradt_index handle) {
+    if (front->mesh.links[handle] != PARADT__OPEN) return 0;
+    paradt__facets_remove(&front->active, paradt__facet_key_of(&front->active, &front->mesh, handle), handle);
+    return 1;
+}
+
+// Finds a cell behind a gate: one of a cluster, or next to one. 0: there is none.
+static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
+    int corners = front->mesh.corners, unused;
+    while (front->gates >= 0) {
+        paradt_index handle = paradt__list_pop(&front->lists, &front->gates);
+        const paradt_index *from = front->mesh.vertices + handle / corners * corners;
+        if (front->mesh.links[handle] != PARADT__OPEN) continue;
         if (paradt__search_apex(&front->search, from, (int)(handle % corners), cell, &unused) < 0) continue;
         if (paradt__cell_owner(&front->view, front->set, cell, corners) < 0 ||
             paradt__cell_owner(&front->view, front->set, from, corners) < 0)
@@ -5815,8 +6522,8 @@ static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// A cell with an edge that leads away from the vertex, or 0 when there is none. The region's first cell may be any at
-// it.
+// Finds a cell with an edge that leads away from the vertex; the region's first cell may be any at the vertex. 0: there
+// is none.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -5827,18 +6534,18 @@ static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_ind
         other = (vertex + step) % set->count;
         if (paradt__edge_leads_away(&set->space, cut, x, set->records + other * set->width)) break;
     }
-    if (step == set->count && front->cells.count) return 0;
+    if (step == set->count && front->mesh.count) return 0;
     cell[0] = (paradt_index)vertex;
     cell[1] = (paradt_index)other;
     paradt__cell_towards(&front->search, cell, 2);
-    for (i = 0; i < front->cells.corners; i++) {
+    for (i = 0; i < front->mesh.corners; i++) {
         if (cell[i] == (paradt_index)vertex) return 1;
     }
     return 0;
 }
 
-// A cell to start from: behind a door, or at a vertex of the region that still needs one; or 0 when there is none.
-// Undivided, there is one.
+// Finds a cell to start from: behind a gate, or at a vertex of the region that still needs one; undivided, one cell. 0:
+// there is none.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -5847,7 +6554,7 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    if (paradt__front_pass_door(front, cell)) return 1;
+    if (paradt__front_pass_gate(front, cell)) return 1;
     while (front->next_seed < set->count) {
         size_t at = front->next_seed++;
         if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
@@ -5862,14 +6569,15 @@ static uint64_t paradt__front_predicates(const paradt__front *front) {
     return front->search.space.counters.orient_calls + front->search.space.counters.insphere_calls;
 }
 
-// Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with
-// each other, exactly, and insertion is faster. On points in general position a cell takes less than a tenth of a
-// predicate.
+// Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
+// points exactly on a sphere), a search has to compare them all with each other, exactly. On points in general position
+// a cell takes less than a tenth of a predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
-    uint64_t patience = PARADT__PATIENCE * (uint64_t)front->cells.count + PARADT__FIRST_PATIENCE;
+    uint64_t patience = PARADT__PATIENCE * (uint64_t)front->mesh.count + PARADT__FIRST_PATIENCE;
     return paradt__front_predicates(front) - front->seeding > patience;
 }
 
+// paradt__front_seed, its predicates apart.
 static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     uint64_t before = paradt__front_predicates(front);
     int found = paradt__front_seed(front, cell);
@@ -5877,8 +6585,13 @@ static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     return found;
 }
 
-// The facets at the lowest vertices in grid order come first: the front sweeps over the grid, and what it touches stays
-// in the cache.
+// ---------------------------------------------------------------------------------------------------------------------
+// >>incode
+//
+// Incremental construction (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 2): from a first cell, the cell
+// across each active facet, until there is none. The facets at the lowest vertices in grid order come first: the front
+// sweeps over the grid, and what it touches stays in the cache. Doors: paradt__incode.
+
 static paradt_status paradt__incode(paradt__front *front) {
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
@@ -5889,7 +6602,7 @@ static paradt_status paradt__incode(paradt__front *front) {
     while (!status && paradt__front_next_seed(front, cell)) {
         paradt_index handle = PARADT__OPEN;
         status = paradt__front_add(front, cell, -1, PARADT__OPEN, NULL, NULL);
-        while (!status && (handle = paradt__active_first(&front->active)) >= 0) {
+        while (!status && (handle = paradt__facets_first(&front->active)) >= 0) {
             status = paradt__front_expand(front, handle, NULL, NULL);
             if (!status && front->impatient && paradt__front_is_stuck(front)) return PARADT__GAVE_UP;
         }
@@ -5908,7 +6621,8 @@ static paradt_status paradt__incode(paradt__front *front) {
 // alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
 // the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
 // one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Doors: paradt__dewall.
+// out of a range, and go back to the caller. Vertices are positions in the set.
+// Doors: paradt__dewall.
 
 enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
 
@@ -5922,8 +6636,8 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
     paradt_index *head = &wall->alpha;
-    int corners = front->cells.corners, opposite = (int)(handle % corners), i;
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    int corners = front->mesh.corners, opposite = (int)(handle % corners), i;
+    const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     for (i = 0; i < corners; i++) {
         size_t at = (size_t)cell[i];
         if (i == opposite) continue;
@@ -5941,16 +6655,6 @@ static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wa
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
-}
-
-// Takes a facet from a list out of the AFL, if it is still active.
-static int paradt__front_take(paradt__front *front, paradt_index handle) {
-    int corners = front->cells.corners, opposite = (int)(handle % corners);
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
-    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
-    if (front->cells.neighbors[handle] != PARADT__OPEN) return 0;
-    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
-    return 1;
 }
 
 // Works on a list of the wall until it is empty.
@@ -5992,7 +6696,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
             within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
         }
         if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__walk(&front->search, cell, q));
+    } while (paradt__search_step(&front->search, cell, q));
     return 0;
 }
 
@@ -6044,50 +6748,13 @@ static paradt_status paradt__dewall(paradt__front *front) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>bowyer-watson
-//
-// Incremental insertion (Bowyer 1981, Watson 1981): the cells in conflict with a new point form a star-shaped cavity,
-// found from any one of them through their neighbours; the point and the cavity's rim make the new cells. The hull is
-// closed by ghost cells, whose vertex PARADT__INFINITE lies beyond everything, so that inside and outside are one case.
-// A ghost is in conflict with the points strictly beyond its hull facet. In the plane of the facet, it is in conflict
-// with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
-// the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
-// with an affine function through the facet's lifted vertices alone.
-// Every T(P_i) of the points so far is complete and exact, so no cell is ever flat, and the last one is T(P).
-// A weighted point that is in conflict with no cell is hidden; a vertex inside of the cavity becomes hidden.
-//
-// The points come in rounds of 16 times the size of the one before (Amenta, Choi and Rote, "Incremental
-// constructions con BRIO", SoCG 2003), within a round along Hilbert's curve. The order only matters for speed.
-// Doors: paradt__bowyer_watson.
-
-enum {
-    PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
-    PARADT__DEAD = -3,     // first vertex of a free place
-    PARADT__CONFLICT = 1,  // a mark: in conflict with the point that is being inserted
-    PARADT__GROW_PART = 16,
-    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected at once
-    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
-};
-
-#define PARADT__EXPECT_MORE 1.08
-
-#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
-#define PARADT__BW_AVX2 1
-#else
-#define PARADT__BW_AVX2 0
-#endif
-
-// Whether four indices fit into a register that every processor of the kind has
-#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
-#define PARADT__FOUR_AT_ONCE 1
-#else
-#define PARADT__FOUR_AT_ONCE 0
-#endif
-
-// ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
 //
-// Doors: to be listed.
+// Points are inserted in rounds, each 16 times the size of the one before, and within a round along Hilbert's curve
+// (Amenta, Choi and Rote, "Incremental constructions con BRIO", SoCG 2003). The order matters only for speed. Of every
+// 16 neighbours along the curve one, drawn by a hash of their number, is dealt to an earlier round; of 16 such ones,
+// one to a still earlier round. So a round's points are spread more evenly than by chance. Doors: paradt__round_order,
+// paradt__merged_order, paradt__curve.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -6095,7 +6762,7 @@ enum {
     PARADT__MOST_ROUNDS = 15
 };
 
-// How many rounds come after the first, for so many points
+// Number of the rounds after the first, for so many points
 static int paradt__round_count(size_t count) {
     int rounds = 0;
     while (rounds < PARADT__MOST_ROUNDS && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND)
@@ -6103,16 +6770,14 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// Of 16 neighbours, those numbered from 16 * group on, the one that comes earlier than in the last round; of 16 such
-// ones, at the next level, the one that comes earlier still.
+// The number of that one of the 16 neighbours of a group that comes earlier than in the last round. level: 0 for
+// neighbours along the curve, 1 for 16 such ones, and so on
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round of the one that comes earlier than the others of its group: 0 to rounds - 1. One of 16 neighbours, at
-// random, and one of 16 such ones: so a round's points are spread more evenly than by chance, and 2 % fewer cells are
-// made.
+// The round, 0 to rounds - 1, of the one of a group that comes earlier.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -6120,12 +6785,12 @@ static int paradt__earlier_round(size_t group, int rounds) {
     return rounds - level;
 }
 
-// Points that are dealt to the rounds of an insertion as they come along the curve
+// Deals points, which come along the curve, to the rounds of an insertion.
 typedef struct paradt__rounds {
-    paradt_index *order;                   // [count]
+    paradt_index *order;                   // [count] what is dealt, round after round
     int rounds;                            // after the first
     size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
-    size_t next, earlier;                  // the number of the next point, and that of its group that comes earlier
+    size_t next, earlier; // the number of the next point, and of that one of its group which comes earlier
 } paradt__rounds;
 
 static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
@@ -6147,7 +6812,7 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     return PARADT_OK;
 }
 
-// The next point along the curve
+// Deals the next point along the curve.
 PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     size_t group = r->next >> PARADT__ROUND_SHIFT;
     int round = r->rounds;
@@ -6156,7 +6821,8 @@ PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     r->order[r->place[round]++] = point;
 }
 
-// Positions on the curve by rounds, and in each in their order: a new block, or NULL when there is no memory.
+// Returns the positions 0 to count - 1, which are along the curve, in the order of insertion: a new block, or NULL when
+// there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt__rounds r;
     size_t i;
@@ -6167,11 +6833,11 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
 
 // A curve, by the box of its lattice and how many points are along it
 typedef struct paradt__curve {
-    const int64_t *low, *high;
+    const int64_t *low, *high; // ordered bits
     size_t along;
 } paradt__curve;
 
-// Where the curve comes by next to a point: the key of the nearest place in a box, its corners as ordered bits.
+// The key of that place in a box which is nearest to a point. low, high: the box's corners as ordered bits
 static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__lattice *lattice, const double *x,
                                  const int64_t *low, const int64_t *high) {
     double inside[PARADT_MAX_DIM];
@@ -6184,8 +6850,8 @@ static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__l
     return paradt__curve_key(hilbert, lattice, inside);
 }
 
-// The first `own` points of the set are along a curve, in the box of low and high. The others come where it passes
-// them, within a few own ones. sorted, other: room for set->count - own.
+// Deals all points of the set. Its first `own` points are along a curve, in the box of low and high; the others are
+// dealt where the curve passes them, within a few own ones. sorted, other: room for set->count - own.
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
                                  const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
     enum { FEW = 16 };
@@ -6208,8 +6874,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     while (next < others) paradt__rounds_put(r, sorted[next++].point);
 }
 
-// The positions of the set's points by rounds, and in each along the curve that the first `own` are along, as above: a
-// new block, or NULL when there is no memory.
+// Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
+// memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
                                           const int64_t *low, const int64_t *high, paradt__memory *memory) {
     size_t others = set->count - own;
@@ -6226,16 +6892,260 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>insertion
+//
+// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension: the cells in conflict with a new point form a
+// star-shaped cavity, found from any one of them through their neighbours; the point and each facet of the cavity's rim
+// make a new cell. Inside and outside of the hull are one case, as ghosts close the mesh. Every T(P_i) of the points so
+// far is complete and exact, so no cell is ever flat, and the last one is T(P). A weighted point that is in conflict
+// with no cell is hidden; a vertex inside of the cavity becomes hidden.
+//
+// Between two insertions the scene is that of >>scene, no cell has the mark PARADT__CONFLICT, and `update` tells what
+// the last one did. After an error the mesh is good for nothing but to be freed. Doors: paradt__insertion_point,
+// paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points, paradt__insertion_first_cells,
+// paradt__cavity_star, paradt__insert.
+
+struct paradt__kept;
+
+typedef struct paradt__insertion {
+    paradt__scene scene;
+    paradt__memory *memory;
+    const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
+    size_t count;              // points to be inserted
+    size_t inserted;           // points so far
+    size_t later;              // points that may come after these, as far as can be foreseen: for the room
+    double rate, rate_at;      // cells a point when there was last made room, and 1 + the points then; 0: never
+    paradt__relay *relay;      // NULL: it does not pause
+    paradt__update update;     // what the last insertion did
+    paradt_index *rim;         // [rim_capacity] handles of the cavity's facets on the rim, in its cells
+    size_t rim_count, rim_capacity;
+    paradt__facets ridges;     // facets of new cells that wait for their mirrors; empty between insertions
+    struct paradt__kept *kept; // spheres of cells, in three dimensions where the filter holds; else NULL
+    int graded;                // records have sagittas, of at most grade_limit in size, wrong by grade_error
+    double grade_limit, grade_error;
+} paradt__insertion;
+
+// The i-th point to be inserted
+PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *build, size_t i) {
+    return build->order ? build->order[i] : (paradt_index)i;
+}
+
+// --- room
+
+enum {
+    PARADT__GROW_PART = 16,       // a mesh grows by at least that part
+    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected together
+    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
+};
+
+#define PARADT__EXPECT_MORE 1.08
+
+// Makes room for the places that are needed, and for those that are wanted if it can be had.
+static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
+    if (needed <= build->scene.mesh.capacity && wanted <= build->scene.mesh.capacity) return PARADT_OK;
+    return paradt__mesh_reserve(&build->scene.mesh, needed, wanted, build->memory);
+}
+
+// Number of places to make room for when `needed` are too many for now: what the cells a point, now and when there was
+// last made room, let expect, and somewhat more. Along curves the cells a point grow with the points. Few sets have
+// more cells than uniform points; scanned surfaces and shaken lattices do. In the plane no set has more.
+static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
+    int dim = build->scene.mesh.corners - 1;
+    size_t points = build->count + build->later;
+    double inserted = (double)build->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
+    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
+    int known = build->rate_at > judged && inserted > build->rate_at;
+    double rise = known ? paradt__larger(rate - build->rate, 0.0) / (inserted - build->rate_at) : 0.0;
+    double more = rise * (count - inserted),
+           expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
+    double most = dim <= 3 ? (double)paradt__expected_places(points, dim) : 1e15;
+    double numbered = (double)paradt__most_cells(build->scene.mesh.corners);
+    size_t least = needed + needed / PARADT__GROW_PART + 64;
+    build->rate = rate;
+    build->rate_at = inserted;
+    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > numbered) expected = numbered;
+    return inserted > judged && expected > (double)least ? (size_t)expected : least;
+}
+
+// Number of points whose cells get room in the beginning: of all, and the more that surfaces have; or of few of them,
+// as the rows are copied when there is more.
+static size_t paradt__insertion_first_points(const paradt__insertion *build) {
+    return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
+                                             : build->count / PARADT__JUDGED_PART * 5 / 4;
+}
+
+// Makes sure of `count` places to take.
+static paradt_status paradt__insertion_room(paradt__insertion *build, size_t count) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    size_t needed = mesh->count + count - (mesh->spare_count < count ? mesh->spare_count : count);
+    paradt_status status = PARADT_OK;
+    if (PARADT__LIKELY(needed <= mesh->paged)) return PARADT_OK;
+    if (needed > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, needed, paradt__insertion_expected(build, needed), build->memory);
+    if (!status) paradt__mesh_make_pages(mesh, needed);
+    return status;
+}
+
+// --- the cavity
+
+// Digs the cavity of x from the first cell in conflict with it: fills update.killed and the rim, and marks the cavity's
+// cells.
+static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    int corners = mesh->corners, i;
+    size_t head;
+    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT));
+    update->killed[0] = first * corners;
+    update->killed_count = 1;
+    build->rim_count = 0;
+    mesh->marks[first] |= PARADT__CONFLICT;
+    for (head = 0; head < update->killed_count; head++) {
+        paradt_index base = update->killed[head] - update->killed[head] % corners;
+        paradt_status status = paradt__list_room(&update->killed, update->killed_count, &update->killed_capacity,
+                                                 update->killed_count + (size_t)corners, build->memory);
+        if (!status)
+            status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity,
+                                       build->rim_count + (size_t)corners, build->memory);
+        if (status) return status;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i], other = paradt__mesh_cell(mesh, mirror);
+            if (mesh->marks[other] & PARADT__CONFLICT) continue;
+            if (paradt__conflicts(&build->scene, other, x)) {
+                mesh->marks[other] |= PARADT__CONFLICT;
+                update->killed[update->killed_count++] = mirror;
+            } else {
+                build->rim[build->rim_count++] = base + i;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Room for what starring the rim makes: places, the list of them, and ridges, each of which is in two new cells.
+static paradt_status paradt__cavity_room(paradt__insertion *build) {
+    paradt__update *update = &build->update;
+    size_t count = build->rim_count, ridges = count * (size_t)(build->scene.mesh.corners - 1);
+    paradt_status status = paradt__insertion_room(build, count);
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count, build->memory);
+    if (!status && !build->ridges.heads) status = paradt__facets_begin(&build->ridges, 0, 1, build->memory);
+    return status ? status : paradt__facets_room(&build->ridges, ridges / 2 + 1, build->memory);
+}
+
+// Makes a cell of each rim facet and the point: that of the cavity with the point in the place of the vertex off the
+// facet.
+PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__facets *ridges = &build->ridges;
+    size_t i;
+    int j;
+    for (i = 0; i < build->rim_count; i++) {
+        paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
+        paradt_index base = made * corners, *vertices = mesh->vertices + base;
+        uint64_t sum;
+        memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
+        vertices[place] = point;
+        paradt__mesh_tie(mesh, base + place, mesh->links[inner]);
+        sum = paradt__cell_sum(vertices, corners);
+        for (j = 0; j < corners; j++) {
+            paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(vertices[j]))};
+            if (j != (int)place) paradt__facets_tie(ridges, mesh, key, base + j, corners);
+        }
+        build->update.made[i] = base + place;
+        build->scene.hint = made;
+    }
+    build->update.made_count = build->rim_count;
+}
+
+// Stars the cavity. Fills update.made with the new cells' handles of the rim facets.
+static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index point) {
+    paradt_status status = paradt__cavity_room(build);
+    if (status) return status;
+    switch (build->scene.mesh.corners) {
+    case 3: paradt__cavity_fill(build, point, 3); break;
+    case 4: paradt__cavity_fill(build, point, 4); break;
+    default: paradt__cavity_fill(build, point, build->scene.mesh.corners);
+    }
+    PARADT_ASSERT(build->ridges.count == 0);
+    return PARADT_OK;
+}
+
+// Clears the cavity's marks and gives its places back.
+static paradt_status paradt__cavity_clear(paradt__insertion *build) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    const paradt__update *update = &build->update;
+    size_t i;
+    paradt_status status = paradt__mesh_spare_room(mesh, update->killed_count, build->memory);
+    if (status) return status;
+    for (i = 0; i < update->killed_count; i++) {
+        paradt_index cell = paradt__mesh_cell(mesh, update->killed[i]);
+        mesh->marks[cell] = 0;
+        paradt__mesh_give(mesh, cell, (size_t)mesh->corners);
+    }
+    return PARADT_OK;
+}
+
+// Inserts a point: search, dig, star.
+static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
+    paradt_status status;
+    build->scene.hint = cell;
+    build->update.killed_count = build->update.made_count = 0;
+    if (build->scene.space.weighted && !paradt__conflicts(&build->scene, cell, x)) return PARADT_OK; // hidden
+    status = paradt__cavity_dig(build, cell, x);
+    if (!status) status = paradt__cavity_star(build, point);
+    if (!status) status = paradt__cavity_clear(build);
+    return status;
+}
+
+// --- the first cells
+
+// Makes the cell of the first points, which span, at place 0, and the ghost on its facet opposite vertex i at place
+// 1 + i.
+static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    int corners = mesh->corners, i, j;
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__insertion_reserve(build, (size_t)corners + 1, (size_t)corners + 1);
+    if (status) return status;
+    mesh->count = (size_t)corners + 1;
+    for (i = 0; i < corners; i++) {
+        mesh->vertices[i] = paradt__insertion_point(build, (size_t)i);
+        p[i] = paradt__scene_record(&build->scene, mesh->vertices[i]);
+    }
+    if (paradt__orient(&build->scene.space, p) < 0) {
+        mesh->vertices[0] = paradt__insertion_point(build, 1);
+        mesh->vertices[1] = paradt__insertion_point(build, 0);
+    }
+    // In a ghost two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet. Ghosts
+    // i and j meet in the facet without vertices i and j, which is opposite what stands for i in ghost j.
+    for (i = 0; i < corners; i++) {
+        paradt_index base = (paradt_index)((i + 1) * corners);
+        for (j = 0; j < corners; j++) {
+            int place = j < 2 ? 1 - j : j;
+            mesh->vertices[base + place] = j == i ? (paradt_index)PARADT__INFINITE : mesh->vertices[j];
+            mesh->links[base + place] =
+                j == i ? (paradt_index)i : (paradt_index)((j + 1) * corners + (i < 2 ? 1 - i : i));
+            if (j == i) mesh->links[i] = base + place;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>kept spheres
 //
-// Doors: to be listed.
-
+// Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
+// too. The predicates decide where its value does not exceed the bound on its error. What they decide and what the
+// spheres decide is the same.
+//
 // A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
 //     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
 // Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
-// So a test is one dot product, for ghosts too. Where its value does not exceed the bound on its error, the predicates
-// decide. The spheres are kept in a table, each in the place that its cell's number says; one that another has driven
-// out is made again when it is wanted.
+// The spheres stand in a table, each in the slot that its cell's place says, modulo the table's size. A sphere that
+// another cell's has driven out is made again when it is wanted.
 //
 // The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
 // the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
@@ -6267,16 +7177,20 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
 // N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
+//
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_make, paradt__kept_settle,
+// paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
+// paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
 enum {
     PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
-    PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
-    PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_STAR = 60,        // new cells that a point has as a rule at most, with
+    PARADT__MOST_RIM = 2048,         // new cells that are made together, at most; else the general way is taken
+    PARADT__RIM_VERTICES = 1026,     // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
+    PARADT__COMMON_RIM = 60,         // new cells that a point has as a rule at most, with
     PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
-    PARADT__WIDE_STAR = 256,         // new cells for whose edges there is room to begin with
+    PARADT__WIDE_RIM = 256,          // new cells for whose edges there is room to begin with
     PARADT__WIDE_VERTICES = 130,
     PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
     PARADT__WIDE_ROWS = 5,               // so many of these
@@ -6288,74 +7202,68 @@ enum {
     PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
 };
 
-#ifdef PARADT_INDEX64
-typedef uint64_t paradt__tag;
-#else
-typedef uint32_t paradt__tag;
-#endif
-
 #define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
 #define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
 #define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
 
-typedef struct paradt__sphere3 {
+typedef struct paradt__sphere {
     double normal[3], constant;
     double error;
     paradt__tag tag;                                  // the cell, with the two marks
     paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
-} paradt__sphere3;
+} paradt__sphere;
 
-// A point as the spheres want it
-typedef struct paradt__seen3 {
+// A point relative to the centre of the box, and its lift
+typedef struct paradt__centred {
     double s[3], lift;
-} paradt__seen3;
+} paradt__centred;
 
-// A vertex of the cavity: at first its number among the points, then what leads to it from the new point
-typedef union paradt__around3 {
+// A vertex of the cavity: at first its position, then the edge that leads to it from the new point
+typedef union paradt__spoke {
     paradt_index vertex;
     double edge[4]; // by axis, and the square of its length, or how much g is larger there
-} paradt__around3;
+} paradt__spoke;
 
-enum { PARADT__NEXT_NUMBER = sizeof(paradt__around3) }; // from number to number
+enum { PARADT__NEXT_NUMBER = sizeof(paradt__spoke) }; // from number to number
 
 // What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
-typedef struct paradt__frame3 {
+typedef struct paradt__frame {
     double half[3], square, slack;
-} paradt__frame3;
+} paradt__frame;
 
 // How spheres are made
-typedef enum paradt__making3 {
+typedef enum paradt__making {
     PARADT__MAKE_QUICKLY,
     PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
     PARADT__MAKE_GRADED, // with these, by sagittas
-} paradt__making3;
+} paradt__making;
 
-typedef struct paradt__spheres3 {
-    paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
+typedef struct paradt__kept {
+    paradt__sphere *table; // [mask + 1] on cache lines, in the same block behind this
     paradt__tag mask;
-    int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.marks
+    int evicted;      // a cell of the cavity that is being dug has lost its sphere, and has PARADT__CONFLICT instead
     double centre[3]; // of the bounding box
-    paradt__frame3 frame;
-    double square;      // H as it is without sagittas
-    double steep;       // 2^60 times its root
-    double nil;         // powers of less than this in size are 0
-    paradt__seen3 next; // the point to be inserted next
-    paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+    paradt__frame frame;
+    double square;        // H as it is without sagittas
+    double steep;         // 2^60 times its root
+    double nil;           // powers of less than this in size are 0
+    paradt__centred next; // the point to be inserted next
+    paradt_index start;   // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
     // in-sphere filter did
     size_t made, missed, vague;
-    paradt__making3 making;
+    paradt__making making;
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
-    size_t large_star, large_rows; // for so many new cells
+    size_t large_rim, large_rows; // for so many new cells
 
     // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
-    // `around`. Numbers go on from point to point, so what is less than `first` is none.
+    // `spokes`. Numbers go on from point to point, so what is less than `first` is none.
     uint32_t *number;                        // [numbers]
     size_t numbers;                          // points + 1, at least
-    uint32_t first, next_number, around_end; // around_end: the offset behind the last vertex
-    paradt__around3 around[PARADT__STAR_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__bw3_limit_numbers
+    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__kept_limit_numbers
 
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
     // large_edges.
@@ -6365,13 +7273,13 @@ typedef struct paradt__spheres3 {
     paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
     // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    uint16_t corner[PARADT__STAR + 3][4]; // the vertices, as offsets
-    paradt_index row[PARADT__STAR][4];    // vertices
-    paradt_index outer[PARADT__STAR];
+    uint16_t corner[PARADT__MOST_RIM + 3][4]; // the vertices, as offsets
+    paradt_index row[PARADT__MOST_RIM][4];    // vertices
+    paradt_index outer[PARADT__MOST_RIM];
     int ghosts; // there are some among them; those that are none then:
-    paradt_index finite_base[PARADT__STAR + 3];
-    uint16_t finite_corner[PARADT__STAR + 3][4];
-} paradt__spheres3;
+    paradt_index finite_base[PARADT__MOST_RIM + 3];
+    uint16_t finite_corner[PARADT__MOST_RIM + 3][4];
+} paradt__kept;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
@@ -6379,16 +7287,16 @@ typedef struct paradt__spheres3 {
 #define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
 
 // The vertex with a number, as an offset
-PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__around3 *around, size_t offset) {
-    return (paradt__around3 *)(void *)((char *)around + offset);
+PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *around, size_t offset) {
+    return (paradt__spoke *)(void *)((char *)around + offset);
 }
 
 // The first cache line that begins there
-PARADT__INLINE paradt__sphere3 *paradt__on_line(void *memory) {
-    return (paradt__sphere3 *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
+PARADT__INLINE paradt__sphere *paradt__on_line(void *memory) {
+    return (paradt__sphere *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
-static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
+static void paradt__kept_free(paradt__kept *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
     paradt__release(memory, s->large_table);
@@ -6396,372 +7304,8 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
     paradt__release(memory, s);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// >>insertion
-//
-// Doors: to be listed.
-
-typedef struct paradt__bw {
-    paradt__space space; // its own, for the counters
-    paradt__memory *memory;
-    const double *records;     // [count][width]
-    const paradt_index *order; // [count] of insertion; NULL: that of the records
-    size_t width, count;
-    int graded; // records have sagittas, of at most grade_limit in size, wrong by grade_error
-    double grade_limit, grade_error;
-    size_t inserted;      // points so far
-    paradt__relay *relay; // NULL: it does not pause
-    size_t later;         // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at; // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__cells cells;  // cells.count: places in use or free; neighbors are handles of facets
-    size_t paged;         // so many cells have pages for their rows already
-    unsigned char *marks; // [cells.capacity] PARADT__CONFLICT, and bits of those who go on with the cells; 0 at first
-    paradt_index *spare;  // [spare_capacity] places that are free
-    size_t spare_count, spare_capacity;
-    // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by. In three
-    // dimensions each becomes four times the cell's place once its facets are looked at, and the same of the places
-    // that the new cells need besides comes behind them.
-    paradt_index *cavity;
-    size_t cavity_count, cavity_capacity;
-    paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
-    size_t rim_count, rim_capacity;
-    paradt__slot *ridges; // [ridge_capacity] the first ridge_mask + 1 are a hash table of the new cells' open facets
-    size_t ridge_capacity, ridge_mask;
-    paradt_index last;         // a cell near the point inserted last
-    paradt__spheres3 *spheres; // in three dimensions, where the filter holds
-} paradt__bw;
-
-PARADT__INLINE const double *paradt__bw_record(const paradt__bw *bw, paradt_index point) {
-    return bw->records + (size_t)point * bw->width;
-}
-
-// The i-th point to be inserted
-PARADT__INLINE paradt_index paradt__bw_point(const paradt__bw *bw, size_t i) {
-    return bw->order ? bw->order[i] : (paradt_index)i;
-}
-
-// The cell that a handle's facet belongs to. Divisions by what is not a constant are slow.
-PARADT__INLINE paradt_index paradt__bw_cell(const paradt__bw *bw, paradt_index handle) {
-    return bw->cells.corners == 4 ? handle >> 2 : handle / bw->cells.corners;
-}
-
-static void paradt__bw_end(paradt__bw *bw) {
-    paradt__release(bw->memory, bw->marks);
-    paradt__release(bw->memory, bw->spare);
-    paradt__release(bw->memory, bw->cavity);
-    paradt__release(bw->memory, bw->rim);
-    paradt__release(bw->memory, bw->ridges);
-    paradt__spheres3_free(bw->spheres, bw->memory);
-}
-
-// Room for the cells that are needed, and those that are wanted if it can be had
-static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t needed, size_t wanted) {
-    size_t before = bw->cells.capacity;
-    void *array = bw->marks;
-    paradt_status status;
-    if (needed <= before && wanted <= before) return PARADT_OK;
-    status = paradt__cells_reserve(&bw->cells, needed, wanted, bw->memory);
-    if (status) return status;
-    bw->paged = bw->cells.count;
-    if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
-    bw->marks = (unsigned char *)array;
-    paradt__make_pages(bw->marks, before, bw->cells.capacity);
-    memset(bw->marks + before, 0, bw->cells.capacity - before);
-    return PARADT_OK;
-}
-
-// Lends it the places of the cells from `first` on.
-static paradt_status paradt__bw_lend(paradt__bw *bw, paradt_index *vertices, paradt_index *neighbors, size_t capacity) {
-    bw->marks = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
-    if (!bw->marks) return PARADT_ERROR_MEMORY;
-    bw->cells.vertices = vertices;
-    bw->cells.neighbors = neighbors;
-    bw->cells.capacity = capacity;
-    bw->cells.lent = 1;
-    return PARADT_OK;
-}
-
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t used, size_t *capacity, size_t count) {
-    void *array = *list;
-    size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
-    if (!paradt__grow(bw->memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
-    *list = (paradt_index *)array;
-    *capacity = larger;
-    return PARADT_OK;
-}
-
-// Places that the cells of so many points take, ghosts and all, in two and three dimensions: mostly enough
-static size_t paradt__bw_places(size_t count, int dim) {
-    return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
-}
-
-// The number of cells to make room for when `needed` is too much for now: what the cells per point now, and what they
-// were when there was last made room, let expect, and somewhat more. Along curves they grow with the points. Few sets
-// have more than uniform points; but scanned surfaces do, and lattices that are shaken: 3 to 6 % more a point in the
-// end than when they are judged. In the plane no set has more.
-static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
-    int dim = bw->cells.corners - 1;
-    size_t points = bw->count + bw->later;
-    double inserted = (double)bw->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
-    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
-    int known = bw->rate_at > judged && inserted > bw->rate_at;
-    double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
-    double more = rise * (count - inserted),
-           expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
-    double most = dim <= 3 ? (double)paradt__bw_places(points, dim) : 1e15;
-    double numbered = (double)paradt__most_cells(bw->cells.corners);
-    size_t least = needed + needed / PARADT__GROW_PART + 64;
-    bw->rate = rate;
-    bw->rate_at = inserted;
-    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
-    if (expected > numbered) expected = numbered;
-    return inserted > judged && expected > (double)least ? (size_t)expected : least;
-}
-
-// The cells of so many points get room at once: of all, and the more that surfaces have; or of few of them, as that is
-// copied when there is more.
-static size_t paradt__bw_first_points(const paradt__bw *bw) {
-    return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
-}
-
-// Makes pages for some more cells than are needed. Of the last page, which is not made if it lies behind them in part,
-// the cells do not count: it is made with the next.
-static void paradt__bw_make_pages(paradt__bw *bw, size_t needed) {
-    enum { AHEAD = 1 << 17 }; // bytes
-    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + AHEAD / row + PARADT__PAGE / row;
-    if (end > bw->cells.capacity) end = bw->cells.capacity;
-    paradt__make_pages(bw->cells.vertices, bw->paged * row, end * row);
-    paradt__make_pages(bw->cells.neighbors, bw->paged * row, end * row);
-    bw->paged = end < bw->cells.capacity ? end - PARADT__PAGE / row : end;
-}
-
-// Makes sure of `count` free places.
-static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
-    size_t needed = bw->cells.count + count - (bw->spare_count < count ? bw->spare_count : count);
-    paradt_status status = PARADT_OK;
-    if (PARADT__LIKELY(needed <= bw->paged)) return PARADT_OK;
-    if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, needed, paradt__bw_expected(bw, needed));
-    if (!status) paradt__bw_make_pages(bw, needed);
-    return status;
-}
-
-PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
-    if (bw->spare_count) return bw->spare[--bw->spare_count];
-    return (paradt_index)bw->cells.count++;
-}
-
-// How many vertices of a cell or ghost are in [0, end)?
-PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
-    int count = 0;
-    size_t i;
-    for (i = 0; i < corners; i++) count += (paradt__tag)vertices[i] < (paradt__tag)end;
-    return count;
-}
-
-// Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
-PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
-                                          paradt_index end) {
-    paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
-    int i, among = 1;
-#if PARADT__FOUR_AT_ONCE
-    if (corners == 4) {
-        const __m128i sign = _mm_set1_epi32(INT32_MIN), most = _mm_set1_epi32((int)(span ^ (paradt__tag)INT32_MIN));
-        __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
-        return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
-    }
-#else
-    if (corners == 4) {
-        return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
-               ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
-    }
-#endif
-    for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
-    return among;
-}
-
-// The place of the infinite vertex in the cell, or -1
-PARADT__INLINE int paradt__bw_ghost(const paradt_index *cell, int corners) {
-    int i;
-    for (i = 0; i < corners; i++) {
-        if (cell[i] == PARADT__INFINITE) return i;
-    }
-    return -1;
-}
-
-// --- predicates of a cell and a point; the cells are whole
-
-// Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
-static int paradt__bw_side(paradt__bw *bw, paradt_index cell, int place, const double *x) {
-    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)bw->cells.corners;
-    const double *p[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i < bw->cells.corners; i++) p[i] = i == place ? x : paradt__bw_record(bw, vertices[i]);
-    return paradt__orient(&bw->space, p);
-}
-
-static int paradt__bw_conflicts(paradt__bw *bw, paradt_index cell, const double *x) {
-    int corners = bw->cells.corners, ghost, i, side;
-    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
-    const double *p[PARADT_MAX_DIM + 2];
-    ghost = paradt__bw_ghost(vertices, corners);
-    if (ghost >= 0) {
-        side = paradt__bw_side(bw, cell, ghost, x);
-        if (side) return side > 0;
-        cell = paradt__bw_cell(bw, bw->cells.neighbors[(size_t)cell * (size_t)corners + (size_t)ghost]);
-        vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
-    }
-    for (i = 0; i < corners; i++) p[i] = paradt__bw_record(bw, vertices[i]);
-    p[corners] = x;
-    return paradt__conflict(&bw->space, p);
-}
-
-// The cell that contains x, or a ghost whose hull facet has x strictly beyond it. A visibility walk: in a regular
-// triangulation it ends whichever facet it takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d
-// dimensions", Combinatorica 10, 1990).
-static paradt_index paradt__bw_walk(paradt__bw *bw, paradt_index cell, const double *x) {
-    int corners = bw->cells.corners, i, from = -1;
-    for (;;) {
-        size_t base = (size_t)cell * (size_t)corners;
-        int ghost = paradt__bw_ghost(bw->cells.vertices + base, corners);
-        if (ghost >= 0) {
-            if (paradt__bw_side(bw, cell, ghost, x) > 0) return cell;
-            i = ghost;
-        } else {
-            for (i = 0; i < corners; i++) {
-                if (i != from && paradt__bw_side(bw, cell, i, x) < 0) break;
-            }
-            if (i == corners) return cell;
-        }
-        from = (int)(bw->cells.neighbors[base + (size_t)i] % corners);
-        cell = paradt__bw_cell(bw, bw->cells.neighbors[base + (size_t)i]);
-    }
-}
-
-// --- insertion in any dimension
-
-// Fills the cavity and its rim from the first cell in conflict with x.
-static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const double *x) {
-    int corners = bw->cells.corners, i;
-    size_t head;
-    bw->cavity_count = bw->rim_count = 0;
-    bw->cavity[bw->cavity_count++] = first * corners;
-    bw->marks[first] |= PARADT__CONFLICT;
-    for (head = 0; head < bw->cavity_count; head++) {
-        paradt_index base = bw->cavity[head] - bw->cavity[head] % corners;
-        paradt_status status = paradt__bw_list(bw, &bw->cavity, bw->cavity_count, &bw->cavity_capacity,
-                                               bw->cavity_count + (size_t)corners);
-        if (!status)
-            status = paradt__bw_list(bw, &bw->rim, bw->rim_count, &bw->rim_capacity, bw->rim_count + (size_t)corners);
-        if (status) return status;
-        for (i = 0; i < corners; i++) {
-            paradt_index other = paradt__bw_cell(bw, bw->cells.neighbors[base + i]);
-            if (bw->marks[other] & PARADT__CONFLICT) continue;
-            if (paradt__bw_conflicts(bw, other, x)) {
-                bw->marks[other] |= PARADT__CONFLICT;
-                bw->cavity[bw->cavity_count++] = bw->cells.neighbors[base + i];
-            } else {
-                bw->rim[bw->rim_count++] = base + i;
-            }
-        }
-    }
-    return PARADT_OK;
-}
-
-// Links an open facet of a new cell to its twin, or leaves it in the table for that. Every ridge of the rim is in two
-// facets, so each entry is met once and needs no removal.
-static void paradt__bw_link(paradt__bw *bw, uint32_t key, paradt_index handle) {
-    size_t mask = bw->ridge_mask, slot = key & mask;
-    for (; bw->ridges[slot].handle >= 0; slot = (slot + 1) & mask) {
-        paradt_index twin = bw->ridges[slot].handle;
-        if (bw->ridges[slot].key != key || !paradt__same_facet(&bw->cells, twin, handle, bw->cells.corners)) continue;
-        bw->cells.neighbors[twin] = handle;
-        bw->cells.neighbors[handle] = twin;
-        return;
-    }
-    bw->ridges[slot].key = key;
-    bw->ridges[slot].handle = handle;
-}
-
-// A table for the rim's ridges, empty. At most half full: each of the ridges is in two of the facets. It is no larger
-// than that, for to clear the largest that was ever needed could take longer than all the rest.
-static paradt_status paradt__bw_ridges(paradt__bw *bw) {
-    size_t needed = 16, i;
-    while (needed < bw->rim_count * (size_t)bw->cells.corners) needed *= 2;
-    if (needed > bw->ridge_capacity) {
-        paradt__release(bw->memory, bw->ridges);
-        bw->ridges = (paradt__slot *)paradt__alloc(bw->memory, needed, sizeof *bw->ridges);
-        bw->ridge_capacity = bw->ridges ? needed : 0;
-        if (!bw->ridges) return PARADT_ERROR_MEMORY;
-    }
-    bw->ridge_mask = needed - 1;
-    for (i = 0; i < needed; i++) bw->ridges[i].handle = PARADT__OPEN;
-    return PARADT_OK;
-}
-
-// Makes the new cells: those of the cavity with the point in the place of the vertex off the rim. The rim is theirs
-// then.
-static paradt_status paradt__bw_fill(paradt__bw *bw, paradt_index point) {
-    int corners = bw->cells.corners, j;
-    size_t i;
-    paradt_status status = paradt__bw_room(bw, bw->rim_count);
-    if (!status) status = paradt__bw_ridges(bw);
-    if (status) return status;
-    for (i = 0; i < bw->rim_count; i++) {
-        paradt_index inner = bw->rim[i], outer = bw->cells.neighbors[inner], made = paradt__bw_place(bw);
-        int place = (int)(inner % corners);
-        paradt_index *vertices = bw->cells.vertices + (size_t)made * (size_t)corners;
-        uint64_t sum;
-        memcpy(vertices, bw->cells.vertices + (inner - place), (size_t)corners * sizeof *vertices);
-        vertices[place] = point;
-        sum = paradt__cell_sum(vertices, corners);
-        bw->cells.neighbors[made * corners + place] = outer;
-        bw->cells.neighbors[outer] = made * corners + place;
-        for (j = 0; j < corners; j++) {
-            if (j != place)
-                paradt__bw_link(bw, paradt__facet_key(sum - paradt__vertex_key(vertices[j])), made * corners + j);
-        }
-        bw->rim[i] = made * corners + place;
-        bw->last = made;
-    }
-    return PARADT_OK;
-}
-
-// The places of the cavity become free.
-static paradt_status paradt__bw_clear(paradt__bw *bw) {
-    size_t i;
-    paradt_status status =
-        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
-    if (status) return status;
-    for (i = 0; i < bw->cavity_count; i++) {
-        paradt_index cell = paradt__bw_cell(bw, bw->cavity[i]);
-        bw->marks[cell] = 0;
-        bw->spare[bw->spare_count + i] = cell;
-    }
-    bw->spare_count += bw->cavity_count;
-    return PARADT_OK;
-}
-
-static paradt_status paradt__bw_insert(paradt__bw *bw, paradt_index point) {
-    const double *x = paradt__bw_record(bw, point);
-    paradt_index cell = paradt__bw_walk(bw, bw->last, x);
-    paradt_status status;
-    bw->last = cell;
-    if (bw->space.weighted && !paradt__bw_conflicts(bw, cell, x)) return PARADT_OK;
-    status = paradt__bw_dig(bw, cell, x);
-    if (!status) status = paradt__bw_fill(bw, point);
-    if (!status) status = paradt__bw_clear(bw);
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>insertion in space
-//
-// Doors: to be listed.
-
-PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const double *x) {
-    paradt__seen3 seen;
+PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const double *x) {
+    paradt__centred seen;
     seen.s[0] = x[0] - s->centre[0];
     seen.s[1] = x[1] - s->centre[1];
     seen.s[2] = x[2] - s->centre[2];
@@ -6771,8 +7315,8 @@ PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const d
 }
 
 // The edge from a point to another
-PARADT__INLINE paradt__around3 paradt__around3_of(paradt__making3 making, const double *from, const double *to) {
-    paradt__around3 around;
+PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
+    paradt__spoke around;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
     around.edge[0] = x;
     around.edge[1] = y;
@@ -6781,7 +7325,7 @@ PARADT__INLINE paradt__around3 paradt__around3_of(paradt__making3 making, const 
     return around;
 }
 
-PARADT__INLINE double paradt__largest3(double a, double b, double c) {
+PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
@@ -6794,9 +7338,9 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
 // to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
 // (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
 // been rounded.)
-PARADT__INLINE void paradt__sphere3_make(paradt__making3 making, const paradt__frame3 *f, const paradt__seen3 *p,
-                                         const double *a, const double *b, const double *c, double *normal,
-                                         double *constant, double *error) {
+PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
+                                        const double *a, const double *b, const double *c, double *normal,
+                                        double *constant, double *error) {
     const int graded = making == PARADT__MAKE_GRADED;
     double ax = a[0], ay = a[1], az = a[2], la = a[3], bx = b[0], by = b[1], bz = b[2], lb = b[3];
     double cx = c[0], cy = c[1], cz = c[2], lc = c[3];
@@ -6840,17 +7384,17 @@ PARADT__INLINE void paradt__sphere3_make(paradt__making3 making, const paradt__f
 }
 
 // The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
-static const unsigned char paradt__facet3[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
+static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
 // The sphere of the ghost on a facet. seen: p
-PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__sphere3 *sphere,
-                                             const paradt__seen3 *seen, const double *p, const double *q,
-                                             const double *r) {
+PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere, const paradt__centred *seen,
+                                            const double *p, const double *q, const double *r) {
     const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
-    double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx, size = paradt__largest3(nx, ny, nz);
-    double mx = paradt__largest3(ax, bx, 0.0), my = paradt__largest3(ay, by, 0.0), mz = paradt__largest3(az, bz, 0.0),
-           t;
+    double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx,
+           size = paradt__largest_of_three(nx, ny, nz);
+    double mx = paradt__largest_of_three(ax, bx, 0.0), my = paradt__largest_of_three(ay, by, 0.0),
+           mz = paradt__largest_of_three(az, bz, 0.0), t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
     if (!(s->steep < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
@@ -6867,156 +7411,257 @@ PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
-static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphere, const paradt_index *vertices,
-                                     int place) {
-    const unsigned char *order = paradt__facet3[place];
-    const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
-    paradt__seen3 seen = paradt__seen3_of(bw->spheres, p);
-    paradt__sphere3_of_facet(bw->spheres, sphere, &seen, p, q, paradt__bw_record(bw, vertices[order[2]]));
+static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
+                                    const paradt_index *vertices, int place) {
+    const unsigned char *order = paradt__facet_order[place];
+    const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
+                 *q = paradt__scene_record(&build->scene, vertices[order[1]]);
+    paradt__centred seen = paradt__centred_of(build->kept, p);
+    paradt__sphere_of_facet(build->kept, sphere, &seen, p, q, paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
-PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
-    const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)cell;
-    int ghost = paradt__bw_ghost(vertices, 4);
+PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_index cell) {
+    paradt__kept *s = build->kept;
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
+    const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)cell;
+    int ghost = paradt__ghost_place(vertices, 4);
     if (ghost >= 0) {
-        paradt__sphere3_of_ghost(bw, sphere, vertices, ghost);
+        paradt__sphere_of_ghost(build, sphere, vertices, ghost);
     } else {
-        const double *a = paradt__bw_record(bw, vertices[0]), *b = paradt__bw_record(bw, vertices[1]);
-        const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
-        paradt__around3 to_a = paradt__around3_of(s->making, p, a), to_b = paradt__around3_of(s->making, p, b),
-                        to_c = paradt__around3_of(s->making, p, c);
-        paradt__seen3 seen = paradt__seen3_of(s, p);
+        const double *a = paradt__scene_record(&build->scene, vertices[0]),
+                     *b = paradt__scene_record(&build->scene, vertices[1]);
+        const double *c = paradt__scene_record(&build->scene, vertices[2]),
+                     *p = paradt__scene_record(&build->scene, vertices[3]);
+        paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
+                      to_c = paradt__spoke_of(s->making, p, c);
+        paradt__centred seen = paradt__centred_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
-                             &sphere->constant, &sphere->error);
+        paradt__sphere_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+                            &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
-// A sphere that is not in the table gets its place in it. The mark of the one that is driven out, if the cavity is
-// being dug, is kept in bw.marks.
-PARADT__INLINE paradt__sphere3 *paradt__bw3_drive_out(const paradt__bw *bw, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+// Makes the slot of a cell's sphere free for it. If the sphere there is that of a cell in the cavity, the cell gets the
+// mark PARADT__CONFLICT instead.
+PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build, paradt_index cell) {
+    paradt__kept *s = build->kept;
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
     if (sphere->tag & PARADT__KNOWN) {
-        bw->marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
-        s->driven_out = 1;
+        build->scene.mesh.marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
+        s->evicted = 1;
     }
     s->missed++;
     return sphere;
 }
 
 // Makes a sphere that is not in the table.
-PARADT__NOINLINE void paradt__bw3_missed(const paradt__bw *bw, paradt_index cell) {
-    paradt__sphere3 *sphere = paradt__bw3_drive_out(bw, cell);
-    paradt__bw3_sphere(bw, cell);
-    if (bw->marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
+PARADT__NOINLINE void paradt__kept_missed(const paradt__insertion *build, paradt_index cell) {
+    paradt__sphere *sphere = paradt__kept_evict(build, cell);
+    paradt__kept_make(build, cell);
+    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
 }
 
-PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
-    const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__bw3_missed(bw, cell);
+PARADT__INLINE const paradt__sphere *paradt__kept_sphere(const paradt__insertion *build, paradt_index cell) {
+    const paradt__sphere *sphere = build->kept->table + ((paradt__tag)cell & build->kept->mask);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__kept_missed(build, cell);
     return sphere;
 }
 
-PARADT__INLINE double paradt__sphere3_power(const paradt__sphere3 *sphere, const paradt__seen3 *x) {
+PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const paradt__centred *x) {
     return (x->lift + sphere->constant) +
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
+
+PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
+                                         const double **p) {
+    int i;
+    for (i = 0; i < 4; i++)
+        p[i] = paradt__scene_record(&build->scene, build->scene.mesh.vertices[4 * (size_t)cell + (size_t)i]);
+    p[4] = x;
+}
+
+// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    paradt__kept_corners(build, cell, x, p);
+    build->scene.space.counters.insphere_calls++;
+    build->scene.space.counters.exact_small++;
+    return (unsigned)paradt__perturbed(&build->scene.space, p);
+}
+
+// Is the cell in conflict with the point? Where nothing is known.
+PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int sign;
+    if (!paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
+        return (unsigned)paradt__conflicts(&build->scene, cell, x);
+    paradt__kept_corners(build, cell, x, p);
+    build->scene.space.counters.insphere_calls++;
+    sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
+    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
+    else build->kept->vague++;
+    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
+}
+
+// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
+PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *seen,
+                                              const double *x) {
+    const paradt__kept *s = build->kept;
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power;
+    if (sphere->tag & PARADT__KNOWN) return 1;
+    power = paradt__sphere_power(sphere, seen);
+    if (paradt__abs(power) > sphere->error) return power < 0.0;
+    if (paradt__abs(power) + sphere->error < s->nil) return paradt__kept_tie(build, cell, x);
+    return paradt__kept_decide(build, cell, x);
+}
+
+// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
+// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
+// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
+// the table stays as it is.
+PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t size = 4 * ((size_t)s->mask + 1), i;
+    void *larger = NULL;
+    double to_come = 28.0 * (double)(build->count - build->inserted); // cells, at least
+    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
+    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
+    s->made = s->missed = s->vague = 0;
+    if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
+        larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
+    if (!larger) return;
+    paradt__release(build->memory, s->large_table);
+    s->large_table = larger;
+    s->table = paradt__on_line(larger);
+    s->mask = (paradt__tag)(size - 1);
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+}
+
+// Room for the numbers of more vertices
+static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
+    paradt__kept *s = build->kept;
+    void *array = s->number;
+    if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
+    s->number = (uint32_t *)array;
+    paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
+    memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
+    s->numbers = numbers;
+    return 1;
+}
+
+// Takes the sagittas where they are so small that without them most powers would tell nothing.
+static void paradt__kept_grade(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
+    if (!build->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    s->making = PARADT__MAKE_GRADED;
+    s->frame.square = square;
+    s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
+}
+
+// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
+static paradt_status paradt__kept_begin(paradt__insertion *build) {
+    paradt__kept *s;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
+    int axis;
+    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
+        return PARADT_OK;
+    while (size < 8 * build->count && size < PARADT__SPHERES) size *= 2;
+    while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
+    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
+    bytes = sizeof *s + (room + 1) * sizeof *s->table;
+    s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
+    build->kept = s;
+    if (!s) return PARADT_ERROR_MEMORY;
+    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
+    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
+    memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
+    s->mask = (paradt__tag)(size - 1);
+    s->table = paradt__on_line(s + 1);
+    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->next_number = PARADT__NEXT_NUMBER;
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
+        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+    }
+    s->square = s->frame.square;
+    s->steep = sqrt(s->square) * paradt__power(60);
+    paradt__kept_grade(build);
+    s->nil = build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    if (build->count > 4)
+        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
+    return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion in space
+//
+// >>insertion once more for three dimensions, with kept spheres. The steps are the same: locate, dig, star; the new
+// cells take the places of the cavity. What is different is the form: no step has a branch that nothing foretells,
+// memory is asked for before it is used, and the inner functions, which have twins for AVX2, are handed in as constants
+// to functions that are inlined. A sphere's tag says whether its cell is in the cavity.
+//
+// The vertices of the cavity get small numbers, and a table by two such numbers takes the place of the ridges' hash
+// table. Cavities whose rim has more than PARADT__MOST_RIM facets are starred by >>insertion.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, the types of its inner functions, what these have in common with
+// their twins, and paradt__kept_fetch_around.
 
 // A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
 // two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
 // it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
 // Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
 // in a longer register and the other is not, and the walk would not end.
-PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__seen3 *seen, const double *x) {
-    paradt_index cell = bw->spheres->start;
-    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
-    double power = paradt__rounded(paradt__sphere3_power(sphere, seen)), error = sphere->error;
+PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *seen,
+                                                const double *x) {
+    paradt_index cell = build->kept->start;
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power = paradt__rounded(paradt__sphere_power(sphere, seen)), error = sphere->error;
     while (power >= -error) {
-        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)cell;
+        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
         double least = power;
         paradt_index best = cell;
         int i;
         for (i = 0; i < 4; i++) {
-            paradt_index other = neighbors[i] >> 2;
+            paradt_index other = links[i] >> 2;
             double value;
-            sphere = paradt__bw3_sphere_of(bw, other);
-            value = paradt__rounded(paradt__sphere3_power(sphere, seen));
+            sphere = paradt__kept_sphere(build, other);
+            value = paradt__rounded(paradt__sphere_power(sphere, seen));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
         }
-        if (best == cell) return paradt__bw_walk(bw, cell, x);
+        if (best == cell) return paradt__walk(&build->scene, cell, x);
         cell = best;
         power = least;
     }
     return cell;
 }
 
-PARADT__INLINE void paradt__bw3_corners(const paradt__bw *bw, paradt_index cell, const double *x, const double **p) {
-    int i;
-    for (i = 0; i < 4; i++) p[i] = paradt__bw_record(bw, bw->cells.vertices[4 * (size_t)cell + (size_t)i]);
-    p[4] = x;
-}
-
-// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
-PARADT__INLINE unsigned paradt__bw3_tie(paradt__bw *bw, paradt_index cell, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    paradt__bw3_corners(bw, cell, x, p);
-    bw->space.counters.insphere_calls++;
-    bw->space.counters.exact_small++;
-    return (unsigned)paradt__perturbed(&bw->space, p);
-}
-
-// Is the cell in conflict with the point? Where nothing is known.
-PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    int sign;
-    if (!paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
-        return (unsigned)paradt__bw_conflicts(bw, cell, x);
-    paradt__bw3_corners(bw, cell, x, p);
-    bw->space.counters.insphere_calls++;
-    sign = paradt__filter_insphere3(&bw->space, p, 3, 0);
-    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&bw->space, p);
-    else bw->spheres->vague++;
-    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&bw->space, p));
-}
-
-// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
-PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
-                                             const double *x) {
-    const paradt__spheres3 *s = bw->spheres;
-    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
-    double power;
-    if (sphere->tag & PARADT__KNOWN) return 1;
-    power = paradt__sphere3_power(sphere, seen);
-    if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->nil) return paradt__bw3_tie(bw, cell, x);
-    return paradt__bw3_decide(bw, cell, x);
-}
-
 // What the search for the cavity works with
-typedef struct paradt__dig3 {
-    paradt_index *cavity, *rim;
-    size_t cavity_count, rim_count;
-    const paradt_index *neighbors;
-    paradt__sphere3 *table;
+typedef struct paradt__dig {
+    paradt_index *killed, *rim;
+    size_t killed_count, rim_count;
+    const paradt_index *links;
+    paradt__sphere *table;
     paradt__tag mask;
     int waiting_count;
     const paradt_index *vertices;
-    paradt__around3 *around;
-    uint32_t *numbers, first, next; // of the vertices: as in paradt__spheres3, from vertex 0 on
-} paradt__dig3;
+    paradt__spoke *spokes;
+    uint32_t *numbers, first, next; // of the vertices: as in paradt__kept, from vertex 0 on
+} paradt__dig;
 
 // Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
-PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3 *dig) {
-    paradt__spheres3 *s = bw->spheres;
-    dig->vertices = bw->cells.vertices;
-    dig->around = s->around;
+PARADT__INLINE void paradt__kept_begin_numbers(const paradt__insertion *build, paradt__dig *dig) {
+    paradt__kept *s = build->kept;
+    dig->vertices = build->scene.mesh.vertices;
+    dig->spokes = s->spokes;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
         s->next_number = PARADT__NEXT_NUMBER;
@@ -7026,92 +7671,93 @@ PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3
 }
 
 // Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
-PARADT__INLINE void paradt__bw3_number(paradt__dig3 *dig, paradt_index vertex) {
+PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
-    paradt__around3_at(dig->around, dig->next - dig->first)->vertex = vertex;
+    paradt__spoke_at(dig->spokes, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
     dig->next += is_new & PARADT__NEXT_NUMBER;
 }
 
 // Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
 // again. To be called every PARADT__DIG_AT_ONCE vertices.
-PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
-    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
-// Keeps which numbers these vertices have. The next cavity's are larger than all of them.
-PARADT__INLINE void paradt__bw3_end_numbers(paradt__spheres3 *s, const paradt__dig3 *dig) {
-    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
+// Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
+PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
     s->first = dig->first;
-    s->around_end = end < most ? end : most;
-    s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->around;
+    s->spokes_end = end < most ? end : most;
+    s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
     // what comes of it is not used, but any point will do where its record is read
-    if (s->ghosts) paradt__around3_at(s->around, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
+    if (s->ghosts) paradt__spoke_at(s->spokes, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
 // What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
-PARADT__INLINE void paradt__bw3_judge(paradt__dig3 *dig, paradt_index inner, paradt__sphere3 *sphere,
-                                      unsigned conflict) {
+PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
+                                       unsigned conflict) {
     unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
     sphere->tag |= conflict ? PARADT__KNOWN : 0;
-    dig->cavity[dig->cavity_count] = dig->neighbors[inner];
-    dig->cavity_count += fresh;
+    dig->killed[dig->killed_count] = dig->links[inner];
+    dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
 }
 
 // Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
 // count: of facets that wait already. Returns how many wait then.
-PARADT__NOINLINE int paradt__bw3_wait(const paradt__bw *bw, paradt_index inner, paradt_index other, int count) {
-    PARADT__PREFETCH(bw->cells.vertices + 4 * (size_t)other);
-    bw->spheres->waiting[count] = inner;
+PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
+                                       int count) {
+    PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
+    build->kept->waiting[count] = inner;
     return count + 1;
 }
 
 // Looks at the other side of a facet of the cavity.
-PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen, const double *x,
-                                     paradt_index inner) {
-    paradt_index handle = dig->neighbors[inner];
+PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+                                      const double *x, paradt_index inner) {
+    paradt_index handle = dig->links[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
-    paradt__sphere3 *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere3_power(sphere, seen);
+    paradt__sphere *sphere = dig->table + (other & dig->mask);
+    double power = paradt__sphere_power(sphere, seen);
     unsigned conflict = power < 0.0;
-    PARADT__PREFETCH(dig->neighbors + 4 * (size_t)other);
+    PARADT__PREFETCH(dig->links + 4 * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
         if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
-            dig->waiting_count = paradt__bw3_wait(bw, inner, (paradt_index)other, dig->waiting_count);
+            dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, seen, x);
     }
-    paradt__bw3_judge(dig, inner, sphere, conflict);
+    paradt__kept_judge(dig, inner, sphere, conflict);
 }
 
 // Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
 // with the same place one drives out the other.
-typedef void (*paradt__remake3)(const paradt__bw *bw, const paradt_index *waiting, int count);
+typedef void (*paradt__remake_kernel)(const paradt__insertion *build, const paradt_index *waiting, int count);
 
-static void paradt__bw3_remake_plain(const paradt__bw *bw, const paradt_index *waiting, int count) {
+static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
-    for (i = 0; i < count; i++) paradt__bw3_sphere_of(bw, bw->cells.neighbors[waiting[i]] >> 2);
+    for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
 }
 
 // Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
-PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen,
-                                            const double *x, paradt__remake3 remake) {
-    const paradt_index *waiting = bw->spheres->waiting;
+PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+                                             const double *x, paradt__remake_kernel remake) {
+    const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
-        paradt_index opposite = bw->cells.vertices[dig->neighbors[waiting[i]]];
-        PARADT__PREFETCH(paradt__bw_record(bw, opposite >= 0 ? opposite : 0));
+        paradt_index opposite = build->scene.mesh.vertices[dig->links[waiting[i]]];
+        PARADT__PREFETCH(paradt__scene_record(&build->scene, opposite >= 0 ? opposite : 0));
     }
-    remake(bw, waiting, count);
+    remake(build, waiting, count);
     for (i = 0; i < count; i++) {
-        paradt__tag other = (paradt__tag)dig->neighbors[waiting[i]] >> 2;
-        paradt__bw3_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                          paradt__bw3_settle(bw, (paradt_index)other, seen, x));
+        paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
+        paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
+                           paradt__kept_settle(build, (paradt_index)other, seen, x));
     }
     dig->waiting_count = 0;
 }
@@ -7119,121 +7765,102 @@ PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, c
 // Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
 // those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
 // the facet between them.
-PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                         size_t head) {
-    size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
-    paradt__dig3 dig = *work;
-    paradt__seen3 seen = *at;
+PARADT__INLINE size_t paradt__kept_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                          const double *x, size_t head) {
+    size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
+    paradt__dig dig = *work;
+    paradt__centred seen = *at;
     size_t last = head + PARADT__DIG_AT_ONCE;
-    if (!head) paradt__bw3_look(bw, &dig, &seen, x, dig.cavity[0]); // the first cell was not entered by that facet
-    for (; head < last && head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
-        paradt_index entry = dig.cavity[head], base = entry & ~(paradt_index)3;
-        dig.cavity[head] = base;
-        paradt__bw3_number(&dig, dig.vertices[entry]);
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 1) & 3));
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 2) & 3));
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 3) & 3));
+    if (!head) paradt__kept_look(build, &dig, &seen, x, dig.killed[0]); // the first cell was not entered by that facet
+    for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
+        paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
+        dig.killed[head] = base;
+        paradt__kept_number(&dig, dig.vertices[entry]);
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 1) & 3));
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 2) & 3));
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 3) & 3));
     }
     *work = dig;
     return head;
 }
 
 // New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
-typedef struct paradt__star3 {
+typedef struct paradt__new_cells {
     paradt_index *base;
     uint16_t (*corner)[4];
     int count;
-} paradt__star3;
+} paradt__new_cells;
 
 // The inner functions that have versions for an instruction set
-typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                  size_t head);
-typedef void (*paradt__make_spheres3)(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                      const paradt__seen3 *seen);
+typedef size_t (*paradt__spread_kernel)(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                        const double *x, size_t head);
+typedef void (*paradt__make_kernel)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                    const paradt__centred *seen);
 
-PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
-                                             const double *x, paradt__spread3 spread, paradt__remake3 remake) {
+PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first, const paradt__centred *seen,
+                                              const double *x, paradt__spread_kernel spread,
+                                              paradt__remake_kernel remake) {
     size_t head = 0, i;
-    paradt__dig3 dig;
-    dig.cavity = bw->cavity;
-    dig.rim = bw->rim;
-    dig.neighbors = bw->cells.neighbors;
-    dig.table = bw->spheres->table;
-    dig.mask = bw->spheres->mask;
-    dig.cavity[0] = 4 * first;
-    dig.cavity_count = 1;
+    paradt__dig dig;
+    dig.killed = build->update.killed;
+    dig.rim = build->rim;
+    dig.links = build->scene.mesh.links;
+    dig.table = build->kept->table;
+    dig.mask = build->kept->mask;
+    dig.killed[0] = 4 * first;
+    dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
-    paradt__bw3_sphere_of(bw, first);
+    paradt__kept_sphere(build, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
-    paradt__bw3_begin_numbers(bw, &dig);
-    for (i = 1; i < 4; i++) paradt__bw3_number(&dig, dig.vertices[4 * (size_t)first + i]);
+    paradt__kept_begin_numbers(build, &dig);
+    for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
-        head = spread(bw, &dig, seen, x, head);
-        paradt__bw3_limit_numbers(&dig);
-        if (head == dig.cavity_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, remake);
-        status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
-                                 dig.cavity_count + PARADT__DIG_ROOM);
+        head = spread(build, &dig, seen, x, head);
+        paradt__kept_limit_numbers(&dig);
+        if (head == dig.killed_count && !dig.waiting_count) break;
+        if (dig.waiting_count) paradt__kept_look_late(build, &dig, seen, x, remake);
+        status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
+                                   dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
-            status = paradt__bw_list(bw, &bw->rim, dig.rim_count, &bw->rim_capacity, dig.rim_count + PARADT__DIG_ROOM);
+            status = paradt__list_room(&build->rim, dig.rim_count, &build->rim_capacity,
+                                       dig.rim_count + PARADT__DIG_ROOM, build->memory);
         if (status) return status;
-        dig.cavity = bw->cavity;
-        dig.rim = bw->rim;
+        dig.killed = build->update.killed;
+        dig.rim = build->rim;
     }
-    bw->cavity_count = dig.cavity_count;
-    bw->rim_count = dig.rim_count;
-    paradt__bw3_end_numbers(bw->spheres, &dig);
+    build->update.killed_count = dig.killed_count;
+    build->rim_count = dig.rim_count;
+    paradt__kept_end_numbers(build->kept, &dig);
     return PARADT_OK;
-}
-
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
-// the table stays as it is.
-PARADT__NOINLINE void paradt__bw3_adapt(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t size = 4 * ((size_t)s->mask + 1), i;
-    void *larger = NULL;
-    double to_come = 28.0 * (double)(bw->count - bw->inserted); // cells, at least
-    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
-    s->made = s->missed = s->vague = 0;
-    if (often && size * sizeof *s->table <= bw->cells.count * 4 * sizeof(paradt_index))
-        larger = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
-    if (!larger) return;
-    paradt__release(bw->memory, s->large_table);
-    s->large_table = larger;
-    s->table = paradt__on_line(larger);
-    s->mask = (paradt__tag)(size - 1);
-    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
 // Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
 // and the largest, which few stars need, at most an eighth.
-PARADT__NOINLINE void paradt__bw3_widen_star(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t star = PARADT__WIDE_STAR, vertices, rows;
-    if (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR) return;
-    while (star < bw->rim_count) star *= 2;
+PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t star = PARADT__WIDE_RIM, vertices, rows;
+    if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
+        return;
+    while (star < build->rim_count) star *= 2;
     vertices = 2 + star / 2;
     rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return;
-    paradt__release(bw->memory, s->large_edges);
-    s->large_star = 0;
+    if (vertices * rows * PARADT__EDGE_ROW > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
+    paradt__release(build->memory, s->large_edges);
+    s->large_rim = 0;
     s->large_edges =
-        (paradt_index *)paradt__alloc(bw->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
+        (paradt_index *)paradt__alloc(build->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
     if (!s->large_edges) return;
-    s->large_star = star;
+    s->large_rim = star;
     s->large_rows = rows;
 }
 
 // The vertices of a new cell: those of a cell but for one, and the point.
-typedef void (*paradt__turn3)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+typedef void (*paradt__row_kernel)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
-static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
-    const unsigned char *order = paradt__facet3[without];
+static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
+    const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
     row[0] = a;
     row[1] = b;
@@ -7242,45 +7869,47 @@ static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int
 }
 
 // The place of the edge from one vertex to another, by their offsets, in a table of edges
-PARADT__INLINE size_t paradt__edge3(size_t from, size_t to, size_t rows) {
-    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__around3)) + to / sizeof(paradt__around3);
+PARADT__INLINE size_t paradt__edge_slot(size_t from, size_t to, size_t rows) {
+    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
 }
 
 // The rows of the new cells, and what is across the rim
-PARADT__INLINE void paradt__bw3_rows(paradt__bw *bw, paradt_index point, paradt__turn3 turn) {
-    paradt__spheres3 *s = bw->spheres;
-    const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
-    size_t i, count = bw->rim_count;
+PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point, paradt__row_kernel turn) {
+    paradt__kept *s = build->kept;
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i];
         turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
-        s->outer[i] = neighbors[inner];
+        s->outer[i] = links[inner];
     }
 }
 
 // Enters the rim's edges.
-PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t rows) {
-    paradt__spheres3 *s = bw->spheres;
+PARADT__INLINE void paradt__kept_outline(paradt__insertion *build, paradt_index *edges, size_t rows) {
+    paradt__kept *s = build->kept;
     const uint32_t *numbers = s->number + 1, first = s->first;
-    size_t i, count = bw->rim_count;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
         size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
-        paradt_index edge = bw->cavity[i];
+        paradt_index edge = build->update.made[i];
         uint16_t *corner = s->corner[i];
         corner[0] = (uint16_t)a;
         corner[1] = (uint16_t)b;
         corner[2] = (uint16_t)c;
-        edges[paradt__edge3(b, c, rows)] = edge;
-        edges[paradt__edge3(c, a, rows)] = edge + 1;
-        edges[paradt__edge3(a, b, rows)] = edge + 2;
+        edges[paradt__edge_slot(b, c, rows)] = edge;
+        edges[paradt__edge_slot(c, a, rows)] = edge + 1;
+        edges[paradt__edge_slot(a, b, rows)] = edge + 2;
     }
 }
 
 // The links of a new cell
-typedef void (*paradt__put3)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d);
+typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d);
 
-static void paradt__put3_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d) {
+static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d) {
     links[0] = a;
     links[1] = b;
     links[2] = c;
@@ -7288,58 +7917,66 @@ static void paradt__put3_plain(paradt_index *links, paradt_index a, paradt_index
 }
 
 // Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t rows, paradt__put3 put) {
-    const paradt__spheres3 *s = bw->spheres;
-    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
-    size_t i, count = bw->rim_count;
+PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t rows,
+                                      paradt__links_kernel put) {
+    const paradt__kept *s = build->kept;
+    paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
-        paradt__tag base = (paradt__tag)bw->cavity[i], outer = (paradt__tag)s->outer[i];
+        paradt__tag base = (paradt__tag)build->update.made[i], outer = (paradt__tag)s->outer[i];
         size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        put(neighbors + base, edges[paradt__edge3(c, b, rows)], edges[paradt__edge3(a, c, rows)],
-            edges[paradt__edge3(b, a, rows)], (paradt_index)outer);
-        neighbors[outer] = (paradt_index)(base + 3);
+        put(links + base, edges[paradt__edge_slot(c, b, rows)], edges[paradt__edge_slot(a, c, rows)],
+            edges[paradt__edge_slot(b, a, rows)], (paradt_index)outer);
+        links[outer] = (paradt_index)(base + 3);
     }
 }
 
 // The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
 // constant it is faster.
-PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t rows, paradt__put3 put) {
-    paradt__bw3_outline(bw, edges, rows);
-    paradt__bw3_star(bw, edges, rows, put);
+PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t rows,
+                                      paradt__links_kernel put) {
+    paradt__kept_outline(build, edges, rows);
+    paradt__kept_star(build, edges, rows, put);
 }
 
 // The same for more new cells than a point has as a rule
-PARADT__NOINLINE void paradt__bw3_link_uncommon(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    if (bw->rim_count <= PARADT__WIDE_STAR) paradt__bw3_link(bw, s->wide_edges, PARADT__WIDE_ROWS, paradt__put3_plain);
-    else paradt__bw3_link(bw, s->large_edges, s->large_rows, paradt__put3_plain);
+PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    if (build->rim_count <= PARADT__WIDE_RIM)
+        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_ROWS, paradt__kept_links_plain);
+    else paradt__kept_link(build, s->large_edges, s->large_rows, paradt__kept_links_plain);
 }
 
-// Where the new cells go: into the places of the cavity, and free ones behind them in its list. If there are fewer,
-// what remains of the cavity becomes free. The spheres of the next new cells have places where nothing has been for
-// long.
-PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t count = bw->rim_count, i = bw->cavity_count;
-    paradt_status status = i < count ? paradt__bw_room(bw, count - i) : PARADT_OK;
-    if (!status) status = paradt__bw_list(bw, &bw->cavity, i, &bw->cavity_capacity, count + 3);
+// Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
+// slots where nothing has been for long; these are fetched.
+PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    const paradt__kept *s = build->kept;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t count = build->rim_count, i;
+    paradt_status status =
+        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
     if (status) return status;
-    for (; i < count; i++) {
-        bw->cavity[i] = 4 * paradt__bw_place(bw);
-        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(bw->cells.count + PARADT__PLACES_AHEAD) & s->mask));
+    for (i = 0; i < update->killed_count && i < count; i += 4) // there is room behind both
+        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
+    for (i = update->killed_count; i < count; i++) {
+        update->made[i] = 4 * paradt__mesh_take(mesh);
+        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
+    update->made_count = count;
     return PARADT_OK;
 }
 
 // Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
-typedef struct paradt__four3 {
+typedef struct paradt__four {
     double edge[3][4][4]; // [vertex][axis, or square][cell]
     double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-} paradt__four3;
+} paradt__four;
 
 // Of new cells, none of them a ghost, the last one again, up to a multiple of four
-PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
+PARADT__INLINE void paradt__new_cells_pad(paradt__new_cells *star) {
     int last = star->count - 1, i;
     for (i = star->count; i % 4; i++) {
         star->base[i] = star->base[last];
@@ -7349,26 +7986,27 @@ PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
 
 // The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
 // the four lanes the least power so far is kept, and of which four it is.
-PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__bw *bw, paradt__star3 *star,
-                                         const double *x, const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
-    const paradt__frame3 frame = s->frame;
-    paradt__seen3 p = *seen, next = s->next;
-    paradt__four3 four;
+PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__insertion *build,
+                                          paradt__new_cells *star, const double *x, const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
+    const paradt__frame frame = s->frame;
+    paradt__centred p = *seen, next = s->next;
+    paradt__four four;
     double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
-    paradt__around3 *around = s->around, *end = paradt__around3_at(around, s->around_end);
+    paradt__spoke *around = s->spokes, *end = paradt__spoke_at(around, s->spokes_end);
     int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++) *around = paradt__around3_of(making, x, paradt__bw_record(bw, around->vertex));
+    for (; around < end; around++)
+        *around = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, around->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
-    paradt__star3_fill(star);
+    paradt__new_cells_pad(star);
     for (i = 0; i < star->count; i += 4) {
         const double at = i;
         for (lane = 0; lane < 4; lane++) {
             for (vertex = 0; vertex < 3; vertex++) {
-                const double *edge = paradt__around3_at(s->around, star->corner[i + lane][vertex])->edge;
+                const double *edge = paradt__spoke_at(s->spokes, star->corner[i + lane][vertex])->edge;
                 for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
             }
         }
@@ -7377,7 +8015,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
             const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
             const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
             double n[3], d, e;
-            paradt__sphere3_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
+            paradt__sphere_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
             for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
             four.constant[lane] = d;
             four.error[lane] = e;
@@ -7387,7 +8025,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
         }
         for (lane = 0; lane < 4; lane++) {
             paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            paradt__sphere3 *to = s->table + (cell & s->mask);
+            paradt__sphere *to = s->table + (cell & s->mask);
             for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
             to->constant = four.constant[lane];
             to->error = four.error[lane];
@@ -7398,48 +8036,49 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
-PARADT__NOINLINE void paradt__bw3_make_sharp_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                                   const paradt__seen3 *seen) {
-    paradt__bw3_make_any(PARADT__MAKE_SHARP, bw, star, x, seen);
+PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *build, paradt__new_cells *star,
+                                                    const double *x, const paradt__centred *seen) {
+    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, seen);
 }
 
-PARADT__NOINLINE void paradt__bw3_make_graded(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                              const paradt__seen3 *seen) {
-    paradt__bw3_make_any(PARADT__MAKE_GRADED, bw, star, x, seen);
+PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                               const paradt__centred *seen) {
+    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, seen);
 }
 
-static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                   const paradt__seen3 *seen) {
-    paradt__making3 making = bw->spheres->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_any(PARADT__MAKE_QUICKLY, bw, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_plain(bw, star, x, seen);
-    else paradt__bw3_make_graded(bw, star, x, seen);
+static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                    const paradt__centred *seen) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
+        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, seen);
+    else paradt__kept_make_graded(build, star, x, seen);
 }
 
 // The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
 // nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
-PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, const double *x,
-                                         const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
-    const size_t rim = bw->rim_count;
-    const paradt_index *cavity = bw->cavity;
+PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                          const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
+    const size_t rim = build->rim_count;
+    const paradt_index *made = build->update.made;
     paradt_index *base = s->finite_base;
     size_t count = 0, end = rim, i;
     for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
-        base[at] = cavity[i];
+        base[at] = made[i];
         memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
     for (i = end; i < rim; i++) {
-        const paradt_index *vertices = bw->cells.vertices + base[i];
+        const paradt_index *vertices = build->scene.mesh.vertices + base[i];
         paradt__tag cell = (paradt__tag)base[i] >> 2;
-        paradt__sphere3 *sphere = s->table + (cell & s->mask);
-        // the facet's vertices in the order of paradt__facet3, but from the point on, which is the cell's last one
+        paradt__sphere *sphere = s->table + (cell & s->mask);
+        // the facet's vertices in the order of paradt__facet_order, but from the point on, which is the cell's last one
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
-        paradt__sphere3_of_facet(s, sphere, seen, x, paradt__bw_record(bw, vertices[q]),
-                                 paradt__bw_record(bw, vertices[r]));
+        paradt__sphere_of_facet(s, sphere, seen, x, paradt__scene_record(&build->scene, vertices[q]),
+                                paradt__scene_record(&build->scene, vertices[r]));
         sphere->tag = cell;
     }
     star->base = base;
@@ -7448,97 +8087,122 @@ PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, co
 }
 
 // The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen,
-                                        paradt__make_spheres3 make) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__star3 star;
-    star.base = bw->cavity;
+PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *seen,
+                                         paradt__make_kernel make) {
+    paradt__kept *s = build->kept;
+    paradt__new_cells star;
+    star.base = build->update.made;
     star.corner = s->corner;
-    star.count = (int)bw->rim_count;
-    s->start = bw->cavity[0] >> 2;
-    // what makes spheres fills the list up, in which more of the cavity may follow
-    if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star, x, seen);
-    if (star.count) make(bw, &star, x, seen);
+    star.count = (int)build->rim_count;
+    s->start = build->update.made[0] >> 2;
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, seen);
+    if (star.count) make(build, &star, x, seen);
 }
 
-// The places of the cavity from number `first` on become free, and their marks are taken away.
-static paradt_status paradt__bw3_clear(paradt__bw *bw, size_t first) {
-    paradt__spheres3 *s = bw->spheres;
+// Gives back the places of the cavity from number `first` on, and takes the marks off their spheres.
+static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
+    paradt__kept *s = build->kept;
+    const paradt__update *update = &build->update;
     size_t i;
-    paradt_status status =
-        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
+    paradt_status status = paradt__mesh_spare_room(&build->scene.mesh, update->killed_count - first, build->memory);
     if (status) return status;
-    for (i = first; i < bw->cavity_count; i++) {
-        paradt__tag cell = (paradt__tag)bw->cavity[i] >> 2, *tag = &s->table[cell & s->mask].tag;
+    for (i = first; i < update->killed_count; i++) {
+        paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
         if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
-        bw->spare[bw->spare_count++] = (paradt_index)cell;
+        paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
     }
     return PARADT_OK;
 }
 
-// Makes the new cells one by one, where there are too many for the tables.
-static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt_status status = paradt__bw_fill(bw, point);
+// Stars the cavity by >>insertion, where the rim is too large for the tables.
+static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
+    paradt__kept *s = build->kept;
+    paradt_status status = paradt__cavity_star(build, point);
     size_t i;
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt__tag cell = (paradt__tag)bw->rim[i] >> 2;
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt__tag cell = (paradt__tag)build->update.made[i] >> 2;
         s->table[cell & s->mask].tag = PARADT__NO_SPHERE;
     }
-    s->start = bw->last;
-    return status ? status : paradt__bw3_clear(bw, 0);
+    s->start = build->scene.hint;
+    return status ? status : paradt__kept_clear(build, 0);
 }
 
-PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
-                                                    paradt__remake3 remake, paradt__make_spheres3 make,
-                                                    paradt__turn3 turn, paradt__put3 put) {
-    paradt__spheres3 *s = bw->spheres;
-    const double *x = paradt__bw_record(bw, point);
-    paradt__seen3 seen = s->next;
-    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread, remake);
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     paradt__spread_kernel spread, paradt__remake_kernel remake,
+                                                     paradt__make_kernel make, paradt__row_kernel turn,
+                                                     paradt__links_kernel put) {
+    paradt__kept *s = build->kept;
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred seen = s->next;
+    paradt_status status = paradt__kept_dig(build, paradt__kept_locate(build, &seen, x), &seen, x, spread, remake);
     size_t i;
     int is_common;
     if (status) return status;
-    if (bw->inserted + 1 < bw->count)
-        s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
-    if (bw->inserted + PARADT__AHEAD < bw->count)
-        PARADT__PREFETCH(paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + PARADT__AHEAD)));
-    for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->marks[bw->cavity[i] >> 2] = 0;
-    s->driven_out = 0;
-    s->made += bw->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__bw3_adapt(bw);
-    is_common = bw->rim_count <= PARADT__COMMON_STAR;
-    if (!PARADT__LIKELY(is_common)) paradt__bw3_widen_star(bw);
-    if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__WIDE_STAR && bw->rim_count > s->large_star)
-        return paradt__bw3_fill_large(bw, point);
-    status = paradt__bw3_places(bw);
+    if (build->inserted + 1 < build->count)
+        s->next = paradt__centred_of(
+            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + 1)));
+    if (build->inserted + PARADT__AHEAD < build->count)
+        PARADT__PREFETCH(
+            paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + PARADT__AHEAD)));
+    for (i = 0; s->evicted && i < build->update.killed_count; i++)
+        build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
+    s->evicted = 0;
+    s->made += build->rim_count;
+    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__kept_adapt(build);
+    is_common = build->rim_count <= PARADT__COMMON_RIM;
+    if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
+    if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
+        return paradt__kept_star_large(build, point);
+    status = paradt__kept_places(build);
     if (status) return status;
-    paradt__bw3_rows(bw, point, turn);
+    paradt__kept_rows(build, point, turn);
     if (PARADT__LIKELY(is_common))
-        paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
-    else paradt__bw3_link_uncommon(bw);
-    paradt__bw3_spheres(bw, x, &seen, make);
-    return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
+        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
+    else paradt__kept_link_uncommon(build);
+    paradt__kept_spheres(build, x, &seen, make);
+    return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
 }
 
-static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                       size_t head) {
-    return paradt__bw3_spread(bw, work, at, x, head);
+static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                        const double *x, size_t head) {
+    return paradt__kept_spread(build, work, at, x, head);
 }
 
-static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_remake_plain, paradt__bw3_make_plain,
-                                  paradt__turn3_plain, paradt__put3_plain);
+static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
+    return paradt__kept_insert_any(build, point, paradt__kept_spread_plain, paradt__kept_remake_plain,
+                                   paradt__kept_make_plain, paradt__kept_row_plain, paradt__kept_links_plain);
+}
+
+// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
+// nothing of that is in a cache, the insertion would wait for one after another.
+PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
+    enum { CELLS = 1 + 4 + 12 };
+    const paradt__kept *s = build->kept;
+    paradt_index around[CELLS];
+    size_t count = 1, i, j;
+    around[0] = cell;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)around[i];
+        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)around[i];
+        for (j = 0; j < 4; j++) {
+            paradt_index other = links[j] >> 2;
+            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
+            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
+            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            if (count < CELLS) around[count++] = other;
+        }
+    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>insertion in space, avx2
+// >>insertion in space by AVX2
 //
-// Doors: to be listed.
+// The inner functions of >>insertion in space for four facets, cells or vertices together, chosen where the processor
+// has AVX2 and FMA. They differ from the plain ones in nothing but the last bits of powers, which decide nothing where
+// they are in doubt. In names `four` stands for four lanes. Doors: paradt__kept_insert_avx2.
 
-#if PARADT__BW_AVX2
-// The same for four facets, cells or vertices at a time. It differs in nothing but the last bits of powers, which
-// decide nothing where they are in doubt.
+#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
+#define PARADT__KEPT_AVX2 1
 
 // Bytes to shuffle so that the elements of four of which the mask has bits come first
 #define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
@@ -7562,7 +8226,7 @@ static const unsigned char paradt__packing[16][16] = {
 };
 
 // The elements of which the mask has bits, first
-PARADT__AVX2 PARADT__INLINE __m128i paradt__packed3(__m128i elements, unsigned mask) {
+PARADT__AVX2 PARADT__INLINE __m128i paradt__packed(__m128i elements, unsigned mask) {
     return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
@@ -7571,10 +8235,10 @@ typedef struct paradt__four_at {
     char *a, *b, *c, *d;
 } paradt__four_at;
 
-enum { PARADT__ERROR_AT = offsetof(paradt__sphere3, error), PARADT__TAG_AT = offsetof(paradt__sphere3, tag) };
+enum { PARADT__ERROR_AT = offsetof(paradt__sphere, error), PARADT__TAG_AT = offsetof(paradt__sphere, tag) };
 
 // Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
-PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, const paradt_index *row) {
+PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig *dig, const paradt_index *row) {
     const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
     char *table = (char *)dig->table;
     paradt__four_at at;
@@ -7585,14 +8249,14 @@ PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, cons
     return at;
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__terms(const char *sphere, __m256d query) {
     return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
 // A point's powers. query: its place and 1; lift: its lift, four times
 PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
-    __m256d ab = _mm256_hadd_pd(paradt__terms3(at.a, query), paradt__terms3(at.b, query));
-    __m256d cd = _mm256_hadd_pd(paradt__terms3(at.c, query), paradt__terms3(at.d, query));
+    __m256d ab = _mm256_hadd_pd(paradt__terms(at.a, query), paradt__terms(at.b, query));
+    __m256d cd = _mm256_hadd_pd(paradt__terms(at.c, query), paradt__terms(at.d, query));
     __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
     return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
@@ -7633,23 +8297,24 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
 }
 
-// Facets wait behind which a sphere is missing or the power does not tell. (The order of statements counts: 4 %.)
-PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *seen,
-                                                   const double *x, size_t head) {
-    paradt__dig3 dig = *work;
-    const size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM - dig.cavity_count;
-    const size_t facets = bw->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
+// Facets wait behind which a sphere is missing or the power does not tell. The order of the statements matters for
+// speed.
+PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, paradt__dig *work,
+                                                    const paradt__centred *seen, const double *x, size_t head) {
+    paradt__dig dig = *work;
+    const size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM - dig.killed_count;
+    const size_t facets = build->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
     const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
     const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
-    paradt_index *cell = dig.cavity + head, *end = dig.cavity + dig.cavity_count, *rim = dig.rim + dig.rim_count;
+    paradt_index *cell = dig.killed + head, *end = dig.killed + dig.killed_count, *rim = dig.rim + dig.rim_count;
     paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    paradt__sphere3 nowhere; // what no cell is marked in
+    paradt__sphere nowhere; // what no cell is marked in
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
-        const paradt_index *row = dig.neighbors + (paradt__tag)base;
+        const paradt_index *row = dig.links + (paradt__tag)base;
         __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
         __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
         paradt__four_at at = paradt__four_across(&dig, row);
@@ -7657,21 +8322,21 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
-        paradt__bw3_number(&dig, dig.vertices[entry]);
+        paradt__kept_number(&dig, dig.vertices[entry]);
         tags = paradt__four_tags(at);
         sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
                paradt__signs_avx2(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others));
         outside = ~inside & 15;
         // what the next rounds of this loop and the new cells' links will touch
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[0]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[1]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[2]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[3]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[0]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[1]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[2]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[3]);
         if (!PARADT__LIKELY(sure == 15)) {
             int i;
             for (i = 0; i < 4; i++) PARADT__PREFETCH(dig.vertices + row[i]);
-            _mm_storeu_si128((__m128i *)(void *)(bw->spheres->waiting + dig.waiting_count),
-                             paradt__packed3(here, sure ^ 15));
+            _mm_storeu_si128((__m128i *)(void *)(build->kept->waiting + dig.waiting_count),
+                             paradt__packed(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
             if (dig.waiting_count > PARADT__LATE - 4) last = cell;
             at.a = sure & 1 ? at.a : (char *)&nowhere;
@@ -7683,15 +8348,15 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         }
         fresh = inside & ~paradt__signs_avx2(tags);
         paradt__four_mark(at, others, power);
-        _mm_storeu_si128((__m128i *)(void *)end, paradt__packed3(across, fresh));
+        _mm_storeu_si128((__m128i *)(void *)end, paradt__packed(across, fresh));
         end += __builtin_popcount(fresh);
-        _mm_storeu_si128((__m128i *)(void *)rim, paradt__packed3(here, outside));
+        _mm_storeu_si128((__m128i *)(void *)rim, paradt__packed(here, outside));
         rim += __builtin_popcount(outside);
     }
-    dig.cavity_count = (size_t)(end - dig.cavity);
+    dig.killed_count = (size_t)(end - dig.killed);
     dig.rim_count = (size_t)(rim - dig.rim);
     *work = dig;
-    return (size_t)(cell - dig.cavity);
+    return (size_t)(cell - dig.killed);
 }
 
 PARADT__AVX2 PARADT__INLINE __m256d paradt__abs_avx2(__m256d x) {
@@ -7709,7 +8374,7 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
-// P and sum N_j h_j of paradt__sphere3_make, for four cells
+// P and sum N_j h_j of paradt__sphere_make, for four cells
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
@@ -7739,9 +8404,9 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere3_make makes them: the normals by axis, and the constants. p: by axis,
+// The spheres of four cells, as paradt__sphere_make makes them: the normals by axis, and the constants. p: by axis,
 // and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
-PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame3 *f, const __m256d *p,
+PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
     const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
@@ -7782,7 +8447,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double
 }
 
 // Puts the spheres of four cells into the table.
-PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere3 *table, paradt__tag mask, __m128i cells,
+PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, paradt__tag mask, __m128i cells,
                                                     const __m256d *sphere, __m256d error) {
     __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
     uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
@@ -7813,14 +8478,16 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
 }
 
 // The edges to the vertices around the point, in the place of these
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_edges_avx2(const paradt__bw *bw, const __m256d *point) {
-    paradt__around3 *at = bw->spheres->around, *end = paradt__around3_at(at, bw->spheres->around_end);
+PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
+    paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
     for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
     for (; at < end; at += 4) {
         __m256d to[4];
-        paradt__four_places(paradt__bw_record(bw, at[0].vertex), paradt__bw_record(bw, at[1].vertex),
-                            paradt__bw_record(bw, at[2].vertex), paradt__bw_record(bw, at[3].vertex), point, to);
+        paradt__four_places(paradt__scene_record(&build->scene, at[0].vertex),
+                            paradt__scene_record(&build->scene, at[1].vertex),
+                            paradt__scene_record(&build->scene, at[2].vertex),
+                            paradt__scene_record(&build->scene, at[3].vertex), point, to);
         to[3] = paradt__dot_avx2(to, to);
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
@@ -7832,12 +8499,11 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const do
 }
 
 // The edges to the vertices that four new cells have in a place
-PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__spheres3 *s, uint16_t (*corner)[4], int place,
-                                                     __m256d *to) {
-    const double *a = paradt__around3_at(s->around, corner[0][place])->edge;
-    const double *b = paradt__around3_at(s->around, corner[1][place])->edge;
-    const double *c = paradt__around3_at(s->around, corner[2][place])->edge;
-    const double *d = paradt__around3_at(s->around, corner[3][place])->edge;
+PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (*corner)[4], int place, __m256d *to) {
+    const double *a = paradt__spoke_at(s->spokes, corner[0][place])->edge;
+    const double *b = paradt__spoke_at(s->spokes, corner[1][place])->edge;
+    const double *c = paradt__spoke_at(s->spokes, corner[2][place])->edge;
+    const double *d = paradt__spoke_at(s->spokes, corner[3][place])->edge;
     __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
     __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
     to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
@@ -7855,21 +8521,22 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, const paradt__bw *bw, paradt__star3 *star,
-                                                       const double *x, const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
+                                                        paradt__new_cells *star, const double *x,
+                                                        const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
     const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
                           _mm256_set1_pd(seen->lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
-    const paradt__frame3 frame = s->frame;
-    paradt__sphere3 *table = s->table;
+    const paradt__frame frame = s->frame;
+    paradt__sphere *table = s->table;
     paradt__tag mask = s->mask;
     __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
     __m128i best = _mm_set1_epi32(star->base[0] >> 2);
     int i, count = star->count;
-    paradt__bw3_edges_avx2(bw, point);
-    paradt__star3_fill(star);
+    paradt__kept_edges_avx2(build, point);
+    paradt__new_cells_pad(star);
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
@@ -7888,33 +8555,33 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, const paradt__
     s->start = paradt__four_least(least, best);
 }
 
-PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(const paradt__bw *bw, paradt__star3 *star,
-                                                               const double *x, const paradt__seen3 *seen) {
-    paradt__bw3_make_four(1, bw, star, x, seen);
+PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
+                                                                const double *x, const paradt__centred *seen) {
+    paradt__kept_make_four(1, build, star, x, seen);
 }
 
-PARADT__AVX2 static void paradt__bw3_make_avx2(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                               const paradt__seen3 *seen) {
-    paradt__making3 making = bw->spheres->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_four(0, bw, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_avx2(bw, star, x, seen);
-    else paradt__bw3_make_graded(bw, star, x, seen);
+PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
+                                                const double *x, const paradt__centred *seen) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, seen);
+    else paradt__kept_make_graded(build, star, x, seen);
 }
 
 // The spheres of four cells that are not in the table, none of them a ghost
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, const int *cells) {
-    const paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
+    const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
     __m256d corner[4][4], p[4], sphere[4], error;
     int i, axis;
     for (i = 0; i < 4; i++) {
-        const paradt_index *vertices = bw->cells.vertices + i;
+        const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_places(paradt__bw_record(bw, vertices[4 * (size_t)cells[0]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[1]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[2]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+        paradt__four_places(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
@@ -7927,295 +8594,85 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, c
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
-PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
-    const paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build, const paradt_index *waiting,
+                                                  int count) {
+    const paradt__kept *s = build->kept;
     int cells[PARADT__LATE + 3], missing = 0, i;
     if (s->making == PARADT__MAKE_GRADED) {
-        paradt__bw3_remake_plain(bw, waiting, count);
+        paradt__kept_remake_plain(build, waiting, count);
         return;
     }
     for (i = 0; i < count; i++) {
-        paradt_index cell = bw->cells.neighbors[waiting[i]] >> 2;
+        paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
         missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
-                   paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
+                   paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
     }
-    for (i = 0; i < missing; i++) paradt__bw3_drive_out(bw, cells[i]);
+    for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
-    for (i = 0; i < missing; i += 4) paradt__bw3_remake_four(bw, cells + i);
+    for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
     for (i = 0; i < missing; i++) {
-        paradt__sphere3 *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
-        if (bw->marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
+        paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
+        if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
             sphere->tag |= PARADT__KNOWN;
     }
 }
 
-// The shuffles for paradt__facet3; the last place is left empty.
+// The shuffles for paradt__facet_order; the last place is left empty.
 #define PARADT__TURN(a, b, c)                                                                                          \
     { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
-static const unsigned char paradt__turns3[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3), PARADT__TURN(1, 0, 3),
-                                                    PARADT__TURN(0, 1, 2)};
+static const unsigned char paradt__facet_shuffle[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3),
+                                                           PARADT__TURN(1, 0, 3), PARADT__TURN(0, 1, 2)};
 #undef PARADT__TURN
 #undef PARADT__LANE
 
-PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_index *cell, int without,
-                                            paradt_index point) {
+PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
+                                               paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
-    __m128i facet = _mm_shuffle_epi8(vertices, _mm_loadu_si128((const __m128i *)(const void *)paradt__turns3[without]));
+    __m128i facet =
+        _mm_shuffle_epi8(vertices, _mm_loadu_si128((const __m128i *)(const void *)paradt__facet_shuffle[without]));
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
 // One store: what reads all four soon need not wait until they are in the cache.
-PARADT__AVX2 static void paradt__put3_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
-                                           paradt_index d) {
+PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                                 paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
 }
 
-PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_remake_avx2, paradt__bw3_make_avx2,
-                                  paradt__turn3_avx2, paradt__put3_avx2);
+PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
+    return paradt__kept_insert_any(build, point, paradt__kept_spread_avx2, paradt__kept_remake_avx2,
+                                   paradt__kept_make_avx2, paradt__kept_row_avx2, paradt__kept_links_avx2);
 }
 #endif
-
-// Room for the numbers of more vertices
-static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
-    paradt__spheres3 *s = bw->spheres;
-    void *array = s->number;
-    if (!paradt__grow(bw->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
-    s->number = (uint32_t *)array;
-    paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
-    memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
-    s->numbers = numbers;
-    return 1;
-}
-
-// Takes the sagittas where they are so small that without them most powers would tell nothing.
-static void paradt__bw3_grade(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    double square = bw->grade_limit + bw->grade_error / (16.0 * PARADT__UNIT_ERROR);
-    if (!bw->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
-    s->making = PARADT__MAKE_GRADED;
-    s->frame.square = square;
-    s->frame.slack = bw->grade_error / (4.0 * PARADT__UNIT_ERROR);
-}
-
-// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
-static paradt_status paradt__bw3_begin(paradt__bw *bw) {
-    paradt__spheres3 *s;
-    size_t size = 64, points = bw->cells.lent ? 8 : 5, room, bytes, i;
-    int axis;
-    if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
-    while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
-    while (size < bw->count / points && size < PARADT__MOST_SPHERES) size *= 2;
-    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
-    bytes = sizeof *s + (room + 1) * sizeof *s->table;
-    s = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, bytes);
-    bw->spheres = s;
-    if (!s) return PARADT_ERROR_MEMORY;
-    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
-    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
-    memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
-    s->mask = (paradt__tag)(size - 1);
-    s->table = paradt__on_line(s + 1);
-    if (!paradt__bw3_more_numbers(bw, bw->count + 1)) return PARADT_ERROR_MEMORY;
-    s->next_number = PARADT__NEXT_NUMBER;
-    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    for (axis = 0; axis < 3; axis++) {
-        double low = paradt__from_ordered_bits(bw->space.low[axis]);
-        double high = paradt__from_ordered_bits(bw->space.high[axis]);
-        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
-        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
-    }
-    s->square = s->frame.square;
-    s->steep = sqrt(s->square) * paradt__power(60);
-    paradt__bw3_grade(bw);
-    s->nil = bw->space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
-    if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, 4)));
-    return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, PARADT__FIRST_DIG);
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>ends
+// >>inserting
 //
-// Doors: to be listed.
+// Insertions from begin to end: points in their order, with pauses, and one more point at a time. Where spheres can be
+// kept they are, else the insertion is that in any dimension; nobody else need know which.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
-// Cell 0 is that of the first points, cell 1 + i the ghost on its facet opposite vertex i.
-static paradt_status paradt__bw_first(paradt__bw *bw) {
-    int corners = bw->cells.corners, i, j;
-    const double *p[PARADT_MAX_DIM + 1];
-    paradt_index *vertices, *neighbors;
-    paradt_status status = paradt__bw_reserve(bw, (size_t)corners + 1, (size_t)corners + 1);
-    if (status) return status;
-    vertices = bw->cells.vertices;
-    neighbors = bw->cells.neighbors;
-    bw->cells.count = (size_t)corners + 1;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = paradt__bw_point(bw, (size_t)i);
-        p[i] = paradt__bw_record(bw, vertices[i]);
-    }
-    if (paradt__orient(&bw->space, p) < 0) {
-        vertices[0] = paradt__bw_point(bw, 1);
-        vertices[1] = paradt__bw_point(bw, 0);
-    }
-    // In the ghosts two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet.
-    for (i = 0; i < corners; i++) {
-        paradt_index base = (paradt_index)((i + 1) * corners);
-        for (j = 0; j < corners; j++) {
-            int place = j < 2 ? 1 - j : j;
-            vertices[base + place] = j == i ? (paradt_index)PARADT__INFINITE : vertices[j];
-            // ghosts i and j meet in the facet without vertices i and j, and that is opposite what stands for i in
-            // ghost j
-            neighbors[base + place] =
-                j == i ? (paradt_index)i : (paradt_index)((j + 1) * corners + (i < 2 ? 1 - i : i));
-            if (j == i) neighbors[i] = base + place;
-        }
-    }
-    return PARADT_OK;
+// Frees what only changes need; the mesh stays, without marks and free places.
+static void paradt__insertion_rest(paradt__insertion *build) {
+    paradt__update_free(&build->update, build->memory);
+    paradt__release(build->memory, build->rim);
+    paradt__facets_free(&build->ridges, build->memory);
+    paradt__kept_free(build->kept, build->memory);
+    build->rim = NULL;
+    build->rim_count = build->rim_capacity = 0;
+    build->kept = NULL;
 }
 
-// Marks the places that are free.
-static void paradt__bw_mark_free(paradt__bw *bw) {
-    size_t corners = (size_t)bw->cells.corners, i;
-    for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
+static void paradt__insertion_end(paradt__insertion *build) {
+    paradt__insertion_rest(build);
+    paradt__mesh_free(&build->scene.mesh, build->memory);
 }
-
-// Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
-PARADT__INLINE int paradt__bw_keep(const paradt__cells *cells, size_t place, size_t corners, uint64_t *ghosts) {
-    paradt_index *vertices = cells->vertices + place * corners;
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (vertices[0] == PARADT__DEAD) return 0;
-    cells->neighbors[cells->neighbors[place * corners + (size_t)paradt__bw_ghost(vertices, (int)corners)]] =
-        PARADT__HULL;
-    vertices[0] = PARADT__DEAD;
-    ++*ghosts;
-    return 0;
-}
-
-// Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule
-// those just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
-PARADT__INLINE void paradt__bw_move(const paradt__cells *cells, size_t place, size_t from, size_t corners,
-                                    size_t numbered) {
-    enum { AHEAD = 8 };
-    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
-    const paradt_index *soon = neighbors + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
-    size_t j;
-    for (j = 0; j < corners; j++) PARADT__FETCH(neighbors, soon[j]);
-    memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
-    memcpy(neighbors + place * corners, neighbors + from * corners, corners * sizeof *neighbors);
-    for (j = 0; j < corners; j++) {
-        paradt_index handle = neighbors[place * corners + j];
-        if (handle >= 0)
-            neighbors[handle] = (paradt_index)((size_t)handle < numbered * corners ? place : place * corners + j);
-    }
-}
-
-// Fills those of the places that are free, and below the number of cells that there are, with the last cells. end:
-// where these end. Returns where they do then.
-PARADT__INLINE size_t paradt__bw_fill_places(const paradt__cells *cells, const paradt_index *places, size_t count,
-                                             size_t end, size_t corners) {
-    size_t i;
-    for (i = 0; i < count; i++) {
-        size_t place = (size_t)places[i];
-        if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
-        do end--;
-        while (cells->vertices[end * corners] == PARADT__DEAD);
-        paradt__bw_move(cells, place, end, corners, 0);
-    }
-    return end;
-}
-
-static void paradt__bw_fill_gaps(const paradt__bw *bw, const paradt_index *places, size_t count, size_t *end) {
-    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
-    if (cells.corners == 4) *end = paradt__bw_fill_places(&cells, places, count, *end, 4);
-    else *end = paradt__bw_fill_places(&cells, places, count, *end, (size_t)cells.corners);
-}
-
-// Passes over all cells ask for rows so far ahead, for the same reason as passes over all points.
-enum { PARADT__ROWS_AHEAD = 128 };
-
-PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *neighbors, size_t row,
-                                      size_t corners) {
-    PARADT__FETCH(vertices, row * corners);
-    PARADT__FETCH(neighbors, row * corners);
-}
-
-// Fetches the row of a place that comes soon in a list.
-PARADT__INLINE void paradt__fetch_listed(const paradt__cells *cells, const paradt_index *list, size_t count,
-                                         size_t at) {
-    enum { AHEAD = 8 };
-    if (at + AHEAD < count)
-        paradt__fetch_row(cells->vertices, cells->neighbors, (size_t)list[at + AHEAD], (size_t)cells->corners);
-}
-
-// Where cells go: the rows of the first, and its number
-typedef struct paradt__rows {
-    paradt_index *vertices, *neighbors, offset;
-} paradt__rows;
-
-static paradt__rows paradt__rows_in_place(const paradt__cells *cells) {
-    paradt__rows to;
-    to.vertices = cells->vertices;
-    to.neighbors = cells->neighbors;
-    to.offset = 0;
-    return to;
-}
-
-// Writes the cell at a place into the same row of `to`: its neighbours, that were handles, become numbers, its vertices
-// are translated (origin NULL: not). Has it a facet without a neighbour?
-PARADT__INLINE int paradt__bw_number(const paradt__cells *cells, size_t place, size_t corners,
-                                     const paradt_index *origin, const paradt__rows *to) {
-    const paradt_index *vertices = cells->vertices + place * corners, *neighbors = cells->neighbors + place * corners;
-    paradt_index *new_vertices = to->vertices + place * corners, *numbers = to->neighbors + place * corners, any = 0;
-    size_t j;
-    paradt__fetch_row(cells->vertices, cells->neighbors, place + PARADT__ROWS_AHEAD, corners);
-#if PARADT__FOUR_AT_ONCE
-    if (corners == 4) {
-        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)neighbors), open = _mm_srai_epi32(handles, 31);
-        __m128i number = _mm_add_epi32(_mm_srli_epi32(handles, 2), _mm_set1_epi32(to->offset));
-        any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
-        handles = _mm_or_si128(_mm_and_si128(open, handles), _mm_andnot_si128(open, number));
-        _mm_storeu_si128((__m128i *)(void *)numbers, handles);
-    } else
-#endif
-        for (j = 0; j < corners; j++) {
-            paradt_index handle = neighbors[j];
-            any |= handle;
-            numbers[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners) + to->offset;
-        }
-    for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
-    return any < 0;
-}
-
-// Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices. All at once: the
-// cells don't fit into a cache. Returns the ghosts' number.
-PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
-    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
-    const paradt__rows to = paradt__rows_in_place(&cells);
-    size_t end = cells.count, i;
-    uint64_t ghosts = 0;
-    paradt__bw_mark_free(bw);
-    for (i = 0; i < end; i++) {
-        if (!paradt__bw_keep(&cells, i, corners, &ghosts)) {
-            for (end--; end > i && !paradt__bw_keep(&cells, end, corners, &ghosts);) end--;
-            if (end == i) break;
-            paradt__bw_move(&cells, i, end, corners, i);
-        }
-        paradt__bw_number(&cells, i, corners, origin, &to);
-    }
-    bw->cells.count = end;
-    return ghosts;
-}
-
-static uint64_t paradt__bw_close(paradt__bw *bw, const paradt_index *origin) {
-    if (bw->cells.corners == 4) return paradt__bw_close_cells(bw, origin, 4);
-    return paradt__bw_close_cells(bw, origin, (size_t)bw->cells.corners);
-}
-
-// --- the door
 
 // Points that span the set come first in the order.
-static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
+static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axes[PARADT_MAX_DIM + 1], i, dim = set->space.dim;
     paradt__set view = *set;
@@ -8232,156 +8689,124 @@ static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, p
     }
 }
 
-typedef paradt_status (*paradt__inserter)(paradt__bw *bw, paradt_index point);
+typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
 
-static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
-    if (!bw->spheres) return paradt__bw_insert;
-#if PARADT__BW_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__bw3_insert_avx2;
+static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
+    if (!build->kept) return paradt__insert;
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__kept_insert_avx2;
 #endif
-    return paradt__bw3_insert;
+    return paradt__kept_insert;
 }
 
 // Inserts the points that are left, in their order, until it pauses.
-static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
-    paradt__inserter insert = paradt__choose_inserter(bw);
+static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt__progress *progress) {
+    paradt__inserter insert = paradt__choose_inserter(build);
     paradt_status status = PARADT_OK;
     size_t i;
-    for (i = bw->inserted; i < bw->count && !status; i++) {
-        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)bw->count))
+    for (i = build->inserted; i < build->count && !status; i++) {
+        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
-        status = insert(bw, paradt__bw_point(bw, i));
-        bw->inserted = i + 1;
-        if (paradt__relay_pauses(bw->relay, bw->inserted, 64)) break;
+        status = insert(build, paradt__insertion_point(build, i));
+        if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+        build->inserted = i + 1;
+        if (paradt__relay_pauses(build->relay, build->inserted, 64)) break;
     }
     return status;
 }
 
-static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
-    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, PARADT__FIRST_DIG);
-    if (bw->cells.lent) {
-        paradt__make_pages(bw->marks, 0, bw->cells.capacity);
-        memset(bw->marks, 0, bw->cells.capacity);
-    }
-    if (!status && bw->cells.corners <= 4)
-        status = paradt__bw_reserve(bw, 1, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
-    if (!status) status = paradt__bw_first(bw);
-    bw->inserted = (size_t)bw->cells.corners;
-    if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
-    return status ? status : paradt__bw_insert_rest(bw, progress);
+// Inserts all points: the first, which span, make the first cells. After a pause paradt__insertion_go goes on.
+static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    paradt_status status =
+        paradt__list_room(&update->killed, 0, &update->killed_capacity, PARADT__FIRST_DIG, build->memory);
+    if (mesh->lent) paradt__mesh_clear_marks(mesh);
+    if (!status && mesh->corners <= 4)
+        status = paradt__insertion_reserve(
+            build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
+    if (!status) status = paradt__insertion_first_cells(build);
+    build->inserted = (size_t)mesh->corners;
+    if (!status && mesh->corners == 4) status = paradt__kept_begin(build);
+    return status ? status : paradt__insertion_go(build, progress);
 }
 
-// Makes ready to go on with more points, which have been counted. first: the next; numbers: of points that there are;
-// cell: where to begin the search for the first; negative: the last one made.
-static paradt_status paradt__bw_go_on(paradt__bw *bw, paradt_index first, size_t numbers, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    if (cell < 0) cell = s ? s->start : bw->last;
-    bw->last = cell;
-    if (!s) return PARADT_OK;
-    if (numbers >= s->numbers && !paradt__bw3_more_numbers(bw, numbers + numbers / 8 + 64)) return PARADT_ERROR_MEMORY;
-    s->start = cell;
-    s->next = paradt__seen3_of(s, paradt__bw_record(bw, first));
+// A cell near the last point
+PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
+    return build->kept ? build->kept->start : build->scene.hint;
+}
+
+// Prepares the insertion of more points, which have been counted. first: the next; numbers: of points that there are;
+// cell: where the search for the first begins
+static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_index first, size_t numbers,
+                                             paradt_index cell) {
+    paradt__kept *kept = build->kept;
+    build->scene.hint = cell;
+    if (!kept) return PARADT_OK;
+    if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
+        return PARADT_ERROR_MEMORY;
+    kept->start = cell;
+    kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
-}
-
-// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
-// nothing of that is in a cache, the insertion would wait for one after another.
-PARADT__INLINE void paradt__bw3_fetch_around(const paradt__bw *bw, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 };
-    const paradt__spheres3 *s = bw->spheres;
-    paradt_index around[CELLS];
-    size_t count = 1, i, j;
-    around[0] = cell;
-    for (i = 0; i < count; i++) {
-        const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)around[i];
-        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)around[i];
-        for (j = 0; j < 4; j++) {
-            paradt_index other = neighbors[j] >> 2;
-            paradt__fetch_row(bw->cells.vertices, bw->cells.neighbors, (size_t)other, 4);
-            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
-            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__bw_record(bw, vertices[j]));
-            if (count < CELLS) around[count++] = other;
-        }
-    }
-}
-
-// The first place from `place` on of a ghost, or of a cell with a vertex that is none of the first `own` points; behind
-// all places if there is none. Free places are marked.
-PARADT__INLINE size_t paradt__bw_fringe_from(const paradt__cells *cells, size_t corners, paradt_index own,
-                                             size_t place) {
-    for (; place < cells->count; place++) {
-        const paradt_index *vertices = cells->vertices + place * corners;
-        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
-        if (vertices[0] != PARADT__DEAD) break;
-    }
-    return place;
 }
 
 // Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
 // orientations, for the spheres on the way are in no table.
-static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
+static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
+    paradt__kept *kept = build->kept;
     paradt_status status;
-    if (bw->spheres && cell < 0) cell = paradt__bw_walk(bw, bw->spheres->start, paradt__bw_record(bw, point));
-    status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
-    bw->order = NULL;
-    bw->inserted = bw->count - 1;
-    if (bw->spheres) {
-        bw->spheres->missed = 0; // such points are here and there: no larger table would have their spheres
-        paradt__bw3_fetch_around(bw, cell);
+    if (cell < 0) {
+        cell = paradt__insertion_start(build);
+        if (kept) cell = paradt__walk(&build->scene, cell, paradt__scene_record(&build->scene, point));
     }
-    return status ? status : paradt__choose_inserter(bw)(bw, point);
-}
-
-// The i-th of the cells that the last insertion made, of bw->rim_count.
-PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
-    const paradt__spheres3 *s = bw->spheres;
-    if (s && (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star)) return bw->cavity[i] >> 2;
-    return paradt__bw_cell(bw, bw->rim[i]);
+    status = paradt__insertion_go_on(build, point, (size_t)point + 1, cell);
+    build->order = NULL;
+    build->inserted = build->count - 1;
+    if (kept) {
+        kept->missed = 0; // such points are here and there: no larger table would have their spheres
+        paradt__kept_fetch_around(build, cell);
+    }
+    if (!status) status = paradt__choose_inserter(build)(build, point);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    return status;
 }
 
 // Takes records as those of the set are.
-static void paradt__bw_layout(paradt__bw *bw, const paradt__set *set) {
-    bw->width = set->width;
-    bw->graded = set->grade == PARADT__SAGITTA;
-    bw->grade_limit = set->grade_limit;
-    bw->grade_error = set->grade_error;
+static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
+    build->scene.width = set->width;
+    build->graded = set->grade == PARADT__SAGITTA;
+    build->grade_limit = set->grade_limit;
+    build->grade_error = set->grade_error;
 }
 
-// Before paradt__bw_build. The order has the points that span the set first then.
-static void paradt__bw_begin(paradt__bw *bw, const paradt__set *set, paradt_index *order, paradt__memory *memory) {
-    memset(bw, 0, sizeof *bw);
-    bw->space = set->space;
-    paradt__bw_span_first(set, order, &bw->space.counters);
-    bw->cells.corners = set->space.dim + 1;
-    bw->memory = memory;
-    bw->records = set->records;
-    bw->order = order;
-    paradt__bw_layout(bw, set);
-    bw->count = set->count;
+// Before paradt__insertion_run: the insertion of a set in an order, which gets points that span the set first.
+static void paradt__insertion_begin(paradt__insertion *build, const paradt__set *set, paradt_index *order,
+                                    paradt__memory *memory) {
+    memset(build, 0, sizeof *build);
+    paradt__mesh_begin(&build->scene.mesh, set->space.dim + 1, 1);
+    build->scene.space = set->space;
+    paradt__insertion_span_first(set, order, &build->scene.space.counters);
+    build->memory = memory;
+    build->scene.records = set->records;
+    build->order = order;
+    paradt__insertion_layout(build, set);
+    build->count = set->count;
 }
 
-// The cells of the set, whose points are along a curve, with the caller's indices. adjacency: whether their neighbours
-// are wanted.
-static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__cells *cells,
-                                           int adjacency, const paradt__progress *progress, paradt__counters *counters,
-                                           uint64_t *hull_facets) {
-    paradt__bw bw;
+// Makes the mesh of the set, whose points are along a curve, by insertion: closed by ghosts, vertices are positions.
+static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                           const paradt__progress *progress, paradt__counters *counters) {
+    paradt__insertion build;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
     if (!order) return PARADT_ERROR_MEMORY;
-    paradt__bw_begin(&bw, set, order, memory);
-    status = paradt__bw_build(&bw, progress);
-    *counters = bw.space.counters;
-    if (!status) *hull_facets = paradt__bw_close(&bw, set->origin);
-    paradt__bw_end(&bw);
+    paradt__insertion_begin(&build, set, order, memory);
+    status = paradt__insertion_run(&build, progress);
+    *counters = build.scene.space.counters;
+    paradt__insertion_rest(&build);
     paradt__release(memory, order);
-    *cells = bw.cells;
-    if (!adjacency) {
-        paradt__release(memory, cells->neighbors);
-        cells->neighbors = NULL;
-    }
-    if (status) paradt__cells_free(cells, memory);
+    *mesh = build.scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
     return status;
 }
 
@@ -8417,7 +8842,7 @@ static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, siz
 
 // Gives the cluster of a cell that nobody reaches to its owner, see >>incode. owners: [cells->count], PARADT__OPEN for
 // such cells; cluster: room for all of them.
-static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *owner, paradt_index *owners,
+static void paradt__cluster_give(const paradt__mesh *cells, const uint32_t *owner, paradt_index *owners,
                                  paradt_index *cluster, paradt_index first) {
     enum { MET = -3 };
     paradt_index beside = PARADT__NOWHERE, within = PARADT__NOWHERE, corners = cells->corners, i, j, count = 1;
@@ -8425,9 +8850,9 @@ static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *own
     owners[first] = MET;
     for (i = 0; i < count; i++) {
         for (j = cluster[i] * corners; j < (cluster[i] + 1) * corners; j++) {
-            paradt_index neighbor = cells->neighbors[j], region = (paradt_index)owner[cells->vertices[j]];
+            paradt_index neighbor = cells->links[j] / corners, region = (paradt_index)owner[cells->vertices[j]];
             if (region < within) within = region;
-            if (neighbor < 0) continue;
+            if (cells->links[j] < 0) continue;
             if (owners[neighbor] == PARADT__OPEN) owners[neighbor] = MET, cluster[count++] = neighbor;
             else if (owners[neighbor] != MET && owners[neighbor] < beside) beside = owners[neighbor];
         }
@@ -8436,9 +8861,9 @@ static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *own
 }
 
 // Fills owners[cells->count].
-static paradt_status paradt__cells_find_owners(const paradt__cells *cells, const paradt__set *set,
-                                               const paradt__region_view *view, paradt__memory *memory,
-                                               paradt_index *owners) {
+static paradt_status paradt__find_owners(const paradt__mesh *cells, const paradt__set *set,
+                                         const paradt__region_view *view, paradt__memory *memory,
+                                         paradt_index *owners) {
     size_t corners = (size_t)cells->corners, unreached = 0, i;
     paradt_index *cluster;
     for (i = 0; i < cells->count; i++) {
@@ -8455,101 +8880,44 @@ static paradt_status paradt__cells_find_owners(const paradt__cells *cells, const
     return PARADT_OK;
 }
 
-// Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
-static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__set *set,
-                                            const paradt__region_view *view, paradt__memory *memory,
-                                            uint64_t *foreign) {
-    size_t corners = (size_t)cells->corners, i, kept = 0;
-    paradt_index *place = (paradt_index *)paradt__alloc(memory, cells->count, sizeof *place);
-    paradt_status status = place ? paradt__cells_find_owners(cells, set, view, memory, place) : PARADT_ERROR_MEMORY;
-    if (status) {
-        paradt__release(memory, place);
-        return status;
+// Leaves only the cells that the region owns; facets that they share with others' cells become open. *foreign: the
+// number of cells dropped.
+static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__set *set, const paradt__region_view *view,
+                                            paradt__memory *memory, uint64_t *foreign) {
+    size_t end = mesh->count, gaps = 0, i;
+    paradt_index *place = (paradt_index *)paradt__alloc(memory, end, sizeof *place); // owners, then gaps
+    paradt_status status = place ? paradt__find_owners(mesh, set, view, memory, place) : PARADT_ERROR_MEMORY;
+    for (i = 0; i < end && !status; i++) {
+        if (place[i] == (paradt_index)view->region) continue;
+        paradt__mesh_drop(mesh, i, (size_t)mesh->corners, PARADT__OPEN);
+        place[gaps++] = (paradt_index)i;
     }
-    for (i = 0; i < cells->count; i++) {
-        int owned = place[i] == (paradt_index)view->region;
-        place[i] = owned ? (paradt_index)kept++ : (paradt_index)PARADT__OPEN;
+    if (!status) {
+        mesh->count -= gaps;
+        paradt__mesh_fill_gaps(mesh, place, gaps, &end);
+        *foreign = gaps;
     }
-    for (i = 0; i < cells->count; i++) {
-        paradt_index *to;
-        size_t j;
-        if (place[i] < 0) continue;
-        memmove(cells->vertices + (size_t)place[i] * corners, cells->vertices + i * corners, corners * sizeof *to);
-        to = cells->neighbors + (size_t)place[i] * corners;
-        for (j = 0; j < corners; j++) {
-            paradt_index neighbor = cells->neighbors[i * corners + j];
-            to[j] = neighbor < 0 ? neighbor : place[neighbor];
-        }
-    }
-    *foreign = cells->count - kept;
-    cells->count = kept;
     paradt__release(memory, place);
-    return PARADT_OK;
-}
-
-// Appends the cells of a region.
-static void paradt__cells_append(paradt__cells *all, const paradt__cells *part) {
-    size_t corners = (size_t)all->corners, offset = all->count, i;
-    paradt_index *to = all->neighbors + offset * corners;
-    if (!part->count) return;
-    memcpy(all->vertices + offset * corners, part->vertices, part->count * corners * sizeof *to);
-    for (i = 0; i < part->count * corners; i++) {
-        to[i] = part->neighbors[i] < 0 ? part->neighbors[i] : part->neighbors[i] + (paradt_index)offset;
-    }
-    all->count += part->count;
-}
-
-enum { PARADT__JOINED = 8 }; // facets at once: there is room for those of a cell
-
-// Links open facets to their twins, if these were seen before. Each step waits for memory, for all of them together.
-static paradt_status paradt__join_facets(paradt__active *active, paradt__cells *all, const paradt_index *handles,
-                                         size_t count, paradt__memory *memory) {
-    paradt_index corners = all->corners, *chain[PARADT__JOINED], smallest[PARADT__JOINED];
-    uint32_t key[PARADT__JOINED];
-    paradt_status status = paradt__active_room(active, memory);
-    size_t i;
-    for (i = 0; i < count && !status; i++) {
-        int opposite = (int)(handles[i] % corners);
-        const paradt_index *cell = all->vertices + (handles[i] - opposite);
-        key[i] = paradt__facet_key(paradt__cell_sum(cell, all->corners) - paradt__vertex_key(cell[opposite]));
-        smallest[i] = paradt__smallest_but(cell, all->corners, opposite);
-        chain[i] = paradt__active_chain(active, smallest[i], key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < count && !status; i++) {
-        if (*chain[i] >= 0) PARADT__PREFETCH(active->links + *chain[i]);
-    }
-    for (i = 0; i < count && !status; i++) {
-        if (*chain[i] < 0) continue;
-        PARADT__PREFETCH(all->vertices + active->links[*chain[i]].handle);
-        PARADT__PREFETCH(all->neighbors + active->links[*chain[i]].handle);
-    }
-    for (i = 0; i < count && !status; i++) {
-        paradt_index twin = paradt__active_match(active, all, chain[i], smallest[i], key[i], handles[i], all->corners);
-        if (twin < 0) continue;
-        all->neighbors[handles[i]] = twin / corners;
-        all->neighbors[twin] = handles[i] / corners;
-    }
     return status;
 }
 
 // Links the open facets of all regions to each other. What finds no partner is the hull.
-static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *memory, uint64_t *hull_facets) {
-    paradt__active active;
+static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *memory, uint64_t *hull_facets) {
+    paradt__facets table;
     size_t facets = all->count * (size_t)all->corners, count = 0, i;
     paradt_index open[PARADT__JOINED];
-    paradt_status status = paradt__active_begin(&active, 0, memory);
+    paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
-        if (all->neighbors[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
+        if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
-        status = paradt__join_facets(&active, all, open, count, memory);
+        status = paradt__facets_join(&table, all, open, count, 0, memory);
         count = 0;
     }
     for (i = 0; i < facets; i++) {
-        if (all->neighbors[i] == PARADT__OPEN) all->neighbors[i] = PARADT__HULL;
-        *hull_facets += all->neighbors[i] == PARADT__HULL;
+        if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
+        *hull_facets += all->links[i] == PARADT__HULL;
     }
-    paradt__active_free(&active, memory);
+    paradt__facets_free(&table, memory);
     return status;
 }
 
@@ -8601,14 +8969,6 @@ typedef struct paradt__field {
     int has_cells; // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
-// What is known of a cell: marks of it
-enum {
-    PARADT__WAITING = 2, // it is in the list of cells to be asked about, or of wrong ones
-    PARADT__ASKED = 4,   // it is one of T(P)
-    PARADT__LISTED = 8,  // it is in the list of the fringe; not in all regions
-    PARADT__DROPPED = 16 // it is not kept in the end; of ranks alone
-};
-
 typedef struct paradt__patch {
     const paradt__set *set;
     paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
@@ -8616,9 +8976,9 @@ typedef struct paradt__patch {
     size_t field_count, own;     // own: the region's number
     paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
     paradt__memory *memory;
-    paradt__bw bw;
+    paradt__insertion build;
     size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][bw.width]
+    double *records;                 // [capacity][build.scene.width]
     int lent;                        // these are those of the field
     paradt_index *others;            // [capacity - own points] positions of others' points in the set
     paradt_index *origin;            // at the end, the caller's indices of all points:
@@ -8632,6 +8992,7 @@ typedef struct paradt__patch {
     // and some where such ones have been
     paradt_index *fringe;
     size_t fringe_count, fringe_capacity;
+    int facets;           // links are delivered as half-facets
     int asks;             // 1: the points that it begins with are inserted
     size_t asked;         // so many of the list have been taken from it
     size_t dropped;       // cells and ghosts, at the end
@@ -8650,7 +9011,7 @@ typedef struct paradt__patch {
     size_t nearby_count, nearby_capacity;
     uint64_t looked;      // groups of neighbours
     size_t late_cells;    // made by answers
-    size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
+    size_t made;          // cells of the triangulation, of which build.scene.mesh are owned in the end
     uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
@@ -8671,14 +9032,14 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->bw.count, width = patch->bw.width, own = patch->fields[patch->own].set.count;
+    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->fields[patch->own].set.count;
     void *records = patch->lent ? NULL : patch->records, *others = patch->others;
     if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
     patch->lent = 0;
     patch->records = (double *)records;
-    patch->bw.records = patch->records;
+    patch->build.scene.records = patch->records;
     used = used > own ? used - own : 0;
     if (!paradt__grow(patch->memory, &others, used, capacity - own, sizeof *patch->others)) return PARADT_ERROR_MEMORY;
     patch->others = (paradt_index *)others;
@@ -8692,29 +9053,29 @@ static paradt_status paradt__patch_lend(paradt__patch *patch) {
     patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
     if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
-    patch->bw.records = patch->records;
+    patch->build.scene.records = patch->records;
     patch->capacity = own->room;
     patch->lent = 1;
     return PARADT_OK;
 }
 
 static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
-    size_t at = patch->bw.count, width = patch->bw.width;
+    size_t at = patch->build.count, width = patch->build.scene.width;
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
     patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
-    patch->bw.count++;
+    patch->build.count++;
     return PARADT_OK;
 }
 
 // Adds the region's own points, for which there is room.
 static void paradt__patch_add_own(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    size_t width = patch->bw.width, i;
+    size_t width = patch->build.scene.width, i;
     for (i = 0; i < own->set.count && !patch->lent; i++)
         paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
-    patch->bw.count = own->set.count;
+    patch->build.count = own->set.count;
 }
 
 // The position of a vertex in the set
@@ -8729,13 +9090,13 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
     const paradt__field *own = patch->fields + patch->own;
     size_t count = own->set.count, i;
     patch->origin = patch->set->origin + own->begin;
-    if (patch->bw.count > own->room) {
-        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->table);
+    if (patch->build.count > own->room) {
+        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->table);
         if (!patch->table) return PARADT_ERROR_MEMORY;
         memcpy(patch->table, patch->origin, count * sizeof *patch->table);
         patch->origin = patch->table;
     }
-    for (i = count; i < patch->bw.count; i++) {
+    for (i = count; i < patch->build.count; i++) {
         paradt_index position = patch->others[i - count];
         patch->origin[i] = position < end ? patch->set->origin[position] : -1;
     }
@@ -8753,7 +9114,7 @@ static int paradt__within(const double *x, const double *low, const double *high
 
 static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
                                           paradt_index item) {
-    paradt_status status = paradt__bw_list(&patch->bw, list, *count, capacity, *count + 1);
+    paradt_status status = paradt__list_room(list, *count, capacity, *count + 1, patch->memory);
     if (!status) (*list)[(*count)++] = item;
     return status;
 }
@@ -8822,8 +9183,8 @@ static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
 static paradt__set paradt__patch_known(const paradt__patch *patch) {
     paradt__set known = *patch->set;
     known.records = patch->records;
-    known.width = patch->bw.width;
-    known.count = patch->bw.count;
+    known.width = patch->build.scene.width;
+    known.count = patch->build.count;
     memset(&known.space.counters, 0, sizeof known.space.counters);
     return known;
 }
@@ -8871,8 +9232,8 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
     }
     patch->order = paradt__merged_order(&known, own->set.count, &curve, low, high, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
-    patch->bw.order = patch->order;
-    paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
+    patch->build.order = patch->order;
+    paradt__insertion_span_first(&known, patch->order, &patch->build.scene.space.counters);
     return PARADT_OK;
 }
 
@@ -8897,7 +9258,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 // --- cells
 
 PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
-    return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
+    return patch->build.scene.mesh.vertices + (size_t)cell * (size_t)patch->build.scene.mesh.corners;
 }
 
 // Is the vertex a point of the region? These are the first.
@@ -8908,14 +9269,14 @@ PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index ve
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
 static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
     paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
-    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->bw.cells.corners, own);
+    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
 }
 
 // Does the region own a cell or ghost that has a vertex of it? Once patch->origin has the caller's indices, or -1.
 static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] >= 0 && patch->origin[vertices[i]] < 0) return 0;
     }
     return 1;
@@ -8926,7 +9287,7 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index end = (paradt_index)patch->fields[0].set.count;
     int i, share = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] < 0) continue;
         if (paradt__patch_has(patch, vertices[i])) share++;
         else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
@@ -8936,15 +9297,15 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
-    if (patch->bw.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
-    patch->bw.marks[cell] |= PARADT__WAITING;
+    if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
+    patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
     return PARADT__PATCH_LIST(patch, list, cell);
 }
 
 // Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
@@ -8953,11 +9314,11 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
 
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
-    const paradt__cells *cells = &patch->bw.cells;
+    const paradt__mesh *cells = &patch->build.scene.mesh;
     paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
-    size_t cell = paradt__bw_fringe_from(cells, corners, own, 0);
+    size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
-    for (; cell < cells->count && !status; cell = paradt__bw_fringe_from(cells, corners, own, cell + 1)) {
+    for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
         status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
         if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
             status = paradt__patch_wait(patch, (paradt_index)cell);
@@ -8968,19 +9329,18 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
 // To look for them takes as long as the insertion of a few points, in which the other regions go on.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     enum { CELLS_A_POINT = 400 };
-    paradt__relay_waits(patch->bw.relay, patch->bw.cells.count / CELLS_A_POINT);
-    paradt__bw_mark_free(&patch->bw);
-    if (patch->bw.cells.corners == 4) return paradt__patch_list_suspects(patch, 4);
-    return paradt__patch_list_suspects(patch, (size_t)patch->bw.cells.corners);
+    paradt__relay_waits(patch->build.relay, patch->build.scene.mesh.count / CELLS_A_POINT);
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_list_suspects(patch, 4);
+    return paradt__patch_list_suspects(patch, (size_t)patch->build.scene.mesh.corners);
 }
 
 // Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
 static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
-    const paradt__bw *bw = &patch->bw;
+    const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index nowhere[PARADT_MAX_DIM + 1];
-    int dim = bw->cells.corners - 1, i, count = 0;
+    int dim = build->scene.mesh.corners - 1, i, count = 0;
     for (i = 0; i <= dim; i++) {
         nowhere[i] = PARADT__NOWHERE;
         if (i != ghost) corners[count++] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
@@ -8988,10 +9348,10 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
     if (ghost < 0) {
         paradt__search_sphere(&patch->search, corners, nowhere);
     } else {
-        paradt_index handle = bw->cells.neighbors[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
-        const paradt_index *inner = paradt__patch_cell(patch, paradt__bw_cell(bw, handle));
+        paradt_index handle = build->scene.mesh.links[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
+        const paradt_index *inner = paradt__patch_cell(patch, paradt__mesh_cell(&build->scene.mesh, handle));
         paradt__search_beyond(&patch->search, corners, (dim - ghost) % 2 ? -1 : 1,
-                              paradt__bw_record(bw, inner[handle % (dim + 1)]));
+                              paradt__scene_record(&build->scene, inner[handle % (dim + 1)]));
     }
 }
 
@@ -9006,7 +9366,7 @@ static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__
     paradt__search *s = &patch->search;
     paradt_index places[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t place = (size_t)positions[i] - field->begin;
         places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
     }
@@ -9035,7 +9395,7 @@ static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__fi
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
         if (vertices[i] < 0) continue;
         if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
@@ -9062,7 +9422,7 @@ static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field 
     paradt_index positions[PARADT_MAX_DIM + 1];
     size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
     int i, count = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (i != ghost) positions[count++] = paradt__patch_position(patch, vertices[i]);
     }
     if (ghost >= 0) positions[count] = PARADT__NOWHERE;
@@ -9074,22 +9434,23 @@ static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field 
 PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
     }
 }
 
 // Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
 static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
-    if (!status) status = paradt__bw_insert_one_more(bw, (paradt_index)(bw->count - 1), cell);
-    patch->late_cells += bw->rim_count;
-    for (i = 0; i < bw->cavity_count && !status; i++) bw->marks[paradt__bw_cell(bw, bw->cavity[i])] = 0;
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt_index made = paradt__bw_made(bw, i);
-        bw->marks[made] = 0;
+    if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
+    patch->late_cells += build->update.made_count;
+    for (i = 0; i < build->update.killed_count && !status; i++)
+        build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        build->scene.mesh.marks[made] = 0;
         if (patch->around) paradt__patch_note_around(patch, made);
         status = PARADT__PATCH_LIST(patch, fringe, made);
         if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
@@ -9100,13 +9461,13 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
 // Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K, nor
 // beyond a ghost's facet or in its plane where these have no more of the reference sphere than a cap inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    paradt__bw *bw = &patch->bw;
-    int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
+    paradt__insertion *build = &patch->build;
+    int ghost = paradt__ghost_place(paradt__patch_cell(patch, cell), build->scene.mesh.corners);
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
     if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
-    bw->marks[cell] = PARADT__ASKED;
+    build->scene.mesh.marks[cell] = PARADT__ASKED;
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
@@ -9118,7 +9479,9 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_wait(patch, paradt__bw_cell(bw, bw->cells.neighbors[cell * bw->cells.corners + ghost]));
+    return paradt__patch_wait(
+        patch,
+        paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9135,91 +9498,55 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // points. They are few also near surfaces, which large spheres touch so that boxes rule out little. Regions tell each
 // other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
-// Cells around a vertex
-enum {
-    PARADT__AROUND = 256, // at most, and some that are found with the last
-    PARADT__AROUND_PLACES = 512
-};
-
-typedef struct paradt__around {
-    size_t count;
-    paradt_index cells[PARADT__AROUND + PARADT_MAX_DIM + 1];
-    paradt_index table[PARADT__AROUND_PLACES]; // the same by their numbers; -1: free
-} paradt__around;
-
-// Adds a cell; 0 if it is there.
-PARADT__INLINE int paradt__around_add(paradt__around *around, paradt_index cell) {
-    size_t place = (uint32_t)cell * 0x9E3779B1u >> 23;
-    while (around->table[place] != cell) {
-        if (around->table[place] < 0) {
-            around->table[place] = around->cells[around->count++] = cell;
-            return 1;
-        }
-        place = (place + 1) % PARADT__AROUND_PLACES;
-    }
-    return 0;
-}
-
 // Makes ready to be looked at by others.
 static paradt_status paradt__patch_show(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->bw.cells.corners, cell;
+    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
     patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
     if (!patch->around) return PARADT_ERROR_MEMORY;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count; cell++) {
-        if (patch->bw.cells.vertices[cell * corners] != PARADT__DEAD)
+    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
+        if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
             paradt__patch_note_around(patch, (paradt_index)cell);
     }
     return PARADT_OK;
 }
 
-// Notes a neighbour of a point of another region, by its number there.
-PARADT__INLINE paradt_status paradt__patch_note_near(paradt__patch *patch, const paradt__patch *other,
-                                                     paradt_index neighbor) {
-    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
-}
-
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
 static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
-    const paradt_index *vertices = other->bw.cells.vertices, *links = other->bw.cells.neighbors;
-    paradt_index corners = (paradt_index)other->bw.cells.corners, first = other->around[vertex] * corners, i;
-    size_t before = patch->nearby_count, next;
-    paradt__around around;
+    const paradt__mesh *mesh = &other->build.scene.mesh;
+    paradt_index first = other->around[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt__star star;
+    size_t next;
     paradt_status status = PARADT_OK;
-    around.count = 0;
-    memset(around.table, -1, sizeof around.table);
-    paradt__around_add(&around, other->around[vertex]);
-    for (i = first; i < first + corners && !status; i++) {
-        if (vertices[i] != vertex) status = paradt__patch_note_near(patch, other, vertices[i]);
+    paradt__star_of(mesh, first, vertex, &star);
+    patch->looked += PARADT__LANES + star.count / 4;
+    if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
+    for (i = base; i < base + mesh->corners && !status; i++) {
+        if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
+            status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, mesh->vertices[i]));
     }
-    for (next = 0; next < around.count && around.count <= PARADT__AROUND; next++) {
-        first = around.cells[next] * corners;
-        for (i = first; i < first + corners && !status; i++) { // beyond each facet with the vertex
-            if (vertices[i] != vertex && paradt__around_add(&around, links[i] / corners))
-                status = paradt__patch_note_near(patch, other, vertices[links[i]]);
-        }
+    for (next = 1; next < star.count && !status; next++) {
+        paradt_index neighbor = mesh->vertices[star.handles[next]];
+        if (neighbor >= 0) status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
     }
-    if (around.count > PARADT__AROUND) patch->nearby_count = before;
-    patch->looked += PARADT__LANES + around.count / 4;
     return status;
 }
 
 // Gives back what only the building needs: all patches wait together for the last step.
 static void paradt__patch_rest(paradt__patch *patch) {
-    paradt__spheres3_free(patch->bw.spheres, patch->memory);
+    paradt__kept_free(patch->build.kept, patch->memory);
     paradt__release(patch->memory, patch->order);
     if (!patch->lent) paradt__release(patch->memory, patch->records);
-    paradt__release(patch->memory, patch->bw.marks);
+    paradt__release(patch->memory, patch->build.scene.mesh.marks);
     paradt__release(patch->memory, patch->around);
     paradt__release(patch->memory, patch->late);
     paradt__release(patch->memory, patch->told);
     paradt__release(patch->memory, patch->nearby);
     paradt__release(patch->memory, patch->border);
-    patch->bw.spheres = NULL;
-    patch->bw.order = patch->order = NULL;
+    patch->build.kept = NULL;
+    patch->build.order = patch->order = NULL;
     patch->records = NULL;
     patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
-    patch->bw.marks = NULL;
+    patch->build.scene.mesh.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
@@ -9227,10 +9554,10 @@ static void paradt__patch_end(paradt__patch *patch) {
     paradt__release(patch->memory, patch->list);
     paradt__release(patch->memory, patch->fringe);
     paradt__release(patch->memory, patch->seam);
-    paradt__bw_end(&patch->bw);
+    paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
     paradt__release(patch->memory, patch->table);
-    paradt__cells_free(&patch->bw.cells, patch->memory);
+    paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
 }
 
 static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
@@ -9243,11 +9570,11 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     patch->fields = fields;
     patch->field_count = field_count;
     patch->own = own;
-    patch->memory = patch->bw.memory = memory;
-    patch->bw.cells.corners = set->space.dim + 1;
-    patch->bw.space = set->space;
-    memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
-    paradt__bw_layout(&patch->bw, set);
+    patch->memory = patch->build.memory = memory;
+    paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
+    patch->build.scene.space = set->space;
+    memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
+    paradt__insertion_layout(&patch->build, set);
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
     for (i = 0; i < field_count; i++) {
         patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
@@ -9256,17 +9583,17 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
 
 // What is on the other side of a facet is dropped.
 PARADT__INLINE void paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes) {
-    if (handle >= 0) patch->bw.cells.neighbors[handle] = becomes; // else its cell was dropped before
+    if (handle >= 0) patch->build.scene.mesh.links[handle] = becomes; // else its cell was dropped before
 }
 
 // Drops a ghost, or a cell of another region. share: how many vertices are the region's; 0 too if it is wrong. The
 // links to what is dropped: a facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are
 // open.
 static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
-    int corners = patch->bw.cells.corners, ghost, j;
-    paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
-    const paradt_index *links = patch->bw.cells.neighbors + cell * (size_t)corners;
-    ghost = paradt__bw_ghost(vertices, corners);
+    int corners = patch->build.scene.mesh.corners, ghost, j;
+    paradt_index *vertices = patch->build.scene.mesh.vertices + cell * (size_t)corners;
+    const paradt_index *links = patch->build.scene.mesh.links + cell * (size_t)corners;
+    ghost = paradt__ghost_place(vertices, corners);
     if (ghost >= 0) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
@@ -9280,13 +9607,13 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 
 // Drops what the region does not own, all of it in the fringe.
 PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
-    const paradt__cells cells = patch->bw.cells; // a copy, which nothing that is written can change
+    const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
     const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
     size_t count = patch->fringe_count, i;
     for (i = 0; i < count; i++) {
         const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
-        paradt__fetch_listed(&cells, fringe, count, i);
+        paradt__mesh_fetch_listed(&cells, fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         share = paradt__vertices_below(vertices, corners, own);
         if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
@@ -9299,55 +9626,55 @@ PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corne
 // of them is not the region's.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
-    size_t end = bw->cells.count, i;
+    size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    paradt__bw_mark_free(bw);
     for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
-    if (bw->cells.corners == 4) paradt__patch_drop_fringe(patch, 4);
-    else paradt__patch_drop_fringe(patch, (size_t)bw->cells.corners);
-    bw->cells.count -= bw->spare_count + patch->dropped;
-    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
-    paradt__bw_fill_gaps(bw, patch->list, patch->list_count, &end);
-    paradt__bw_fill_gaps(bw, patch->fringe, patch->fringe_count, &end);
+    if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
+    else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->list, patch->list_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe, patch->fringe_count, &end);
     patch->list_count = 0;
     paradt__release(patch->memory, patch->fringe);
     patch->fringe = NULL;
-    patch->made += bw->cells.count;
+    patch->made += build->scene.mesh.count;
     return PARADT_OK;
 }
 
-// Lists the open facets of the cell with that number.
-static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell) {
-    size_t corners = (size_t)patch->bw.cells.corners, j;
+// Lists the open facets of a cell that has been emitted. first: the number of the region's first cell in the result
+static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
+    size_t corners = (size_t)patch->build.scene.mesh.corners, j;
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
-        if (to->neighbors[cell * corners + j] == PARADT__OPEN)
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(((size_t)to->offset + cell) * corners + j));
+        if (to->links[cell * corners + j] == PARADT__OPEN)
+            status = PARADT__PATCH_LIST(patch, list, (paradt_index)((first + cell) * corners + j));
     }
     return status;
 }
 
 // Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
 // That may be where they are, or before it. Lists the facets that are open.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t corners) {
-    const paradt__cells cells = patch->bw.cells; // copies, which nothing that is written can change
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t first,
+                                                      size_t corners) {
+    const paradt__mesh cells = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *place;
     const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < cells.count; i++) {
-        int bare = paradt__bw_number(&cells, i, corners, origin, &to);
-        paradt__fetch_row(to.vertices, to.neighbors, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i);
+        int bare = paradt__mesh_emit_row(&cells, i, corners, origin, &to);
+        paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i, first);
     }
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to) {
-    if (patch->bw.cells.corners == 4) return paradt__patch_emit_cells(patch, to, 4);
-    return paradt__patch_emit_cells(patch, to, (size_t)patch->bw.cells.corners);
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first) {
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, 4);
+    return paradt__patch_emit_cells(patch, to, first, (size_t)patch->build.scene.mesh.corners);
 }
 
 // Looks for answers so far
@@ -9358,26 +9685,27 @@ static uint64_t paradt__patch_looked(const paradt__patch *patch) {
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
 static int paradt__patch_is_hasty(const paradt__patch *patch) {
-    size_t others = patch->bw.count - patch->fields[patch->own].set.count;
-    return paradt__patch_looked(patch) > 10000 + patch->bw.cells.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->fields[patch->own].set.count;
+    return paradt__patch_looked(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
 }
 
 // Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
 // where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
 // seam: exactly cospherical points are.
 static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_looked(patch) / (patch->bw.cells.corners <= 4 ? 2 : 4);
-    return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+    uint64_t looked = paradt__patch_looked(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
+    return looked + patch->late_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
-    if (!status) status = bw->inserted ? paradt__bw_insert_rest(bw, progress) : paradt__bw_build(bw, progress);
-    if (!status && bw->inserted < bw->count) return PARADT_OK;
+    if (!status)
+        status = build->inserted ? paradt__insertion_go(build, progress) : paradt__insertion_run(build, progress);
+    if (!status && build->inserted < build->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
-    bw->order = patch->order = NULL;
+    build->order = patch->order = NULL;
     patch->asks = 1;
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
@@ -9391,10 +9719,10 @@ static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, con
     paradt_status status = PARADT_OK;
     while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
-        if (patch->bw.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+        if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
         if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->bw.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (paradt__relay_pauses(patch->build.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
@@ -9408,7 +9736,7 @@ static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
 static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
     size_t own = patch->fields[patch->own].set.count, i;
     paradt_status status = PARADT_OK;
-    while (own + patch->told_count < patch->bw.count && !status) {
+    while (own + patch->told_count < patch->build.count && !status) {
         paradt_index position = patch->others[patch->told_count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
@@ -9443,14 +9771,14 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 
 // Lists the facets of the seam, when all cells have been asked about.
 static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
-    int corners = patch->bw.cells.corners, i;
+    int corners = patch->build.scene.mesh.corners, i;
     size_t at;
     paradt_status status = PARADT_OK;
     for (at = 0; at < patch->border_count && !status; at++) {
         paradt_index cell = patch->border[at], apex = -1;
         const paradt_index *vertices = paradt__patch_cell(patch, cell);
-        if (!(patch->bw.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
-        patch->bw.marks[cell] = 0; // it may be there twice
+        if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
+        patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
         for (i = 0; i < corners && !status; i++) {
             paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
             if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
@@ -9464,8 +9792,7 @@ static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
 // Has any cell or ghost a vertex of the region?
 static int paradt__patch_has_cells(paradt__patch *patch) {
     size_t cell;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count; cell++) {
+    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
             paradt__patch_share(patch, (paradt_index)cell))
             return 1;
@@ -9496,7 +9823,7 @@ PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_
 // Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
 PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
     size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_key(paradt__cell_sum(facet, (int)dim)) & mask;
+    size_t place = paradt__facet_hash(paradt__cell_sum(facet, (int)dim)) & mask;
     for (; seam->table[place] >= 0; place = (place + 1) & mask) {
         const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
         for (i = 0; i < dim && other[i] == facet[i];) i++;
@@ -9529,7 +9856,7 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     const paradt__field *end = patch->fields + patch->field_count, *field;
     size_t count = 0, i;
     memset(seam, 0, sizeof *seam);
-    seam->dim = (size_t)patch->bw.cells.corners - 1;
+    seam->dim = (size_t)patch->build.scene.mesh.corners - 1;
     for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
     for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
     seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
@@ -9566,11 +9893,11 @@ PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, co
     size_t i;
     for (; next < patch->list_count && !status; next++) {
         size_t base = (size_t)patch->list[next] * corners;
-        paradt__fetch_listed(&patch->bw.cells, patch->list, patch->list_count, next);
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->list, patch->list_count, next);
         for (i = 0; i < corners && !status; i++) {
-            size_t other = (size_t)patch->bw.cells.neighbors[base + i] / corners;
-            if (!(patch->bw.marks[other] & PARADT__WAITING) &&
-                !paradt__seam_meets(seam, patch->bw.cells.vertices + base, corners, i))
+            size_t other = (size_t)patch->build.scene.mesh.links[base + i] / corners;
+            if (!(patch->build.scene.mesh.marks[other] & PARADT__WAITING) &&
+                !paradt__seam_meets(seam, patch->build.scene.mesh.vertices + base, corners, i))
                 status = paradt__patch_wait(patch, (paradt_index)other);
         }
     }
@@ -9590,8 +9917,7 @@ static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt
 static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     size_t cell;
     paradt_status status = PARADT_OK;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count && !status; cell++) {
+    for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
             status = paradt__patch_wait(patch, (paradt_index)cell);
     }
@@ -9600,8 +9926,8 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
 
 // Lists the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
-    paradt__bw *bw = &patch->bw;
-    paradt_index cell = bw->spheres ? bw->spheres->start : bw->last;
+    paradt__insertion *build = &patch->build;
+    paradt_index cell = build->kept ? build->kept->start : build->scene.hint;
     size_t i;
     int others = 0;
     paradt_status status = PARADT_OK;
@@ -9610,7 +9936,7 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     for (i = 0; i < seam->count && !status; i++) {
         paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
         if (apex < 0) continue;
-        cell = paradt__bw_walk(bw, cell, paradt__record(patch->set, apex));
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
@@ -9618,16 +9944,18 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
 
 // Lists the ghosts that are reached from those in the fringe, through facets.
 static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
-    paradt_index corners = (paradt_index)patch->bw.cells.corners, i;
+    paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
     for (next = 0; next < patch->fringe_count && !status; next++) {
         paradt_index base = patch->fringe[next] * corners;
-        paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, next);
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe, patch->fringe_count, next);
         for (i = base; i < base + corners && !status; i++) {
-            paradt_index other = patch->bw.cells.neighbors[i] / corners;
-            if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->bw.marks[other] & PARADT__LISTED) continue;
-            patch->bw.marks[other] |= PARADT__LISTED;
+            paradt_index other = patch->build.scene.mesh.links[i] / corners;
+            if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
+                patch->build.scene.mesh.marks[other] & PARADT__LISTED)
+                continue;
+            patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
             status = PARADT__PATCH_LIST(patch, fringe, other);
         }
     }
@@ -9637,19 +9965,18 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
 // The fringe of the first region are the ghosts. If any is wrong, so is the first that was listed. Else they are looked
 // for everywhere.
 static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
-    const paradt__cells *cells = &patch->bw.cells;
+    const paradt__mesh *cells = &patch->build.scene.mesh;
     int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
-    if (patch->list_count && paradt__bw_ghost(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->bw.marks[patch->list[0]] |= PARADT__LISTED;
+    if (patch->list_count && paradt__ghost_place(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
+        patch->build.scene.mesh.marks[patch->list[0]] |= PARADT__LISTED;
         status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
-    paradt__bw_mark_free(&patch->bw);
-    cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
+    cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
     for (; cell < cells->count && !status;
-         cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
+         cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
         status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
     return status;
 }
@@ -9669,7 +9996,7 @@ static paradt_status paradt__patch_judge(paradt__patch *patch) {
 // Adds all points that the patch has not got, behind those inserted, and their order.
 static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     const paradt__field *last = patch->fields + patch->field_count - 1, *field;
-    size_t before = patch->bw.count, end = last->begin + last->set.count, i;
+    size_t before = patch->build.count, end = last->begin + last->set.count, i;
     unsigned char *has = (unsigned char *)paradt__alloc(patch->memory, end, 1);
     paradt_index *order;
     paradt_status status = has ? PARADT_OK : PARADT_ERROR_MEMORY;
@@ -9682,30 +10009,30 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
         }
     }
     paradt__release(patch->memory, has);
-    if (status || patch->bw.count == before) return status;
+    if (status || patch->build.count == before) return status;
     paradt__release(patch->memory, patch->order);
-    patch->order = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->order);
-    order = paradt__round_order(patch->bw.count - before, patch->memory);
+    patch->order = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->order);
+    order = paradt__round_order(patch->build.count - before, patch->memory);
     if (!patch->order || !order) status = PARADT_ERROR_MEMORY;
-    for (i = before; i < patch->bw.count && !status; i++) patch->order[i] = order[i - before] + (paradt_index)before;
+    for (i = before; i < patch->build.count && !status; i++) patch->order[i] = order[i - before] + (paradt_index)before;
     paradt__release(patch->memory, order);
     return status;
 }
 
 // Makes the patch the triangulation of the whole set, with the caller's indices.
 static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status;
-    bw->inserted = bw->count;
-    bw->later = 0;
+    build->inserted = build->count;
+    build->later = 0;
     status = paradt__patch_add_all(patch);
-    bw->order = patch->order;
-    if (!status && bw->inserted < bw->count)
-        status = paradt__bw_go_on(bw, paradt__bw_point(bw, bw->inserted), bw->count, -1);
-    if (!status) status = paradt__bw_insert_rest(bw, progress);
+    build->order = patch->order;
+    if (!status && build->inserted < build->count)
+        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count, -1);
+    if (!status) status = paradt__insertion_go(build, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status) patch->hull_facets = paradt__bw_close(bw, patch->origin);
+    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets);
     return status;
 }
 
@@ -9777,7 +10104,7 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     if (options) {
         if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
             return PARADT_ERROR_ARGUMENT;
-        if (options->flags & ~(unsigned)PARADT_NO_NEIGHBORS) return PARADT_ERROR_ARGUMENT;
+        if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS)) return PARADT_ERROR_ARGUMENT;
         if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
@@ -9807,16 +10134,17 @@ typedef struct paradt__work {
     int in_turn; // 1: insertion builds one after another, without neighbours
     int hollow;  // 1: the points may be on a surface or a curve
     paradt_stats *stats;
-    paradt__cells cells;
+    paradt__mesh cells;
     paradt__cuts cuts;                      // between the regions
     uint32_t *owner;                        // [set.count] with a front: the region of each point
     paradt__field *fields;                  // [regions] with insertion
     struct paradt__region *region;          // [regions]
-    paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
-    paradt__active seam;                    // with insertion: open facets of regions, in the end
+    paradt__mesh slices;                    // with insertion: each region's cells in a part of it, while they fit
+    paradt__facets seam;                    // with insertion: open facets of regions, in the end
     int trusts;                             // with insertion: the first region has its own points alone
     paradt__relay relay;                    // with insertion
-    int translated;                         // the cells have the caller's indices already
+    int facets;                             // links are delivered as half-facets
+    int translated;                         // the cells are delivered already: the caller's indices, final links
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
 } paradt__work;
 
@@ -9824,7 +10152,7 @@ typedef struct paradt__work {
 typedef struct paradt__region {
     paradt__memory memory;
     paradt_status status;
-    paradt__cells cells; // of a front, or
+    paradt__mesh cells;  // of a front, or
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
@@ -9876,7 +10204,7 @@ static paradt__progress paradt__part_of_progress(const paradt__work *work, size_
 }
 
 static double paradt__front_done(const paradt__front *front) {
-    double part = (double)front->cells.count / front->expected;
+    double part = (double)front->mesh.count / front->expected;
     return front->progress.begin + (part < 1.0 ? part : 1.0) * front->progress.length;
 }
 
@@ -9889,7 +10217,7 @@ static paradt_status paradt__build_undivided(paradt__work *work) {
     if (!status) status = paradt__choose_front(work->method)(&front);
     paradt__count_front(work->stats, &front);
     paradt__front_end(&front);
-    work->cells = front.cells;
+    work->cells = front.mesh;
     work->stats->hull_facets = front.hull_facets;
     work->done = paradt__front_done(&front);
     return status;
@@ -9900,11 +10228,8 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     paradt__counters counters;
     paradt_status status;
     memset(&counters, 0, sizeof counters);
-    status =
-        paradt__bowyer_watson(&work->set, &work->memory, &work->cells, !(work->options.flags & PARADT_NO_NEIGHBORS),
-                              &progress, &counters, &work->stats->hull_facets);
+    status = paradt__bowyer_watson(&work->set, &work->memory, &work->cells, &progress, &counters);
     paradt__count_predicates(work->stats, &counters);
-    work->translated = !status;
     return status;
 }
 
@@ -9937,7 +10262,7 @@ static void paradt__front_task(void *context, size_t index) {
     paradt__count_front(&region->stats, &front);
     paradt__front_end(&front);
     region->done = paradt__front_done(&front);
-    region->cells = front.cells;
+    region->cells = front.mesh;
     if (!region->status)
         region->status =
             paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
@@ -9959,6 +10284,7 @@ static void paradt__points_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
+    region->patch.facets = work->facets;
     region->patch.trusts = work->trusts && index == 0;
     region->status = paradt__patch_points(&region->patch, work->basis);
 }
@@ -9972,7 +10298,7 @@ static int paradt__asks_around(const paradt__work *work) {
 static void paradt__count_patch(paradt__region *region) {
     const paradt__patch *patch = &region->patch;
     memset(&region->stats, 0, sizeof region->stats);
-    paradt__count_predicates(&region->stats, &patch->bw.space.counters);
+    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
     paradt__count_predicates(&region->stats, &patch->search.space.counters);
     region->stats.distance_evaluations = patch->search.distance_evaluations;
     region->stats.grid_cells_visited = patch->search.grid_cells_visited;
@@ -9986,7 +10312,7 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->open = 0;
     region->status = paradt__patch_list_seam(patch);
     field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->bw.cells.corners;
+    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
     field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
     patch->seam = NULL;
 }
@@ -10019,7 +10345,7 @@ static void paradt__compact_task(void *context, size_t index) {
     region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
     paradt__count_patch(region);
     if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
+    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
 }
@@ -10063,9 +10389,9 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
         end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
         for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
             PARADT__PREFETCH(work->cells.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->cells.neighbors + patch->list[j]);
+            PARADT__PREFETCH(work->cells.links + patch->list[j]);
         }
-        status = paradt__join_facets(&work->seam, &work->cells, patch->list + i, end - i, memory);
+        status = paradt__facets_join(&work->seam, &work->cells, patch->list + i, end - i, !work->facets, memory);
     }
     return status;
 }
@@ -10083,14 +10409,14 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__region *region = work->region + index;
     size_t first = region->offset * (size_t)work->cells.corners;
     int stays = paradt__stays_in_slice(work, index);
-    paradt__rows to;
-    to.vertices = stays ? region->patch.bw.cells.vertices : work->cells.vertices + first;
-    to.neighbors = stays ? region->patch.bw.cells.neighbors : work->cells.neighbors + first;
-    to.offset = (paradt_index)region->offset;
+    const paradt__mesh *mesh = &region->patch.build.scene.mesh;
+    paradt__rows to =
+        paradt__mesh_rows(work->cells.corners, work->facets, stays ? mesh->vertices : work->cells.vertices + first,
+                          stays ? mesh->links : work->cells.links + first, region->offset);
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to);
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
     if (index || region->status) return;
-    region->status = paradt__active_begin(&work->seam, region->patch.list_count, &region->memory);
+    region->status = paradt__facets_begin(&work->seam, region->patch.list_count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
 }
 
@@ -10136,15 +10462,15 @@ static void paradt__rank(paradt__ranked *list, size_t count) {
 // What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
 static size_t paradt__region_left(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
-    const paradt__bw *bw = &patch->bw;
+    const paradt__insertion *build = &patch->build;
     if (work->region[index].built) return 0;
     if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
-    return bw->count - bw->inserted + bw->count - work->fields[index].set.count;
+    return build->count - build->inserted + build->count - work->fields[index].set.count;
 }
 
 // What it has done, likewise
 static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->bw.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
 }
 
 static void paradt__leg_task(void *context, size_t index) {
@@ -10183,7 +10509,7 @@ static paradt_status paradt__run_relay(paradt__work *work) {
         size_t left = paradt__assign_leg(work, regions, tasks), i;
         last = (double)left < fewest;
         work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
-        for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = last ? NULL : &work->relay;
+        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
         status = paradt__run_regions(work, paradt__leg_task);
     } while (!last && (!status || status == PARADT__GAVE_UP));
     return status;
@@ -10192,7 +10518,7 @@ static paradt_status paradt__run_relay(paradt__work *work) {
 // --- regions together
 
 // Puts the cells of the regions together, giving their memory back one by one.
-static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *cells, paradt_status status) {
+static paradt_status paradt__collect_regions(paradt__work *work, paradt__mesh *cells, paradt_status status) {
     uint64_t peaks = work->memory.held;
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
@@ -10203,10 +10529,10 @@ static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *
     }
     if (work->memory.peak < peaks) work->memory.peak = peaks;
     cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__cells_reserve(cells, total, total, &work->memory);
+    if (!status) status = paradt__mesh_reserve(cells, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
-        if (!status) paradt__cells_append(cells, &work->region[i].cells);
-        paradt__cells_free(&work->region[i].cells, &work->memory);
+        if (!status) paradt__mesh_append(cells, &work->region[i].cells);
+        paradt__mesh_free(&work->region[i].cells, &work->memory);
     }
     return status;
 }
@@ -10220,7 +10546,7 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     for (i = 0; i < work->regions && !status && work->seam.count; i++) {
         const paradt__patch *patch = &work->region[i].patch;
         for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->cells.neighbors + patch->list[j];
+            paradt_index *link = work->cells.links + patch->list[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
@@ -10243,32 +10569,32 @@ static void paradt__share_memory(paradt__work *work) {
 // others that a quarter could be left.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
-    size_t count = patch->bw.count, own = patch->fields[index].set.count;
+    size_t count = patch->build.count, own = patch->fields[index].set.count;
     if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
-    return paradt__bw_places(count, work->set.space.dim);
+    return paradt__expected_places(count, work->set.space.dim);
 }
 
 // Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
 // dimensions. A patch whose cells don't fit takes arrays of its own.
 static paradt_status paradt__lend_slices(paradt__work *work) {
-    paradt__cells *slices = &work->slices;
+    paradt__mesh *slices = &work->slices;
     int dim = work->set.space.dim;
     size_t total = 0, first = 0, i;
     paradt_status status;
     slices->corners = dim + 1;
     if (dim < 2 || dim > 3) return PARADT_OK;
     for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__cells_reserve(slices, total, total, &work->memory);
+    status = paradt__mesh_reserve(slices, total, total, &work->memory);
     if (status) {
-        paradt__cells_free(slices, &work->memory);
+        paradt__mesh_free(slices, &work->memory);
         return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
     }
     paradt__share_memory(work);
     for (i = 0; i < work->regions && !status; i++) {
         paradt__patch *patch = &work->region[i].patch;
         size_t capacity = paradt__slice_places(work, i);
-        status = paradt__bw_lend(&patch->bw, slices->vertices + first * (size_t)slices->corners,
-                                 slices->neighbors + first * (size_t)slices->corners, capacity);
+        status = paradt__mesh_lend(&patch->build.scene.mesh, slices->vertices + first * (size_t)slices->corners,
+                                   slices->links + first * (size_t)slices->corners, capacity, patch->memory);
         first += capacity;
     }
     return status;
@@ -10279,33 +10605,34 @@ static void paradt__close_slices(paradt__work *work) {
     size_t corners = (size_t)work->cells.corners, i;
     for (i = 0; i < work->regions; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners, bytes = patch->bw.cells.count * corners * sizeof(paradt_index);
+        size_t first = work->region[i].offset * corners,
+               bytes = patch->build.scene.mesh.count * corners * sizeof(paradt_index);
         if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->cells.vertices + first, patch->bw.cells.vertices, bytes);
-        memmove(work->cells.neighbors + first, patch->bw.cells.neighbors, bytes);
+        memmove(work->cells.vertices + first, patch->build.scene.mesh.vertices, bytes);
+        memmove(work->cells.links + first, patch->build.scene.mesh.links, bytes);
     }
 }
 
 // Puts the cells of the patches together.
 static paradt_status paradt__collect_patches(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
+    paradt__mesh *cells = &work->cells;
     size_t total = 0, i;
     int in_place = work->slices.vertices != NULL, lent = 0;
     paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         work->region[i].offset = total;
-        total += work->region[i].patch.bw.cells.count;
-        in_place = in_place && work->region[i].patch.bw.cells.lent;
-        lent = lent || work->region[i].patch.bw.cells.lent;
+        total += work->region[i].patch.build.scene.mesh.count;
+        in_place = in_place && work->region[i].patch.build.scene.mesh.lent;
+        lent = lent || work->region[i].patch.build.scene.mesh.lent;
     }
-    if (!lent) paradt__cells_free(&work->slices, &work->memory);
+    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
     // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
     in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
     if (in_place) {
         *cells = work->slices;
     } else {
         paradt__release_records(work, &work->memory);
-        status = paradt__cells_reserve(cells, total, total, &work->memory);
+        status = paradt__mesh_reserve(cells, total, total, &work->memory);
     }
     cells->count = total;
     paradt__share_memory(work);
@@ -10413,7 +10740,7 @@ static paradt_status paradt__build_together(paradt__work *work) {
 
 // Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
 static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
-    paradt__cells *cells = &work->cells;
+    paradt__mesh *cells = &work->cells;
     size_t corners = (size_t)cells->corners;
     void *vertices = cells->vertices;
     if (cells->count + count <= cells->capacity) return PARADT_OK;
@@ -10428,41 +10755,40 @@ static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t 
 // Builds a region, at the end of the result while its cells fit there.
 static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
     paradt__patch *patch = &work->region[index].patch;
-    paradt__cells *cells = &work->cells, *own = &patch->bw.cells, *lent = &work->slices;
+    paradt__mesh *cells = &work->cells, *own = &patch->build.scene.mesh, *lent = &work->slices;
     size_t corners = (size_t)cells->corners, capacity, rest;
     paradt__rows to;
     paradt_status status;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
     patch->trusts = work->trusts && index == 0;
     status = paradt__patch_points(patch, work->basis);
-    capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
+    capacity = paradt__expected_places(patch->build.count, work->set.space.dim);
     if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
-    rest = paradt__bw_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
     if (!status) status = paradt__turn_room(work, capacity, rest);
     if (status) return status;
-    lent->neighbors = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
-    if (!lent->neighbors) return PARADT_ERROR_MEMORY;
-    status = paradt__bw_lend(&patch->bw, cells->vertices + cells->count * corners, lent->neighbors, capacity);
+    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->links) return PARADT_ERROR_MEMORY;
+    status = paradt__mesh_lend(&patch->build.scene.mesh, cells->vertices + cells->count * corners, lent->links,
+                               capacity, patch->memory);
     if (!status) {
         paradt__patch_task(work, index);
         if (!work->region[index].status) paradt__compact_task(work, index);
         status = work->region[index].status;
     }
     if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
-    to.vertices = cells->vertices + cells->count * corners;
-    to.neighbors = own->neighbors;
-    to.offset = 0;
-    if (!status) status = paradt__patch_emit(patch, &to);
+    to = paradt__mesh_rows(cells->corners, work->facets, cells->vertices + cells->count * corners, own->links, 0);
+    if (!status) status = paradt__patch_emit(patch, &to, 0);
     if (status) return status;
     cells->count += own->count;
     paradt__patch_end(patch);
     memset(patch, 0, sizeof *patch);
-    paradt__cells_free(lent, &work->memory);
+    paradt__mesh_free(lent, &work->memory);
     return PARADT_OK;
 }
 
 static paradt_status paradt__build_in_turn(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
+    paradt__mesh *cells = &work->cells;
     size_t corners = (size_t)cells->corners, i;
     paradt_status status = PARADT_OK;
     for (i = work->regions; i-- > 0 && !status;) { // the first is told by all the others
@@ -10488,8 +10814,8 @@ static paradt_status paradt__take_over(paradt__work *work) {
     paradt__patch *patch;
     paradt_status status;
     for (region = work->region; region < work->region + work->regions; region++) {
-        region->patch.memory = region->patch.bw.memory = &work->memory;
-        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.bw.count > largest->patch.bw.count))
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
             largest = region;
     }
     for (region = work->region; region < work->region + work->regions; region++) {
@@ -10499,17 +10825,18 @@ static paradt_status paradt__take_over(paradt__work *work) {
         memset(&region->patch, 0, sizeof region->patch);
     }
     patch = &largest->patch;
-    if (!patch->bw.cells.lent) paradt__cells_free(&work->slices, &work->memory);
+    if (!patch->build.scene.mesh.lent) paradt__mesh_free(&work->slices, &work->memory);
     status = paradt__patch_take_all(patch, &progress);
     paradt__count_patch(largest);
     largest->hull_facets = patch->hull_facets;
-    if (!status && patch->bw.cells.lent) {
-        work->cells.corners = patch->bw.cells.corners;
-        status = paradt__cells_reserve(&work->cells, patch->bw.cells.count, patch->bw.cells.count, &work->memory);
-        if (!status) paradt__cells_append(&work->cells, &patch->bw.cells);
+    if (!status && patch->build.scene.mesh.lent) {
+        work->cells.corners = patch->build.scene.mesh.corners;
+        status = paradt__mesh_reserve(&work->cells, patch->build.scene.mesh.count, patch->build.scene.mesh.count,
+                                      &work->memory);
+        if (!status) paradt__mesh_append(&work->cells, &patch->build.scene.mesh);
     } else if (!status) {
-        work->cells = patch->bw.cells;
-        memset(&patch->bw.cells, 0, sizeof patch->bw.cells);
+        work->cells = patch->build.scene.mesh;
+        memset(&patch->build.scene.mesh, 0, sizeof patch->build.scene.mesh);
     }
     return status;
 }
@@ -10534,13 +10861,13 @@ static paradt_status paradt__build_patches(paradt__work *work) {
         paradt__region *region = work->region + i;
         paradt__count_region(work->stats, &region->stats);
         work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.bw.memory = &work->memory;
+        region->patch.memory = region->patch.build.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
         paradt__release(&work->memory, work->fields[i].seam);
     }
-    paradt__cells_free(&work->slices, &work->memory);
-    paradt__active_free(&work->seam, &work->memory);
+    paradt__mesh_free(&work->slices, &work->memory);
+    paradt__facets_free(&work->seam, &work->memory);
     if (taken) work->regions = 1;
     return status;
 }
@@ -10572,21 +10899,21 @@ static paradt_status paradt__build_regions(paradt__work *work) {
 
 // The cell of a set of one point, or of none.
 static paradt_status paradt__build_trivial(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
+    paradt__mesh *cells = &work->cells;
     paradt_status status;
     work->regions = 1;
     cells->corners = 1;
-    status = paradt__cells_reserve(cells, 1, 1, &work->memory);
+    status = paradt__mesh_reserve(cells, 1, 1, &work->memory);
     if (status) return status;
     cells->count = work->set.count;
     cells->vertices[0] = 0;
-    cells->neighbors[0] = PARADT__HULL;
+    cells->links[0] = PARADT__HULL;
     return PARADT_OK;
 }
 
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
-    const paradt__cells *cells = &work->cells;
+    const paradt__mesh *cells = &work->cells;
     size_t words = out->point_count / 64 + 1, corners = (size_t)cells->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
@@ -10607,12 +10934,10 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Positions become the caller's indices.
-static void paradt__translate(paradt__work *work) {
-    paradt_index *vertices = work->cells.vertices;
-    const paradt_index *origin = work->set.origin;
-    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i;
-    for (i = 0; i < count; i++) vertices[i] = origin[vertices[i]];
+// Delivers the cells of the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+static void paradt__close(paradt__work *work) {
+    if (!work->translated) work->stats->hull_facets += paradt__mesh_close(&work->cells, work->set.origin, work->facets);
+    paradt__mesh_rest(&work->cells, &work->memory);
 }
 
 // Gives back what the building of cells needs beside the set.
@@ -10631,7 +10956,7 @@ static void paradt__release_helpers(paradt__work *work) {
 // Forgets what a way that gave up has built.
 static void paradt__begin_again(paradt__work *work) {
     paradt__release_helpers(work);
-    paradt__cells_free(&work->cells, &work->memory);
+    paradt__mesh_free(&work->cells, &work->memory);
     work->stats->cells_recomputed = work->stats->hull_facets = 0;
 }
 
@@ -10664,7 +10989,7 @@ static int paradt__is_hollow(const paradt__set *set) {
 
 // Points of the sample that have a neighbour on the other side of the first cut. cells: of the sample; side:
 // [FORETELLING]
-static size_t paradt__count_across(const paradt__cells *cells, unsigned char *side) {
+static size_t paradt__count_across(const paradt__mesh *cells, unsigned char *side) {
     enum { UPPER = 1, ACROSS = 2 };
     size_t corners = (size_t)cells->corners, i, j, count = 0;
     for (i = 0; i < cells->count; i++) {
@@ -10682,10 +11007,9 @@ static size_t paradt__count_across(const paradt__cells *cells, unsigned char *si
 static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
     const paradt__set *set = &work->set;
     paradt__set sample = *set;
-    paradt__cells cells;
+    paradt__mesh cells;
     paradt__counters counters;
     paradt__progress progress;
-    uint64_t hull_facets;
     size_t i;
     unsigned char side[PARADT__FORETELLING];
     paradt_status status = PARADT_OK;
@@ -10704,9 +11028,12 @@ static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
         side[i] = at < work->cuts.cut[work->regions / 2].begin;
     }
     if (!status && paradt__spans(&sample))
-        status = paradt__bowyer_watson(&sample, &work->memory, &cells, 0, &progress, &counters, &hull_facets);
-    if (!status) *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
-    paradt__cells_free(&cells, &work->memory);
+        status = paradt__bowyer_watson(&sample, &work->memory, &cells, &progress, &counters);
+    if (!status && cells.corners) {
+        paradt__mesh_close(&cells, NULL, 0);
+        *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
+    }
+    paradt__mesh_free(&cells, &work->memory);
     paradt__set_free(&sample, &work->memory);
     return status;
 }
@@ -10779,11 +11106,11 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     work->stats->duplicates = points->count - work->set.count;
     loaded = sorted = paradt__now();
     status = paradt__build_by_any(work, &sorted);
-    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.neighbors) {
-        paradt__release(&work->memory, work->cells.neighbors);
-        work->cells.neighbors = NULL;
+    if (!status) paradt__close(work);
+    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.links) {
+        paradt__release(&work->memory, work->cells.links);
+        work->cells.links = NULL;
     }
-    if (!status) paradt__translate(work);
     work->stats->seconds_points = loaded - begun;
     work->stats->seconds_grid = sorted - loaded;
     work->stats->seconds_build = paradt__now() - sorted;
@@ -10791,12 +11118,12 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
 }
 
 static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
-    paradt__cells *cells = &work->cells;
+    paradt__mesh *cells = &work->cells;
     out->dim = work->set.space.dim;
     out->cell_count = cells->count;
     out->cells = cells->vertices;
-    out->neighbors = cells->neighbors;
-    cells->vertices = cells->neighbors = NULL;
+    out->neighbors = cells->links;
+    cells->vertices = cells->links = NULL;
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -10816,6 +11143,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt__memory_begin(&work.memory, options);
     work.stats = &stats;
     out->point_count = points->count;
+    work.facets = (work.options.flags & PARADT_FACETS) != 0;
     work.regions = work.options.regions ? work.options.regions : 1;
     if (work.regions > points->count) work.regions = points->count ? points->count : 1;
     status = paradt__build(&work, points, out);
@@ -10828,7 +11156,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
         stats.cells = out->cell_count;
         stats.regions = work.regions;
     }
-    paradt__cells_free(&work.cells, &work.memory);
+    paradt__mesh_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
     paradt__release(&work.memory, work.cuts.cut);
     if (status) {
@@ -10970,7 +11298,7 @@ static paradt_index paradt__remote_any(paradt__search *s) {
 // Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
 // the set.
 typedef struct paradt__remote_engine {
-    paradt__bw bw;
+    paradt__insertion build;
     paradt_index *order; // of the insertion of the first points
     // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
     // such ones have been, and few more than once
@@ -10979,9 +11307,8 @@ typedef struct paradt__remote_engine {
 } paradt__remote_engine;
 
 static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->bw.memory = memory;
-    paradt__bw_end(&engine->bw);
-    paradt__cells_free(&engine->bw.cells, memory);
+    engine->build.memory = memory;
+    paradt__insertion_end(&engine->build);
     paradt__release(memory, engine->fringe);
     paradt__release(memory, engine->order);
     memset(engine, 0, sizeof *engine);
@@ -11000,9 +11327,9 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
     curve.along = own;
     engine->order = paradt__merged_order(set, own, &curve, low, high, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__bw_begin(&engine->bw, set, engine->order, memory);
-    engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__bw_build(&engine->bw, progress);
+    paradt__insertion_begin(&engine->build, set, engine->order, memory);
+    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&engine->build, progress);
 }
 
 // The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
@@ -11036,9 +11363,10 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
 // Puts a place on the list of the fringe.
 PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
     size_t count = engine->fringe_count;
-    paradt_status status = paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + 1);
+    paradt_status status =
+        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
     if (status) return status;
-    engine->bw.marks[place] |= PARADT__LISTED;
+    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
     engine->fringe[engine->fringe_count++] = (paradt_index)place;
     return PARADT_OK;
 }
@@ -11046,18 +11374,17 @@ PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *en
 // Forgets the list of the fringe, to make it anew.
 static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
     size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->bw.marks[engine->fringe[i]] = 0;
+    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
     engine->fringe_count = 0;
-    paradt__bw_mark_free(&engine->bw);
 }
 
 // Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
 // positions are the own points'.
 PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
                                                         size_t *place) {
-    const paradt__cells *cells = &engine->bw.cells;
-    *place = cells->corners == 4 ? paradt__bw_fringe_from(cells, 4, own, *place)
-                                 : paradt__bw_fringe_from(cells, (size_t)cells->corners, own, *place);
+    const paradt__mesh *cells = &engine->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
     return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
 }
 
@@ -11065,7 +11392,7 @@ PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *e
 static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
     paradt_status status = PARADT_OK;
     size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->bw.cells.count && !status; place++)
+    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
         status = paradt__remote_engine_list(engine, own, &place);
     return status;
 }
@@ -11074,15 +11401,15 @@ static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engin
 // where such cells were.
 static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
                                                   paradt_index position) {
-    paradt__bw *bw = &engine->bw;
+    paradt__insertion *build = &engine->build;
     size_t i;
     paradt_status status;
-    bw->records = set->records;
-    bw->count++;
-    status = paradt__bw_insert_one_more(bw, position, -1);
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt_index made = paradt__bw_made(bw, i);
-        if (!(bw->marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
     }
     return status;
 }
@@ -11091,15 +11418,15 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
 // there; else *facet is -1.
 PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
                                                int *facet) {
-    const paradt__cells *cells = &engine->bw.cells;
+    const paradt__mesh *cells = &engine->build.scene.mesh;
     size_t base = *place * corners;
     int ghost;
     *facet = -1;
     if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
     if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__bw_ghost(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
+    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
+    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
+    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
     return 1;
 }
 
@@ -11120,34 +11447,34 @@ PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_
 // The place on the other side of a facet of what is at a place
 PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
                                                    size_t facet) {
-    return (size_t)engine->bw.cells.neighbors[place * corners + facet] / corners;
+    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
 }
 
 // Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
 PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->bw.marks + place;
+    unsigned char *mark = engine->build.scene.mesh.marks + place;
     if (*mark & PARADT__WAITING) return 0;
     *mark |= PARADT__WAITING;
     return 1;
 }
 
 static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->bw.marks[place] &= (unsigned char)~PARADT__WAITING;
+    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
 }
 
 // Fetches what is at a place ahead of its use.
 PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->bw.cells.vertices, engine->bw.cells.neighbors, place, corners);
+    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
 }
 
 // The same of its vertices' records, and of the marks of what is around it.
 PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
                                                        size_t place) {
-    const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
+    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
     size_t i;
     for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__bw_record(&engine->bw, vertices[i]));
-        PARADT__PREFETCH(engine->bw.marks + paradt__remote_engine_across(engine, corners, place, i));
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
+        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
     }
 }
 
@@ -11156,25 +11483,16 @@ PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engi
                                                paradt_index *vertices, const double **records) {
     size_t i;
     for (i = 0; i < corners; i++) {
-        vertices[i] = engine->bw.cells.vertices[place * corners + i];
-        records[i] = paradt__bw_record(&engine->bw, vertices[i]);
+        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
     }
 }
 
 // No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
 static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt_index *spare = engine->bw.spare;
-    unsigned char *marks = engine->bw.marks;
-    paradt__bw_mark_free(&engine->bw);
-    engine->bw.spare = NULL;
-    engine->bw.marks = NULL;
-    paradt__bw_end(&engine->bw);
+    paradt__insertion_rest(&engine->build);
     paradt__release(memory, engine->order);
-    engine->bw.marks = marks;
-    engine->bw.cavity = engine->bw.rim = engine->order = NULL;
-    engine->bw.ridges = NULL;
-    engine->bw.spheres = NULL;
-    engine->bw.spare = spare;
+    engine->order = NULL;
 }
 
 // What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
@@ -11211,24 +11529,24 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
 // marked as dropped. Returns how many are cells.
 PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
                                                     paradt_index *mark) {
-    const paradt__cells *cells = &engine->bw.cells;
+    const paradt__mesh *cells = &engine->build.scene.mesh;
     size_t count = engine->fringe_count, i, j, left = 0;
     uint64_t others = 0;
     for (i = 0; i < count; i++) {
         paradt_index place = engine->fringe[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__fetch_listed(cells, engine->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
             continue;
         }
-        if (engine->bw.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
         for (j = 0; j < corners && is_cell; j++)
             mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
         others += (uint64_t)is_cell;
-        engine->bw.marks[place] |= PARADT__DROPPED;
+        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
         engine->fringe[left++] = place;
     }
     engine->fringe_count = left;
@@ -11250,16 +11568,16 @@ PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, si
 // others' points have had their vertices marked already.
 PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
                                                paradt_index *mark) {
-    paradt__cells *cells = &engine->bw.cells;
+    paradt__mesh *cells = &engine->build.scene.mesh;
     size_t i, j, count = engine->fringe_count;
     for (i = 0; i < count; i++) {
         size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__fetch_listed(cells, engine->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
         for (j = 0; j < corners; j++) {
-            paradt_index link = cells->neighbors[base + j];
+            paradt_index link = cells->links[base + j];
             const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->bw.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->neighbors[link] = PARADT__OPEN;
+            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
             if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
                 paradt__vertices_among(across, (int)corners, 0, own))
                 paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
@@ -11280,25 +11598,26 @@ PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine 
 // gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
 // cells are dropped since others own them.
 static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__cells *cells, paradt_index *mark) {
-    paradt__bw *bw = &engine->bw;
+                                          paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &engine->build;
     paradt_index own = (paradt_index)set->count;
-    size_t end = bw->cells.count, corners = (size_t)bw->cells.corners, i;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
     // of points without weights none is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
                           : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    bw->cells.count -= bw->spare_count + engine->fringe_count;
-    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
-    paradt__bw_fill_gaps(bw, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < bw->cells.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, bw->cells.vertices + i * corners, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, bw->spare);
-    paradt__release(memory, bw->marks);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
     paradt__release(memory, engine->fringe);
-    *cells = bw->cells;
+    *cells = build->scene.mesh;
     memset(engine, 0, sizeof *engine);
     return others;
 }
@@ -11310,7 +11629,7 @@ typedef struct paradt__remote_part {
     paradt__grid grid;
     paradt__cuts cuts;
     uint32_t *owner; // [set.count]
-    paradt__cells cells;
+    paradt__mesh cells;
 } paradt__remote_part;
 
 // Builds one region of a loaded set facet by facet.
@@ -11338,7 +11657,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     if (!status) status = paradt__choose_front(method)(&front);
     paradt__count_front(stats, &front);
     paradt__front_end(&front);
-    part->cells = front.cells;
+    part->cells = front.mesh;
     return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
 }
 
@@ -11346,11 +11665,11 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
 static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
     paradt_status status;
     part->cells.corners = 1;
-    status = paradt__cells_reserve(&part->cells, 1, 1, &part->memory);
+    status = paradt__mesh_reserve(&part->cells, 1, 1, &part->memory);
     if (status) return status;
     part->cells.count = region ? 0 : part->set.count;
     part->cells.vertices[0] = 0;
-    part->cells.neighbors[0] = PARADT__HULL;
+    part->cells.links[0] = PARADT__HULL;
     return PARADT_OK;
 }
 
@@ -11373,7 +11692,7 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
 static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
                                            const paradt_options *options, size_t region) {
     paradt__remote_part part;
-    paradt__cells *cells = &part.cells;
+    paradt__mesh *cells = &part.cells;
     paradt_stats stats;
     paradt_status status = PARADT_ERROR_MEMORY;
     double begun = paradt__now();
@@ -11399,15 +11718,15 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
         out->dim = part.set.space.dim;
         out->cell_count = cells->count;
         out->cells = cells->vertices;
-        out->neighbors = cells->neighbors;
-        cells->vertices = cells->neighbors = NULL;
+        out->neighbors = cells->links;
+        cells->vertices = cells->links = NULL;
         stats.cells = out->cell_count;
         stats.duplicates = points->count - part.set.count;
         stats.peak_bytes = part.memory.peak;
         stats.seconds = paradt__now() - begun;
         out->stats = stats;
     }
-    paradt__cells_free(cells, &part.memory);
+    paradt__mesh_free(cells, &part.memory);
     paradt__grid_free(&part.grid, &part.memory);
     paradt__release(&part.memory, part.owner);
     paradt__release(&part.memory, part.cuts.cut);

@@ -431,7 +431,6 @@ typedef struct paradt_mpi__work {
     paradt_mpi__directory directory;
     paradt__remote_engine engine; // insertion, while it goes on
     int inserting;                // it does
-    int handles;                  // it did, so that neighbours of the local cells are places * (dim + 1) + facet
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
     double progress_begin, progress_length;
@@ -576,7 +575,7 @@ static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
     if (options.progress) options.progress = paradt_mpi__progress;
     if (options.parallel_for) options.parallel_for = paradt_mpi__parallel_for;
     options.user = w;
-    options.flags = 0; // hull facets are known by their neighbours
+    options.flags = PARADT_FACETS; // with neighbours: hull facets are known by them
     if (options.memory_limit) {
         uint64_t left = w->memory.limit > w->memory.held ? w->memory.limit - w->memory.held : 0;
         options.memory_limit = left ? (size_t)left : 1;
@@ -1195,7 +1194,7 @@ static paradt_status paradt_mpi__make_room(paradt_mpi__work *w, size_t more) {
     if (!paradt__grow(&w->memory, &array, w->known * w->set.width, room * w->set.width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     w->set.records = (double *)array;
-    if (w->inserting) w->engine.bw.records = w->set.records;
+    if (w->inserting) w->engine.build.scene.records = w->set.records;
     array = w->home;
     if (!paradt__grow(&w->memory, &array, w->known - w->set.count, room - w->set.count, sizeof *w->home))
         return PARADT_ERROR_MEMORY;
@@ -2116,7 +2115,7 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
 // but by rounds, as points that come one beside the other outside of a flat hull make very large stars.
 static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
     paradt__set all = w->set, late = w->set;
-    size_t first = w->engine.bw.count, i;
+    size_t first = w->engine.build.count, i;
     paradt_index *order;
     paradt_status status = PARADT_OK;
     all.count = w->known;
@@ -2164,7 +2163,7 @@ static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
 
 // Places of cells, for paradt_mpi__cell.
 static size_t paradt_mpi__place_count(const paradt_mpi__work *w) {
-    return w->inserting ? w->engine.bw.cells.count : w->local.cell_count;
+    return w->inserting ? w->engine.build.scene.mesh.count : w->local.cell_count;
 }
 
 // What is to be asked for the sake of a place: about a sphere, that of the cell at *place then, and about the facets on
@@ -2493,7 +2492,7 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k,
 // Lists the fringe, and of what has own vertices in it the places of suspects; tells of vertices. k: of a cell.
 PARADT__INLINE paradt_status paradt_mpi__list_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
                                                      paradt_mpi__places *suspects, const unsigned char *outer) {
-    const paradt__cells *cells = &w->engine.bw.cells;
+    const paradt__mesh *cells = &w->engine.build.scene.mesh;
     paradt_index own = (paradt_index)w->set.count;
     paradt_status status = PARADT_OK;
     size_t at = 0;
@@ -2849,74 +2848,56 @@ PARADT__INLINE int paradt_mpi__owns(const paradt_mpi__work *w, size_t k, const p
     return w->options.flags & PARADT_MPI_REPLICATED || paradt__remote_owns(cell, k, own, mark);
 }
 
-// In the neighbours of a cell, if it is one, the number of a cell becomes another. It is there once; where cannot be
-// foreseen, so there is no branch.
-PARADT__INLINE void paradt_mpi__rename_across(paradt_index *neighbors, size_t k, paradt_index cell, paradt_index was,
-                                              paradt_index is) {
-    paradt_index *links;
-    size_t j;
-    if (cell < 0) return;
-    links = neighbors + (size_t)cell * k;
-    for (j = 0; j < k; j++) links[j] = links[j] == was ? is : links[j];
-}
-
-// Takes an other's cell out. mark: see paradt_mpi__keep_own.
-PARADT__INLINE void paradt_mpi__drop_cell(paradt_mpi__work *w, size_t k, size_t c, paradt_index *mark) {
-    size_t j;
-    for (j = c * k; j < (c + 1) * k; j++) {
-        mark[w->local.cells[j]] |= PARADT__VERTEX;
-        paradt_mpi__rename_across(w->local.neighbors, k, w->local.neighbors[j], (paradt_index)c, PARADT__OPEN);
-    }
-}
-
-PARADT__INLINE void paradt_mpi__move_cell(paradt_mpi__work *w, size_t k, size_t from, size_t to) {
-    size_t j;
-    paradt_index *neighbors = w->local.neighbors;
-    memcpy(w->local.cells + to * k, w->local.cells + from * k, k * sizeof *neighbors);
-    memcpy(neighbors + to * k, neighbors + from * k, k * sizeof *neighbors);
-    for (j = to * k; j < (to + 1) * k; j++)
-        paradt_mpi__rename_across(neighbors, k, neighbors[j], (paradt_index)from, (paradt_index)to);
-}
-
 // Drops others' cells of k vertices, and fills the gaps that they leave from the end, so that nearly all cells keep
 // their numbers. mark: [known], gets what the cells make of each point; says before which are a later rank's. Returns
 // how many are left.
-PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, size_t k, paradt_index *mark) {
-    size_t end = w->local.cell_count, c;
-    const paradt_index *cells = w->local.cells;
+PARADT__INLINE size_t paradt_mpi__keep_own(paradt_mpi__work *w, const paradt__mesh *mesh, size_t k,
+                                           paradt_index *mark) {
+    size_t end = mesh->count, c;
     for (c = 0; c < end; c++) {
-        paradt__fetch_row(cells, w->local.neighbors, c + PARADT__ROWS_AHEAD, k);
-        if (!PARADT__LIKELY(paradt_mpi__owns(w, k, cells + c * k, mark))) {
-            paradt_mpi__drop_cell(w, k, c, mark);
-            for (end--; end > c && !paradt_mpi__owns(w, k, cells + end * k, mark); end--)
-                paradt_mpi__drop_cell(w, k, end, mark);
-            if (end == c) break;
-            paradt_mpi__move_cell(w, k, end, c);
+        const paradt_index *cell = mesh->vertices + c * k;
+        paradt__fetch_row(mesh->vertices, mesh->links, c + PARADT__ROWS_AHEAD, k);
+        while (!PARADT__LIKELY(paradt_mpi__owns(w, k, cell, mark))) {
+            paradt__mark_vertices(mark, cell, k, PARADT__VERTEX);
+            paradt__mesh_drop(mesh, c, k, PARADT__OPEN);
+            if (--end == c) return end;
+            paradt__mesh_move(mesh, c, end, k, 0);
         }
-        paradt__mark_vertices(mark, cells + c * k, k, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        paradt__mark_vertices(mark, cell, k, PARADT__VERTEX | PARADT__OF_OWN_CELL);
     }
     return end;
+}
+
+// The local cells as a mesh
+static paradt__mesh paradt_mpi__local_mesh(const paradt_mpi__work *w) {
+    paradt__mesh mesh;
+    paradt__mesh_begin(&mesh, w->out->dim + 1, 0);
+    mesh.count = w->local.cell_count;
+    mesh.vertices = w->local.cells;
+    mesh.links = w->local.neighbors;
+    return mesh;
 }
 
 // Leaves the own cells in w->local, and in mark, [known], what all cells make of each point. Not collective.
 static void paradt_mpi__take_own(paradt_mpi__work *w, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, own = w->set.count, i;
-    paradt__cells cells;
+    paradt__mesh cells;
     for (i = own; i < w->known; i++)
         mark[i] = w->home[i - own].rank > w->rank ? PARADT__OF_LATER_RANK : PARADT__NO_VERTEX;
     if (!w->inserting) {
         for (i = 0; i < own; i++) mark[i] = PARADT__NO_VERTEX;
-        w->local.cell_count = k == 4 ? paradt_mpi__keep_own(w, 4, mark) : paradt_mpi__keep_own(w, k, mark);
+        cells = paradt_mpi__local_mesh(w);
+        w->local.cell_count =
+            k == 4 ? paradt_mpi__keep_own(w, &cells, 4, mark) : paradt_mpi__keep_own(w, &cells, k, mark);
         w->stats.cells_recomputed += made - w->local.cell_count;
         return;
     }
     w->inserting = 0;
-    w->handles = 1;
     w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &w->memory, &cells, mark);
     w->local.dim = w->set.space.dim;
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
-    w->local.neighbors = cells.neighbors;
+    w->local.neighbors = cells.links;
 }
 
 // Numbers the own cells of all ranks.
@@ -2941,24 +2922,15 @@ PARADT__NOINLINE paradt_status paradt_mpi__close_open(paradt_mpi__work *w, size_
     return PARADT_OK;
 }
 
-// Numbers the vertices of all own cells, of k each, and their neighbours where these are handles; lists their facets
-// whose other side is not known, or the hull. own: the cells; a copy, which nothing that is written can change.
-PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const paradt__cells own, size_t k,
+// Numbers the vertices of all own cells, of k each, and their neighbours; lists their facets whose other side is not
+// known, or the hull. own: the cells; a copy, which nothing that is written can change.
+PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const paradt__mesh own, size_t k,
                                                      const paradt_index *number, paradt_mpi__facets *f) {
-    const paradt__rows in_place = paradt__rows_in_place(&own);
-    const int handles = w->handles;
+    const paradt__rows in_place = paradt__mesh_rows((int)k, 0, own.vertices, own.links, 0);
     paradt_status status = PARADT_OK;
-    size_t c, j;
+    size_t c;
     for (c = 0; c < own.count && !status; c++) {
-        paradt_index *vertices = own.vertices + c * k;
-        int open;
-        if (handles) {
-            open = paradt__bw_number(&own, c, k, number, &in_place);
-        } else {
-            paradt__fetch_row(own.vertices, own.neighbors, c + PARADT__ROWS_AHEAD, k);
-            for (j = 0; j < k; j++) vertices[j] = number[vertices[j]];
-            open = own.neighbors && !paradt__vertices_among(own.neighbors + c * k, (int)k, 0, PARADT__NOWHERE);
-        }
+        int open = paradt__mesh_emit_row(&own, c, k, number, &in_place);
         if (!PARADT__LIKELY(!open) && w->out->neighbors) status = paradt_mpi__close_open(w, k, c, f);
     }
     return status;
@@ -2967,11 +2939,8 @@ PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const 
 // The own cells become those of the result. Not collective.
 static paradt_status paradt_mpi__close_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1;
-    paradt__cells own;
-    memset(&own, 0, sizeof own);
-    own.count = w->out->cell_count;
-    own.vertices = w->out->cells = w->local.cells;
-    own.neighbors = w->local.neighbors;
+    paradt__mesh own = paradt_mpi__local_mesh(w);
+    w->out->cells = w->local.cells;
     w->local.cells = NULL;
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
