@@ -1079,21 +1079,21 @@ typedef struct sphere {
     double normal[3], constant, error;
 } sphere;
 
-static const paradt__frame3 unit_cube = {{1, 1, 1}, 3, 0};
+static const paradt__frame unit_cube = {{1, 1, 1}, 3, 0};
 
 static sphere plain_sphere(const sample *s, int sharp) {
     const double *a = s->points[1], *b = s->points[0], *c = s->points[2], *p = s->points[3];
-    const paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
-    const paradt__making3 making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
+    const paradt__centred at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+    const paradt__making making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
     sphere made;
-    const paradt__around3 to_a = paradt__around3_of(making, p, a), to_b = paradt__around3_of(making, p, b);
-    const paradt__around3 to_c = paradt__around3_of(making, p, c);
-    paradt__sphere3_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
+    const paradt__spoke to_a = paradt__spoke_of(making, p, a), to_b = paradt__spoke_of(making, p, b);
+    const paradt__spoke to_c = paradt__spoke_of(making, p, c);
+    paradt__sphere_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
                          &made.error);
     return made;
 }
 
-#if PARADT__BW_AVX2
+#if defined(PARADT__KEPT_AVX2)
 // The same by the copy for AVX2, which makes four at a time: all of them the same here.
 PARADT__AVX2 static sphere avx2_sphere(const sample *s, int sharp) {
     __m256d corner[3][4], at[4], four[4], error;
