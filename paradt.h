@@ -9927,7 +9927,7 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
 // Lists the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
     paradt__insertion *build = &patch->build;
-    paradt_index cell = build->kept ? build->kept->start : build->scene.hint;
+    paradt_index cell = paradt__insertion_start(build);
     size_t i;
     int others = 0;
     paradt_status status = PARADT_OK;
@@ -10028,7 +10028,8 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
     status = paradt__patch_add_all(patch);
     build->order = patch->order;
     if (!status && build->inserted < build->count)
-        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count, -1);
+        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count,
+                                         paradt__insertion_start(build));
     if (!status) status = paradt__insertion_go(build, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
