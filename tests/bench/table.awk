@@ -208,7 +208,7 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
             if (program !~ /\/[kjx][0-9]/ || key == alone || !(key in walls) || !(alone in walls))
                 continue
             if (!shown++)
-                print "\nSpeed-up over one job, undivided: median over rounds, ratio of least times, median as a bar:\n\n```"
+                print "\nSpeed-up over one job, undivided: median over rounds (# is 0.05), ratio of the least times:\n\n```"
             speedup = paired(walls[alone], walls[key])
             marks = ""
             while (length(marks) < int(20 * speedup + 0.5))
