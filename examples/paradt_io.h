@@ -305,6 +305,7 @@ static void paradt_io__skip_blanks(paradt_io__reader *r) {
         r->cur++;
 }
 
+// Is the rest of the line empty or a comment?
 static int paradt_io__at_end_of_line(const paradt_io__reader *r) {
     return r->cur == r->stop || *r->cur == '#';
 }
@@ -647,7 +648,7 @@ static int paradt_io__read_node(paradt_io__reader *r) {
     return 1;
 }
 
-// Reads the keyword [ST][C][N][4][n]OFF, which a file may lack. *dim: 3; 0: the number after the keyword says it.
+// Reads the keyword [ST][C][N][4][n]OFF, which a file may lack. *dim: receives 3, or 0 if the dimension follows.
 static int paradt_io__off_keyword(paradt_io__reader *r, uint64_t *dim) {
     const char *word = r->cur, *begin = word;
     size_t n;
@@ -962,6 +963,7 @@ static int paradt_io__ply_row(paradt_io__reader *r, const paradt_io__ply *ply, i
     return 1;
 }
 
+// Reads all elements of one kind. The vertices become points.
 static int paradt_io__ply_elements(paradt_io__reader *r, const paradt_io__ply *ply, int element) {
     const int vertex = ply->elements[element].vertex;
     uint64_t i, count = ply->elements[element].count;
@@ -1125,6 +1127,7 @@ static double paradt_io__radius(const char *element) {
     return 2.00;
 }
 
+// Returns the character in a column, in upper case; a blank from the end of the line on.
 static char paradt_io__pdb_char(const paradt_io__reader *r, int column) {
     return column <= r->stop - r->cur ? (char)toupper((unsigned char)r->cur[column - 1]) : ' ';
 }
@@ -1149,6 +1152,7 @@ static void paradt_io__pdb_element(const paradt_io__reader *r, char *symbol) {
     symbol[n + (n < 2 && symbol[n])] = '\0';
 }
 
+// Reads a coordinate from 8 columns.
 static int paradt_io__pdb_coordinate(paradt_io__reader *r, int column, double *value) {
     char text[9];
     paradt_io__reader field = *r;

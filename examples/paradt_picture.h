@@ -462,6 +462,7 @@ static float paradt_picture__side(const float *x, const float *y, int a, int b, 
     return (x[b] - x[a]) * (py - y[a]) - (y[b] - y[a]) * (px - x[a]);
 }
 
+// Returns the value, rounded down, within 0..bound.
 static int paradt_picture__clamp(float value, int bound) {
     return value < 0 ? 0 : value > (float)bound ? bound : (int)value;
 }
@@ -590,6 +591,7 @@ typedef struct paradt_picture__deflate {
     int held;      // number of these bits, below 8
 } paradt_picture__deflate;
 
+// Writes up to 16 bits, the lowest first.
 static void paradt_picture__put_bits(paradt_picture__deflate *d, uint32_t bits, int count) {
     d->bits |= bits << d->held;
     for (d->held += count; d->held >= 8; d->held -= 8) {
@@ -631,6 +633,7 @@ static unsigned paradt_picture__class(unsigned value, int bits, int *extra) {
     return value >> bits ? ((unsigned)(top - bits) << bits) + (value >> (top - bits)) : value;
 }
 
+// Writes a match: copies `length` bytes from `distance` bytes before.
 static void paradt_picture__put_match(paradt_picture__deflate *d, unsigned length, unsigned distance) {
     int extra;
     unsigned code = paradt_picture__class(length - 3, 2, &extra);

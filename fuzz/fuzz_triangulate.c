@@ -29,6 +29,7 @@
 
 enum { MAX_POINTS = 64, MAX_DIM = 5, MAX_REGIONS = 9 };
 
+// Prints an error and aborts, which fuzzers notice.
 static void fail(const char *what, const char *detail) {
     fprintf(stderr, "%s: %s\n", what, detail);
     abort();
@@ -173,6 +174,7 @@ static input reversed(const input *in) {
 
 // --- the tests
 
+// The result has to be certified by paradt_check. what: the case, for an error
 static void certify(const paradt_triangulation *t, const paradt_points *points, const char *what) {
     paradt_fault fault;
     paradt_status status = paradt_check(t, points, NULL, &fault);
@@ -180,6 +182,7 @@ static void certify(const paradt_triangulation *t, const paradt_points *points, 
         fail(what, fault.reason ? fault.reason : paradt_status_string(status));
 }
 
+// The points have to be triangulated, with these options, to cells of this hash.
 static void expect_hash(const input *in, const paradt_options *options, uint64_t hash, const char *what) {
     paradt_triangulation t;
     paradt_status status = paradt_triangulate(&t, &in->points, options);
@@ -239,6 +242,7 @@ static void failing_free(void *user, void *memory) {
     free(memory);
 }
 
+// A failing allocation has to be reported, and no memory may be leaked.
 static void expect_clean_failure(const input *in, uint64_t hash) {
     blocks b = {0, 0, 0};
     paradt_options options;

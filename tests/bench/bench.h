@@ -206,6 +206,7 @@ typedef struct bench_index {
     size_t mask;   // number of slots - 1
 } bench_index;
 
+// Returns a hash of the coordinates.
 static inline uint64_t bench_mix(const double *x, int dim) {
     uint64_t h = 0;
     for (int i = 0; i < dim; i++) {
@@ -250,6 +251,7 @@ static inline bench_index bench_index_make(const bench_points *points) {
     return index;
 }
 
+// Returns the index of the point with these coordinates.
 static inline uint64_t bench_index_of(const bench_index *index, const double *x) {
     size_t slot = *bench_slot(index, x);
     if (!slot)

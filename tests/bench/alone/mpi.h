@@ -249,6 +249,7 @@ static double alone_work(const alone_record *record, unsigned long step, int ran
     return sum;
 }
 
+// Sums up the first `steps` steps of a record.
 static alone_sum alone_add_up(const alone_record *record, unsigned long steps) {
     alone_sum sum = {0, 0, 0, 0};
     for (unsigned long step = 0; step < steps; step++) {
@@ -322,6 +323,8 @@ static void alone_combine(void *sum, const void *x, const alone_facts *f) {
     case MPI_DOUBLE: alone_combine_doubles((double *)sum, (const double *)x, f->count, f->op); break;
     }
 }
+
+// Each alone_finish_... moves the data of one kind of collective call.
 
 static void alone_finish_allreduce(void *context) {
     const alone_facts *f = (const alone_facts *)context;
