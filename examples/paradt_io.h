@@ -49,7 +49,7 @@ extern "C" {
 typedef enum paradt_io_status {
     PARADT_IO_OK,
     PARADT_IO_BAD_INPUT, // the input can't be read, or has a number that is not finite
-    PARADT_IO_BAD_NAME,  // an input or output with this name can't be
+    PARADT_IO_BAD_NAME,  // the name of an input or output can't be used
     PARADT_IO_FAILED     // there is no memory, or the output can't be written
 } paradt_io_status;
 
@@ -59,7 +59,7 @@ typedef struct paradt_io_error {
 } paradt_io_error;
 
 typedef struct paradt_io_want {
-    int dim;     // number of coordinates to read of each point; 0: as many as the file has
+    int dim;     // number of coordinates to read of each point; 0: as many as the format or the file has
     int weights; // nonzero: the column after the coordinates is the weight
 } paradt_io_want;
 
@@ -70,7 +70,7 @@ typedef struct paradt_io_points {
     double *weights;     // [count], from malloc; NULL: no weights
 } paradt_io_points;
 
-// Reads a file, "-" or "gen:...". want: NULL is all zero. Returns 1, or 0 with the error filled in and no points.
+// Reads a file, "-" or "gen:...". want: NULL: all zero. Returns 1, or 0 with the error filled in and no points.
 int paradt_io_read(paradt_io_points *points, const char *input, const paradt_io_want *want, paradt_io_error *error);
 void paradt_io_free(paradt_io_points *points);
 
@@ -81,6 +81,7 @@ typedef struct paradt_io_staged {
     char *former; // during the commit: a second name of the file that has `name`; NULL: there is no such file
 } paradt_io_staged;
 
+// All output files of a run
 typedef struct paradt_io_stage {
     paradt_io_staged *files;
     size_t capacity;
@@ -91,7 +92,8 @@ enum { PARADT_IO_FILES_PER_OUTPUT = 3 }; // most files that one paradt_io_write 
 
 // Makes an empty stage for `capacity` files. Returns 1, or 0 with the error filled in.
 int paradt_io_stage_init(paradt_io_stage *stage, size_t capacity, paradt_io_error *error);
-// Gives all files their final names. Returns 1; after an error 0, and no file is left: those replaced are back.
+// Gives all files their final names. Returns 1, or 0 with the error filled in: then no new file is left, and files that
+// were replaced already are back.
 int paradt_io_stage_commit(paradt_io_stage *stage, paradt_io_error *error);
 // Removes the temporary files. May be called by a signal handler.
 void paradt_io_stage_abort(paradt_io_stage *stage);
@@ -106,8 +108,8 @@ void paradt_io_stage_guard(paradt_io_stage *stage);
 int paradt_io_check_place(const char *name, const char *input, paradt_io_error *error);
 // Checks, too, that the extension is known and that the format can hold points of this dimension (0: not known yet).
 int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error);
-// Writes one output, of up to PARADT_IO_FILES_PER_OUTPUT files, into the stage. Returns 1, or 0 with the error filled
-// in.
+// Writes one output, of up to PARADT_IO_FILES_PER_OUTPUT files, into the stage. The triangulation has to have
+// neighbours, except for .vtu and .npy. Returns 1, or 0 with the error filled in.
 int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
                     const paradt_triangulation *triangulation, paradt_io_error *error);
 // Writes a text into the stage as a file. Returns 1, or 0 with the error filled in.
