@@ -75,8 +75,8 @@ static void rank_program(int rank) {
     free(coordinates);
 }
 
-// Lets the process keep freed memory for later runs. Otherwise new pages would decide which rank is the slowest: they
-// may take ten times as long for one rank as for another.
+// Lets the process keep freed memory for later runs. Otherwise new pages would decide which rank is the slowest, because
+// they may take far longer for one rank than for another.
 static void keep_memory(void) {
 #ifdef __GLIBC__
     mallopt(M_ARENA_MAX, 1);
@@ -85,7 +85,7 @@ static void keep_memory(void) {
 #endif
 }
 
-// one: the time of one rank
+// Prints a row of the table. one: time of one rank
 static void print_row(const char *points, const study_row *row, double one) {
     alone_sum sum = alone_add_up(&row->record, row->steps);
     double n = (double)study.spec.count, ranks = row->ranks, time = sum.computing + sum.messaging;

@@ -16,7 +16,7 @@
 //
 // Touched pages. A rank waits for seconds here, while a rank of a cluster waits for milliseconds, and the host of a
 // virtual machine takes back pages that are idle so long. Therefore the memory of a rank from alone_alloc is touched
-// when it is allocated and before each turn of the rank. Touching is not timed.
+// when it is allocated, and after each long wait of the rank. Touching is not timed.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
