@@ -75,8 +75,8 @@ static void rank_program(int rank) {
     free(coordinates);
 }
 
-// Lets the process keep freed memory for later runs. Otherwise new pages would decide which rank is the slowest, because
-// they may take far longer for one rank than for another.
+// Lets the process keep freed memory for later runs. Otherwise new pages would decide which rank is the slowest: they
+// may take far longer for one rank than for another.
 static void keep_memory(void) {
 #ifdef __GLIBC__
     mallopt(M_ARENA_MAX, 1);
