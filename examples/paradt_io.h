@@ -1693,13 +1693,13 @@ static void paradt_io__put_node(paradt_io__writer *w) {
     }
 }
 
-// Writes one line a cell: the number of the cell and its row. rows: [cell_count][dim + 1]
+// Writes one line a cell: the number of the cell and its row. rows: [cell_count][dim + 1]; NULL: all are -1
 static void paradt_io__put_table(paradt_io__writer *w, const paradt_index *rows) {
     size_t i, columns = (size_t)(w->t->dim + 1), k;
     for (i = 0; i < w->t->cell_count; i++) {
         paradt_io__put_int(&w->out, ' ', (int64_t)i);
         for (k = 0; k < columns; k++)
-            paradt_io__put_int(&w->out, ' ', (int64_t)rows[i * columns + k]);
+            paradt_io__put_int(&w->out, ' ', rows ? (int64_t)rows[i * columns + k] : -1);
         paradt_io__put(&w->out, "\n", 1);
     }
 }
