@@ -1330,15 +1330,15 @@ static int paradt_io__generate(paradt_io_points *points, const char *name, const
                                paradt_io_error *error) {
     paradt_gen_spec spec;
     const char *reason = paradt_gen_parse(&spec, name);
-    size_t room;
+    size_t capacity;
     if (reason)
         return paradt_io__error(error, PARADT_IO_BAD_NAME, "%.700s: %s", name, reason);
     points->dim = want->dim ? want->dim : 3;
     points->count = spec.count;
-    room = spec.count ? spec.count : 1;
-    points->coordinates = (double *)malloc(room * (size_t)points->dim * sizeof(double));
+    capacity = spec.count ? spec.count : 1;
+    points->coordinates = (double *)malloc(capacity * (size_t)points->dim * sizeof(double));
     if (want->weights)
-        points->weights = (double *)malloc(room * sizeof(double));
+        points->weights = (double *)malloc(capacity * sizeof(double));
     if (!points->coordinates || (want->weights && !points->weights))
         return paradt_io__no_memory(error, name);
     paradt_gen_points(&spec, points->dim, 0, spec.count, points->coordinates);
