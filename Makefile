@@ -47,7 +47,9 @@ PROVIDED := $(T)/have.mk
 -include $(if $(filter test-programs test-list,$(MAKECMDGOALS)),$(PROVIDED))
 
 C_TESTS      := $(sort $(wildcard tests/*.c))
-SHELL_TESTS  := $(filter-out tests/run.sh tests/setup.sh,$(sort $(wildcard tests/*.sh)))
+# Without tests/structure.sh in this list the test of the headers' structure runs like the others.
+NO_TESTS     := tests/run.sh tests/setup.sh tests/structure.sh
+SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/*.c))
 # A test program that includes gmp.h or one of these headers needs GMP; cgal.h, CGAL.
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
@@ -73,7 +75,9 @@ CGAL_OBJECTS  := $(patsubst tests/%.cc,$(T)/%.o,$(sort $(wildcard tests/cgal_*.c
 GMP_LIBRARY   := $(if $(HAVE_GMP),-lgmp)
 # Enough for the lines of a backtrace; to follow variables would take a third of the compiler's time.
 TRACES        := -g1
-SANITIZE      := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+# Test programs check the library's invariants; the sanitized ones verify the mesh too (tests/asserts.h).
+ASSERTS       := -include tests/asserts.h
+SANITIZE      := -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 
 test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
 
@@ -84,19 +88,19 @@ $(patsubst tests/%.c,$(T)/races/%,$(OPAQUE)): $(T)/races/paradt.o
 $(T)/paradt.o: MANNER = -O2
 $(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE)
 $(T)/races/paradt.o: MANNER = -O2 -fsanitize=thread
-%/paradt.o: paradt.h
+%/paradt.o: paradt.h tests/asserts.h
 	@mkdir -p $(@D)
-	echo '#include "paradt.h"' | $(CC) $(MANNER) $(TRACES) $(WARNINGS) -I. -DPARADT_IMPLEMENTATION -x c -c -o $@ -
+	echo '#include "paradt.h"' | $(CC) $(MANNER) $(TRACES) $(ASSERTS) $(WARNINGS) -I. -DPARADT_IMPLEMENTATION -x c -c -o $@ -
 
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
+	$(CC) -O2 $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
 	$(CXX) -o $@ $@.o $(filter %.o,$^) -pthread -lcmocka -lmpfr -lgmp -lm
 
 # Without NDEBUG CGAL asserts its own exactness; -frounding-math is what its interval arithmetic asks for.
@@ -107,17 +111,17 @@ $(T)/cgal_%.o: tests/cgal_%.cc
 $(T)/sanitized/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -Og $(TRACES) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -Og $(TRACES) $(ASSERTS) $(SANITIZE) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/races/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O2 $(TRACES) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O2 $(TRACES) $(ASSERTS) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/fuzz/%: fuzz/%.c $(T)/$(if $(HAVE_SANITIZERS),sanitized/)paradt.o
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -Og $(TRACES) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) \
+	$(CC) -Og $(TRACES) $(ASSERTS) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) \
 	    -I. -o $@ $< $(filter %.o,$^) -lm
 
 $(T)/families: tests/programs/families.c

@@ -1,5 +1,5 @@
-// Insertion: stars of all sizes, and in three dimensions the numbers that their vertices have, and the errors of powers.
-#define PARADT_STATIC // what is not called is not compiled
+// Insertion: stars of all sizes; in three dimensions also the numbers of their vertices, and the errors of powers.
+#define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
 
@@ -19,7 +19,7 @@ static int stops(void *user, double fraction) {
     return fraction > 0;
 }
 
-// Points in the order in which they are given; all of them, or as many as come before the first report.
+// Inserts points in the given order: all of them, or those before the first report of progress.
 static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
     paradt_points given = {x, points, dim, 0, PARADT_F64, NULL};
     paradt__progress progress = {all ? NULL : stops, NULL, 0, 1};
@@ -32,7 +32,7 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
     assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
-    // the set is along a curve, set.origin says whose point each is
+    // The set is sorted along a curve; set.origin[i] is the caller's index of point i.
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
     assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
@@ -53,7 +53,7 @@ static double random_coordinate(uint64_t i) {
     return (double)(paradt__mix(i) >> 11) * 0x1p-53;
 }
 
-// Numbers that are about to reach their end begin again: all becomes as without that.
+// Numbers that approach their limit begin again from the start. The result is the same as without that.
 static void numbers_of_vertices_begin_again(void **state) {
     static double x[3 * POINTS];
     building plain, again;
@@ -68,7 +68,7 @@ static void numbers_of_vertices_begin_again(void **state) {
     again.build.kept->next_number = PARADT__LAST_NUMBER - 40000;
     assert_int_equal(paradt__insertion_go(&again.build, &silent), PARADT_OK);
     assert_true(again.build.kept->next_number > before);
-    assert_true(again.build.kept->next_number < PARADT__LAST_NUMBER - 40000); // some 70 insertions took it there
+    assert_true(again.build.kept->next_number < PARADT__LAST_NUMBER - 40000); // they began again after some 70 insertions
     assert_int_equal(again.build.scene.mesh.count, plain.build.scene.mesh.count);
     assert_memory_equal(again.build.scene.mesh.vertices, plain.build.scene.mesh.vertices,
                         plain.build.scene.mesh.count * 4 * sizeof(paradt_index));
@@ -78,7 +78,7 @@ static void numbers_of_vertices_begin_again(void **state) {
     end(&again);
 }
 
-// A point on a sphere, rounded
+// Makes a point on the unit sphere, up to rounding.
 static void on_sphere(double *p, uint64_t i) {
     double length = 0;
     for (; length < 0.01 || length > 1; i += 1000000007) {
@@ -91,7 +91,7 @@ static void on_sphere(double *p, uint64_t i) {
     for (size_t j = 0; j < 3; j++) p[j] /= sqrt(length);
 }
 
-// Cells that share a facet must say so of each other, and have its vertices.
+// Cells that share a facet must link to each other and share the facet's vertices.
 static void check_links(const paradt__insertion *build) {
     for (size_t c = 0; c < build->scene.mesh.count; c++) {
         const paradt_index *vertices = build->scene.mesh.vertices + 4 * c;
@@ -109,8 +109,7 @@ static void check_links(const paradt__insertion *build) {
     }
 }
 
-// After the middle of a sphere, with a cell for each of 49,996 facets, come others, whose stars have some of its
-// vertices.
+// The middle of a sphere makes a cell for each of 49,996 facets. The stars of later points share some of its vertices.
 static void stars_after_a_very_large_one_are_whole(void **state) {
     static double x[3 * MOST_POINTS];
     (void)state;
@@ -126,12 +125,12 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
     end(&b);
 }
 
-// A large star makes the table of ridges large. It is empty after every star, so that nobody has to clear it.
+// A large star makes the table of ridges large. The table is empty after every star, so nobody has to clear it.
 static void a_large_star_does_not_slow_what_follows(void **state) {
     (void)state;
     static double x[2 * POINTS];
     building b;
-    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes when half of its points are there
+    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes after half of the circle's points
         x[2 * i] = i == POINTS / 2 ? 0.0 : cos(2e-3 * (double)i);
         x[2 * i + 1] = i == POINTS / 2 ? 0.0 : sin(2e-3 * (double)i);
     }
@@ -141,7 +140,7 @@ static void a_large_star_does_not_slow_what_follows(void **state) {
     end(&b);
 }
 
-// The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
+// The middle of a rounded sphere comes last: it replaces all cells by one cell for each hull facet.
 static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     static const size_t sizes[] = {20, 31, 33, 100, 129, 131, 500, 1025, 1027, 3000, 30000};
     static double x[3 * MOST_POINTS];
@@ -176,7 +175,7 @@ typedef struct exact_vector {
     mpq_t at[3], square;
 } exact_vector;
 
-// to - from
+// Sets v to `to` - `from`.
 static void exact_begin(exact_vector *v, const double *from, const double *to) {
     mpq_t x;
     mpq_init(x);
@@ -216,7 +215,7 @@ static void exact_add_determinant(mpq_t sum, const mpq_t factor, const exact_vec
     mpq_clear(y);
 }
 
-// The power of x with regard to the sphere through four points, exactly, less what it is said to be: as a double, rounded
+// Returns the error of `power`: its distance from the exact power of x with regard to the sphere through four points.
 static double error_of_power(double power, const double *const *v, const double *x) {
     exact_vector a, b, c, f;
     mpq_t one, det, sum, said;
@@ -244,7 +243,7 @@ static double error_of_power(double power, const double *const *v, const double 
     return error;
 }
 
-// Powers are as exact as they say, which is seldom too little to tell anything.
+// Computed powers are within their error bounds, and few of the bounds are too large to tell a power's sign.
 static void check_powers(const building *b) {
     enum { EVERY = 23, OTHERS = 4 };
     size_t asked = 0, vague = 0;
@@ -253,7 +252,7 @@ static void check_powers(const building *b) {
         const double *v[4];
         if (vertices[0] == PARADT__DEAD || paradt__ghost_place(vertices, 4) >= 0) continue;
         for (int i = 0; i < 4; i++) v[i] = paradt__scene_record(&b->build.scene, vertices[i]);
-        for (size_t k = 0; k < 4 + OTHERS; k++) { // the points across its facets, and some from anywhere
+        for (size_t k = 0; k < 4 + OTHERS; k++) { // the apexes of the neighbours, and some other points
             paradt_index other = (paradt_index)(paradt__mix(at + k) % b->set.count);
             if (k < 4) other = b->build.scene.mesh.vertices[b->build.scene.mesh.links[4 * at + k]];
             if (other < 0) continue;
@@ -288,7 +287,7 @@ static void powers_are_as_exact_as_they_say(void **state) {
     }
 }
 
-// Near a sphere, wherever it is, whatever its size and the noise, they tell what the in-sphere filter can't.
+// Near a sphere of any place and size, with or without noise, powers decide what the in-sphere filter can't.
 static void powers_by_sagittas_tell_more(void **state) {
     static const struct {
         double centre[3], radius, noise;
@@ -312,7 +311,7 @@ static void powers_by_sagittas_tell_more(void **state) {
     }
 }
 
-// A plane, far from the origin or not, is no part of a large sphere.
+// Points near a plane, far from the origin or not, are not taken for points near a large sphere.
 static void near_a_plane_there_are_no_sagittas(void **state) {
     static double x[3 * POINTS];
     (void)state;

@@ -251,7 +251,7 @@ echo "1..$number"
 build() { # name of a program, compiler flags
     program=$1
     shift
-    mpicc "$@" -g1 -Wall -Wextra -Wshadow -I. -Itests -Itests/programs -o "$work/$program" tests/programs/mpi.c -lm \
+    mpicc "$@" -g1 -include tests/asserts.h -Wall -Wextra -Wshadow -I. -Itests -Itests/programs -o "$work/$program" tests/programs/mpi.c -lm \
         >"$work/$program.log" 2>&1
 }
 run() { # name of a group, of the program
@@ -276,9 +276,9 @@ run shares plain
 # Weights, where points that come late make others hidden, and errors: with the sanitizers where they work. Errors also
 # where space is cut anew, as for all sets in this program.
 anew="-DPARADT_MPI__WORTH=0 -DPARADT_MPI__MUCH=0.0"
-sanitize="-Og -fsanitize=address,undefined -fno-sanitize-recover=all"
+sanitize="-Og -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize-recover=all"
 echo 'int main(void) { return 0; }' >"$work/probe.c"
-mpicc $sanitize "$work/probe.c" -o "$work/probe" 2>/dev/null || sanitize=-O2
+mpicc $sanitize "$work/probe.c" -o "$work/probe" 2>/dev/null || sanitize="-O2 -DPARADT_VERIFY"
 build sanitized $sanitize
 run weights sanitized
 build anew $anew $sanitize
