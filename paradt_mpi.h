@@ -1,15 +1,16 @@
 // paradt_mpi.h - v0.1.0 - exact Delaunay and regular triangulations on many machines - public domain or MIT-0
 //
-// paradt.h spread over the ranks of an MPI communicator. Each rank hands in some of the points and gets some of the
-// cells: together those of paradt_triangulate, each once, whatever the number of ranks and whoever had which point.
+// paradt.h on the ranks of an MPI communicator. Each rank hands in some of the points and gets some of the cells. All
+// ranks together get the cells of paradt_triangulate, each cell once, whatever the number of ranks and whichever rank
+// handed in which point.
 //
-// DO THIS in one C or C++ file of the program; it brings the implementation of paradt.h with it, so that no other file
-// defines PARADT_IMPLEMENTATION:
+// DO THIS in one C or C++ file of the program. It includes the implementation of paradt.h, so no other file defines
+// PARADT_IMPLEMENTATION:
 //
 //     #define PARADT_MPI_IMPLEMENTATION
 //     #include "paradt_mpi.h"
 //
-// A whole program. Every rank makes a thousand points, and all of them together are triangulated:
+// A whole program. Each rank makes a thousand points, and the points of all ranks are triangulated together:
 //
 //     #define PARADT_MPI_IMPLEMENTATION
 //     #include "paradt_mpi.h"
@@ -34,8 +35,8 @@
 //
 //     mpicc -O3 -o many many.c -lm && mpiexec -n 4 ./many
 //
-// It needs MPI 3 and what paradt.h needs. PARADT_STATIC, PARADT_INDEX64 and the other macros of paradt.h hold here too;
-// PARADT_DEF stands before each public function.
+// It needs MPI 3 and what paradt.h needs. PARADT_STATIC, PARADT_INDEX64 and the other macros of paradt.h apply here
+// too; PARADT_DEF stands before each public function.
 //
 // CONTENTS
 //
@@ -45,147 +46,161 @@
 //
 // POINTS
 //
-// A rank hands in any share of the points, as to paradt_triangulate: all of them, some, or none. Each point is handed
-// in by one rank. Global ids number them through, from 0: those of rank 0 in their order, then those of rank 1, and so
-// on. `dim` must be the same on all ranks, also on one without points; the type of the coordinates and the stride may
-// differ. Weights are for all points or for none; where a rank has no points, they do not matter.
+// Each point is handed in by exactly one rank. A rank may hand in any part of the points, as to paradt_triangulate: all
+// of them, some, or none. Global ids number all points consecutively from 0: the points of rank 0 in their order, then
+// those of rank 1, and so on. `dim` must be the same on all ranks, also on a rank without points; the type of the
+// coordinates and the stride may differ. Either all ranks with points have weights or none has.
 //
 //
 // RESULT
 //
-// The cells of a rank are `cells`, with k = t.dim + 1 vertices each. These are positions in a table of vertices, which
-// has their global ids and coordinates:
+// A rank's cells are in `cells`, with k = t.dim + 1 vertices each. A vertex is a position in a table, which has the
+// global ids and the coordinates of all vertices of the rank's cells:
 //
-//     t.cells[i * k + j]        vertex j of cell i, a position in the table
-//     t.vertices[v]             its global id
-//     t.coordinates[v * t.ambient + a]
-//     t.neighbors[i * k + j]    the cell opposite that vertex: a position too, see below, or -1 on the hull
-//     t.first_cell + i          the number of cell i
-//     t.representative[p]       of the points that this rank handed in: the global id of the vertex that stands for it
+//     t.cells[i * k + j]                    vertex j of cell i: a position in the table
+//     t.vertices[v]                         the global id of vertex v
+//     t.coordinates[v * t.ambient + a]      its coordinate on axis a
+//     t.neighbors[i * k + j]                the cell opposite vertex j of cell i, or -1 on the hull; see below
+//     t.first_cell + i                      the number of cell i
+//     t.representative[p]                   of point p that this rank handed in: the global id of the vertex that
+//                                           stands for it, or -1 if it is hidden
 //
-// Numbers of cells run through all ranks: rank r has those from first_cell to first_cell + cell_count - 1. A neighbour
-// n < cell_count is that cell of this rank; from there on it is another rank's, whose number is
-// t.others[n - cell_count]. So values by cell, of the own cells and behind them of the others, can be read at a
-// neighbour's position; and
+// Cells are numbered through all ranks: this rank has the numbers from first_cell to first_cell + cell_count - 1. A
+// neighbour n < cell_count is cell n of this rank. A neighbour n >= cell_count is a cell of another rank, whose number
+// is t.others[n - cell_count]. So an array with the values of the own cells, and behind them those of the others'
+// cells, can be indexed by neighbours. The number of the cell opposite vertex j of cell i, on whatever rank it is, is
 //
 //     paradt_mpi_neighbor(&t, i * k + j)
 //
-// is the number of the cell opposite vertex j of cell i, whoever has it. Which rank a cell belongs to depends on the
-// number of ranks; the union does not. The rules for duplicates, hidden points, lower dimensions and orientation are
-// those of paradt.h, with global ids in the place of indices.
+// Which rank gets a cell depends on the number of ranks; the union of all ranks' cells does not. The rules for
+// duplicates, hidden points, lower dimensions and orientation are those of paradt.h, with global ids in the place of
+// indices.
 //
-// Statistics come three times: of this rank, summed over all, and the largest of all. Those of all are the same on
-// every rank.
+// There are three sets of statistics: of this rank, summed over all ranks, and the largest of all ranks. The last two
+// are the same on every rank.
 //
 //
 // HOW IT IS DIVIDED
 //
-// Space is cut into as many boxes as there are ranks: a box is halved across the longest side of its points, so that
-// each side gets its share of the points, until one rank is left for each (recursive coordinate bisection), or its
-// share of space (PARADT_UNIFORM). A rank's share is larger where its box has sides beyond which there is nothing. The
-// cut is found by counting, in parts that are divided again, so that no rank has all points at any time. A point on a
-// cut belongs to the upper side. Each rank gets the points of its box, its own points, and triangulates a few of them:
-// where that makes expect that a rank has more than 1.25 times the mean work, as with a lattice here and points in
-// general position there, or the same point often, points weigh what they take, at least a quarter of the mean, and
-// space is cut anew. Then each rank:
+// Space is cut into as many boxes as there are ranks. A box is halved across the longest extent of its points, in
+// proportion to the ranks that its halves are for, until each rank has one: by the number of points (recursive
+// coordinate bisection) or by length (PARADT_UNIFORM). Ranks whose boxes are unbounded on more sides have fewer
+// neighbours and get some more points. The cut is found by counting, in rounds, so that no rank ever has all points. A
+// point on a cut belongs to the upper side. Each rank receives the points of its box, its *own points*, and
+// triangulates samples of them. If these predict that some rank has more than 1.25 times the mean work (say, a lattice
+// on one rank and points in general position on another, or one point many times), each point gets a weight
+// proportional to the work that it takes, at least a quarter of the mean, and space is cut again by weight. Then each
+// rank:
 //
-//     1. sends to others those of its points that are near to theirs, and all that are within some margin of their
-//        boxes: a guess that saves work; so each knows a room around its box in which it has all points;
-//     2. triangulates its own points and those it got. Where a cell has points of several ranks for vertices, it sends
-//        the own ones to the others. Then it looks at the cells that have an own vertex, from the hull and from others'
-//        points inwards as far as need be: where a point that it does not have may lie in the cell's sphere, or beyond
-//        its facet on the hull, it sends the rank that may have it the cell;
-//     3. answers for itself: has it a point in conflict with a cell that it got, by the exact test? Then it adds those
-//        of the cell's vertices that are the sender's own points;
-//     4. inserts what came in steps 2 and 3, if there was anything (by a method other than insertion, or in regions of
-//        its own, it triangulates again), and keeps the cells with vertices of its own and none of a rank with a higher
-//        number.
+//     1. sends other ranks those of its points that are close to theirs, and all that are within some margin of their
+//        boxes. That is a guess that saves work. It widens the box in which a rank knows all points: its *complete
+//        box*;
+//     2. triangulates its own points and those it received. Where a cell has points of several ranks for vertices, it
+//        sends those of them that are its own to the others. Then it examines the cells that have an own vertex, from
+//        the hull and from others' points inwards as far as necessary. Where a point that the rank does not know may be
+//        in the cell's sphere, or beyond its hull facet, the rank sends the cell to each rank that may have the point;
+//     3. answers for itself: is one of its own points in conflict with a cell that it was sent, by the exact test? If
+//        so, it adds those vertices of the cell that are the sender's own points;
+//     4. inserts the points that came in steps 2 and 3, if any (by methods other than insertion, or with regions on the
+//        rank, it triangulates again), and keeps the cells that have a vertex of its own and none of a rank with a
+//        higher number.
 //
 //
 // WHY THE CELLS ARE RIGHT
 //
-// Let O(r) be the points of rank r, S(r) those it has in step 2, and T(X) the triangulation of X. Claim: after step 3
-// every rank s has all points p that are joined to one of its own points q by an edge in T(P). Let p belong to rank r.
-// The edge p q is one in the triangulation of any subset of P that holds p and q, so of S(r) and q. If q is in S(r), a
-// cell around p in T(S(r)) has q for a vertex, and p was sent to s. If not, the cells around p change when q comes, so
-// that q is in conflict with one of them; the cells beyond the hull count, which have points strictly outside of a
-// facet in conflict. That cell was sent to s, unless s had all its vertices of O(r) already, for floating point only
-// ever decides that a point can't be in a sphere, and r has all points of its room; and s kept p. So in step 4 the
-// cells of T(P) around a point q of O(s) have all their vertices on rank s. No point is in conflict with them, so they
-// are cells of its triangulation, and as they fill the space around q there are no others. Nothing depends on how much
-// step 1 sent, and there is nothing to repeat.
+// Let O(r) be the own points of rank r, S(r) the points that it has in step 2, and T(X) the triangulation of X; P are
+// all points. Claim: after step 3 each rank s has all points p that are joined to one of its own points q by an edge of
+// T(P).
 //
-// With weights a point may be hidden by others that it has no edge to. Then cells with vertices of other ranks are sent
-// as well, steps 2 to 4 are repeated, and a rank answers a cell with a point that is in conflict with it, until no cell
-// around an own vertex is in conflict with anything.
+// Let p belong to rank r. An edge p q of T(P) is an edge of the triangulation of any subset of P that contains p and q,
+// so also of T(S(r) + q).
 //
-// Points that are nearly on a sphere or in two parallel planes have spheres that reach all boxes and are empty. So the
-// ranks tell each other more than one box: up to 64 of them, around parts of their points; and near a sphere they
-// measure the points from there, as paradt.h does.
+// If q is in S(r), then a cell of T(S(r)) has the vertices p and q, and p was sent to s in step 2.
 //
-// There are sets of which the boxes of all ranks share nearly every cell, or whose spheres no box can tell from each
-// other: points exactly on a sphere, almost on a line, on a cylinder or a helix. Where a rank finds that its questions
-// or answers would take longer than building all of T(P), all points are sent to all ranks, and each builds the whole
-// and keeps its own cells: only then a rank has more than its own points and a seam.
+// If q is not in S(r), then inserting q into T(S(r)) makes an edge to p, so q is in conflict with a cell that has the
+// vertex p. (The space beyond a hull facet counts as a cell: points strictly beyond the facet are in conflict with it.)
+// This cell was sent to s, unless s had been sent all its vertices of O(r) already: floating-point arithmetic only ever
+// decides that a point cannot be in a sphere, and a sphere inside the complete box of r does not contain q, as r knows
+// all points there. On receipt s found q, or another own point, in conflict with the cell and kept p.
+//
+// So in step 4 rank s has all vertices of those cells of T(P) that have a vertex q in O(s). No point is in conflict
+// with such a cell, so it is a cell of the triangulation on s; and as these cells fill the space around q, there are no
+// others. Nothing depends on how much step 1 sent, and nothing is repeated.
+//
+// With weights, a point may be hidden by points that it has no edge to. Then cells with vertices of other ranks are
+// asked about too, a rank also answers with a point that is in conflict with the cell, and steps 2 to 4 are repeated
+// until no cell with an own vertex is in conflict with any point.
+//
+// Points almost on a sphere or in two parallel planes have huge empty spheres, which meet all boxes. Therefore ranks
+// tell each other up to 64 boxes around parts of their points, and near a sphere they measure the points from it, as
+// paradt.h does.
+//
+// For some sets the boxes of all ranks meet nearly every sphere, or no box can distinguish the spheres: points exactly
+// on a sphere, almost on a line, on a cylinder, on a helix. Where a rank finds that its questions or answers would take
+// longer than building all of T(P), all points are sent to all ranks, and each rank builds the whole and keeps its own
+// cells. Only then does a rank have more than its own points and those near its border.
 //
 //
 // REPLICATED POINTS
 //
-// With PARADT_MPI_REPLICATED every rank hands in all points, the same on each. They are not sent anywhere: each rank
-// makes the cells of its box by InCoDe (by DeWall if that is the method; any other is taken for InCoDe), as the regions
-// of paradt.h do, and they talk only to agree on errors and to number and link the cells. That is the thesis'
-// ParaInCoDe. Global ids are the indices, and representative is filled on all ranks alike.
+// With PARADT_MPI_REPLICATED every rank hands in all points, the same on each rank. No points are sent. Each rank makes
+// the cells of its box by InCoDe (by DeWall if that is the method; all others are replaced by InCoDe), like a region of
+// paradt.h. The ranks communicate only to agree on errors and to number and link the cells. That is the thesis'
+// ParaInCoDe. Global ids are the indices, and representative is the same on all ranks.
 //
 //
 // ERRORS
 //
-// All ranks return the same status, that of the first rank that failed; error_rank says which, and error_point the
-// index of the point there (PARADT_ERROR_NOT_FINITE). The statuses are those of paradt.h, and also
+// All ranks return the same status, that of the first rank that failed. error_rank says which rank that was, and
+// error_point, after PARADT_ERROR_NOT_FINITE, the index of the point there. The statuses are those of paradt.h, and
+// also:
 //
-//     PARADT_ERROR_ARGUMENT    ranks that differ in dim, in having weights, in options.flags, in the flags or the
-//                              partition of options.local; replicated points that are not the same
-//     PARADT_ERROR_CANCELLED   a rank's progress callback returned nonzero
+//     PARADT_ERROR_ARGUMENT    ranks differ in dim, in having weights, in options.flags, or in the flags or the
+//                              partition of options.local; or replicated points are not the same
+//     PARADT_ERROR_CANCELLED   the progress callback of some rank returned nonzero
 //
-// They are agreed on at the end of each step, so a rank that fails waits for the others to get there.
+// Ranks agree on the status at the end of each step, so a rank that fails waits until the others get there.
 //
 //
 // MPI
 //
-// The communicator is duplicated at the beginning and the duplicate freed at the end, so that no message meets one of
-// yours. Its error handler is that of your communicator; where that lets MPI calls return, what follows a failed one is
-// undefined. Calls from several threads at once need MPI_THREAD_MULTIPLE and a communicator each. The header neither
-// starts nor ends MPI, prints nothing and aborts nothing. Messages are cut into pieces of PARADT_MPI_PIECE bytes, so
-// that none has too many for an int. All ranks have the same byte order. Their compilers, flags and processors may
-// differ, but with PARADT_MPI_REPLICATED not the results of floating-point arithmetic: there each cuts space by itself.
+// The communicator is duplicated at the beginning and the duplicate is freed at the end, so no message can meet one of
+// yours. The duplicate has your communicator's error handler; if that lets MPI calls return, the behaviour after a
+// failed call is undefined. Concurrent calls from several threads need MPI_THREAD_MULTIPLE and a communicator each. The
+// header neither starts nor ends MPI, prints nothing and aborts nothing. Messages are cut into pieces of
+// PARADT_MPI_PIECE bytes, so that their sizes fit into an int. All ranks must have the same byte order. Compilers,
+// flags and processors may differ between ranks. With PARADT_MPI_REPLICATED the results of floating-point arithmetic
+// must not differ, as each rank cuts space by itself.
 //
 // options.local is for what a rank does alone, which is a paradt_triangulate: method, regions and parallel_for (threads
-// within a rank), progress, memory_limit, allocator. It may differ between ranks but for the partition and the flags.
-// PARADT_AUTO inserts in four dimensions, too, where there are several ranks.
+// within a rank), progress, memory_limit, allocator. It may differ between ranks except for partition and flags. Where
+// there are several ranks, PARADT_AUTO chooses insertion in four dimensions as well.
 //
 //
 // MEMORY
 //
-// All memory but that of MPI itself comes from the rank's options.local.allocator, within its memory_limit. At no time
-// has a rank more than its share of the points (up to five times as many where its points weigh little; more where many
-// are equal or have a coordinate in common), those it handed in, and those near its border, unless all points are sent
-// to all ranks (see above): then each has the memory and the limits of a call of its own for all of them.
+// All memory except MPI's own comes from the rank's options.local.allocator, within its memory_limit. At any time a
+// rank has at most its share of the points, those that it handed in, and those near its border. Its share may be up to
+// five times the mean where its points weigh little, and more where many are equal or have a coordinate in common. If
+// all points are sent to all ranks (see above), each rank has the memory use and the limits of a paradt_triangulate for
+// all of them.
 //
 //
 // COST
 //
-// A rank triangulates its n / p points and those near its border, once by insertion, twice by other methods or where
-// options.local has regions; all points once more where all are sent. Beside that, points are sent once, to their
-// ranks, or twice where they weigh what they take; the cuts take O(n / p log p) time and about 8 log2 p reductions each
-// time; each cell is looked at once more; and what is sent in steps 1 and 2 is proportional to the number of points
-// near the border, for points spread without structure. The rounds do not grow with the number of ranks.
-// stats.seconds_* tell where the time goes.
+// With n points on p ranks, a rank triangulates its n / p points and those near its border: once by insertion, twice by
+// other methods or with regions on the rank, and all n points once more where all are sent. Points are sent to their
+// ranks once, or twice where they are weighed. The cuts take O(n / p log p) time and about 8 log2 p reductions each
+// time. Each cell is examined once more. What is sent in steps 1 and 2 is proportional to the number of points near the
+// border, if points are spread without structure. The number of rounds does not grow with the number of ranks. The
+// timers of the statistics, seconds_*, say where the time goes.
 //
 //
 // LIMITS
 //
-//     a rank    the limits of paradt.h, for its own points and those near its border; for all where all are sent
+//     a rank    the limits of paradt.h, for its own points and those near its border; for all points where all are sent
 //     points    2^63 - 1 in all
-//     ranks     as MPI; each keeps 65 boxes of every other one
+//     ranks     as MPI; each rank keeps 65 boxes of every other one
 //
 //
 // CHANGES
@@ -208,36 +223,36 @@ extern "C" {
 #endif
 
 // paradt_mpi_options.flags
-enum { PARADT_MPI_REPLICATED = 1 }; // every rank hands in all points
+enum { PARADT_MPI_REPLICATED = 1 }; // every rank hands in all points; see REPLICATED POINTS
 
 typedef struct paradt_mpi_options {
-    paradt_options local; // what each rank does alone (see MPI); flags and partition: for all of it
-    unsigned flags;       // 0; PARADT_MPI_REPLICATED
+    paradt_options local; // for what each rank does alone (see MPI); flags and partition: the same on all ranks
+    unsigned flags;       // 0 or PARADT_MPI_REPLICATED, the same on all ranks
 } paradt_mpi_options;
 
-// Fields of paradt_mpi_stats: name, what it counts. Times are wall time, and the sum and maximum of times are too.
+// Fields of paradt_mpi_stats: name, meaning. Times are wall time in seconds.
 #define PARADT_MPI_COUNTERS(X)                                                                                         \
-    X(points, "own points, without duplicates; replicated, rank 0 counts them")                                        \
-    X(points_guessed, "points got from others by the guess")                                                           \
-    X(points_asked, "points got from others because of an edge or a conflict")                                         \
+    X(points, "own points, without duplicates; with replicated points on rank 0 only")                                 \
+    X(points_guessed, "points received from others in step 1")                                                         \
+    X(points_asked, "points received from others in steps 2 and 3")                                                    \
     X(cells, "cells that this rank owns")                                                                              \
-    X(cells_recomputed, "cells made last that are not the rank's own: the duplication")                                \
-    X(cells_asked, "cells sent to others in question")                                                                 \
-    X(rounds, "times that cells were sent in question")                                                                \
-    X(triangulations, "times that this rank triangulated")                                                             \
-    X(duplicates, "points at the place of another")                                                                    \
-    X(hidden, "places of weighted points that are no vertex")                                                          \
+    X(cells_recomputed, "cells of the last local triangulation that other ranks own")                                  \
+    X(cells_asked, "questions to other ranks about cells")                                                             \
+    X(rounds, "rounds of questions")                                                                                   \
+    X(triangulations, "local triangulations made or extended")                                                         \
+    X(duplicates, "points with the coordinates of another point")                                                      \
+    X(hidden, "weighted points that are no vertex; of equal points one is counted")                                    \
     X(hull_facets, "facets with a cell on one side only; 0 with PARADT_NO_NEIGHBORS")                                  \
-    X(bytes_sent, "to other ranks, in messages that cut space, of steps 1 to 4, and that link cells")                  \
-    X(messages_sent, "their number")                                                                                   \
-    X(peak_bytes, "most memory held at once")
+    X(bytes_sent, "bytes sent to other ranks in messages; reductions and broadcasts are not counted")                  \
+    X(messages_sent, "messages sent to other ranks")                                                                   \
+    X(peak_bytes, "largest memory held at one time")
 #define PARADT_MPI_TIMERS(X)                                                                                           \
-    X(seconds_partition, "reading, cutting, sending the points")                                                       \
-    X(seconds_grid, "sorting them, the samples, the boxes, the guess")                                                 \
+    X(seconds_partition, "reading the points, cutting space, sending the points to their ranks")                       \
+    X(seconds_grid, "sorting the points, sampling, grid, boxes, step 1")                                               \
     X(seconds_build, "triangulating")                                                                                  \
-    X(seconds_ask, "asking, answering, and the wait for the slowest")                                                  \
+    X(seconds_ask, "questions and answers, waiting for the slowest rank included")                                     \
     X(seconds_finish, "numbering and linking cells, representatives")                                                  \
-    X(seconds, "all of it")
+    X(seconds, "the whole call")
 
 #define PARADT_MPI__COUNTER(name, about) uint64_t name;
 #define PARADT_MPI__TIMER(name, about)   double name;
@@ -247,57 +262,68 @@ typedef struct paradt_mpi_stats {
 } paradt_mpi_stats;
 
 typedef struct paradt_mpi_triangulation {
-    int dim;                  // affine dimension of all points: dim + 1 vertices a cell; -1: no points
-    int ambient;              // coordinates a point
-    uint64_t cell_total;      // cells of all ranks
-    uint64_t first_cell;      // number of this rank's first cell
-    size_t cell_count;        // cells of this rank
-    paradt_index *cells;      // [cell_count][dim + 1] positions in `vertices`, positively oriented
-    paradt_index *neighbors;  // [cell_count][dim + 1] cell opposite each vertex, cell_count + i: others[i]; or NULL
-    size_t other_count;       // facets across which another rank's cell lies
-    int64_t *others;          // [other_count] the number of that cell
-    size_t vertex_count;      // vertices of this rank's cells
-    size_t vertex_own;        // so many of them, the first, lie in this rank's box; replicated: 0
-    int64_t *vertices;        // [vertex_count] global ids
-    double *coordinates;      // [vertex_count][ambient]
-    uint64_t point_total;     // points of all ranks, as handed in
-    uint64_t first_point;     // global id of this rank's first point
-    size_t point_count;       // points of this rank, as handed in
-    int64_t *representative;  // [point_count] global id of the point itself, or of what stands for it; -1: hidden
-    paradt_mpi_stats stats;   // of this rank
-    paradt_mpi_stats sum;     // over all ranks
-    paradt_mpi_stats largest; // of all ranks
-    int error_rank;           // after an error: the first rank that had it
-    size_t error_point;       // PARADT_ERROR_NOT_FINITE: index of the first such point of that rank; else 0
-    paradt_allocator allocator;
+    int dim;                    // affine dimension of all ranks' points: dim + 1 vertices a cell; -1: no points
+    int ambient;                // coordinates a point
+    uint64_t cell_total;        // cells of all ranks
+    uint64_t first_cell;        // number of this rank's first cell
+    size_t cell_count;          // cells of this rank
+    paradt_index *cells;        // [cell_count][dim + 1] positions in `vertices`; cells are positively oriented
+    paradt_index *neighbors;    // [cell_count][dim + 1] the cell opposite each vertex: n < cell_count: cell n;
+                                // n >= cell_count: others[n - cell_count]; -1: hull. NULL with PARADT_NO_NEIGHBORS,
+                                // and perhaps where there are no cells
+    size_t other_count;         // facets with another rank's cell on the other side
+    int64_t *others;            // [other_count] the number of that cell
+    size_t vertex_count;        // vertices of this rank's cells
+    size_t vertex_own;          // the first vertex_own vertices lie in this rank's box; 0 with PARADT_MPI_REPLICATED
+    int64_t *vertices;          // [vertex_count] global ids
+    double *coordinates;        // [vertex_count][ambient]
+    uint64_t point_total;       // points handed in by all ranks; replicated points are counted once
+    uint64_t first_point;       // global id of this rank's first point
+    size_t point_count;         // points handed in by this rank
+    int64_t *representative;    // [point_count] global id of the vertex that stands for the point; -1: hidden
+    paradt_mpi_stats stats;     // of this rank
+    paradt_mpi_stats sum;       // over all ranks
+    paradt_mpi_stats largest;   // of all ranks
+    int error_rank;             // after an error: the first rank that failed
+    size_t error_point;         // after PARADT_ERROR_NOT_FINITE: index of the first such point on that rank; else 0
+    paradt_allocator allocator; // of the arrays
 } paradt_mpi_triangulation;
 
-// Computes the triangulation of the points of all ranks. Collective over comm.
-//   out      is overwritten, whatever it held. After an error it is empty but for error_rank and error_point.
-//   local    this rank's points, read during the call only; see POINTS.
-//   options  NULL: the defaults. flags, local.flags and local.partition are the same on all ranks.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, the same on all ranks. Thread safety: as MPI allows, with
-// a communicator and an `out` for each call.
+// Triangulates the points of all ranks. Collective over comm.
+//   out      overwritten, whatever it held; freed by paradt_mpi_free. After an error it is empty except for error_rank
+//            and error_point.
+//   local    this rank's points; read during the call only; see POINTS.
+//   options  NULL: the defaults. flags, local.flags and local.partition must be the same on all ranks.
+// Errors, the same on all ranks: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED.
+// Thread safety: concurrent calls need MPI_THREAD_MULTIPLE, a communicator and an `out` each.
+// Cost: see COST and MEMORY.
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
                                                 const paradt_points *local, const paradt_mpi_options *options);
 
-// Gives this rank's arrays back to the allocator they came from, and makes the triangulation all zero. NULL and all
-// zero are fine. Not collective. Thread safety: as free.
+// Frees this rank's arrays and zeroes the triangulation. NULL and a zeroed triangulation are allowed. Not collective.
+// Thread safety: concurrent calls for different triangulations, if the allocator allows them.
 PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *triangulation);
 
-// The number, through all ranks, of the cell behind the facet of cell facet / (dim + 1) opposite its vertex
-// facet % (dim + 1), or -1 on the hull; for a triangulation with neighbours. Not collective. Thread safety: any number
-// of calls at once.
+// Returns the number, through all ranks, of the cell on the other side of a facet, or -1 on the hull.
+//   triangulation  with neighbors
+//   facet          index in neighbors, i * (dim + 1) + j: the facet of cell i opposite its vertex j
+// Not collective. Thread safety: any number of concurrent calls. Cost: constant.
 PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *triangulation, size_t facet);
 
-// The hash of the cells of all ranks, by their global ids: that of paradt_hash for the same points in the order of
-// their ids. Collective over comm; the same on all ranks.
+// Returns the hash of the cells of all ranks by global ids, the same on all ranks: that of paradt_hash for the same
+// points in the order of their ids. Collective over comm, with the triangulations of all its ranks. No errors.
+// Thread safety: concurrent calls need MPI_THREAD_MULTIPLE and a communicator each. Cost: linear in the rank's cells,
+// and one reduction.
 PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *triangulation, MPI_Comm comm);
 
-// Puts the cells together on the rank `root`, as paradt_triangulate would return them for all points there, but for the
-// statistics. On the other ranks *out is empty. Collective over comm, that of paradt_mpi_triangulate; root is the same
-// on all ranks. Memory comes from the allocator of the triangulation. Errors, the same on all ranks: ARGUMENT, MEMORY,
-// TOO_LARGE (more points or cells than paradt.h's limits allow).
+// Gathers the cells of all ranks on rank `root`, as paradt_triangulate would return them there for all points, in some
+// order of cells and with few statistics. Collective over comm, which has the ranks of paradt_mpi_triangulate.
+//   out            overwritten; freed by paradt_free. Empty on the other ranks and after an error.
+//   triangulation  unchanged. Its allocator serves for *out.
+//   root           the same on all ranks
+// Errors, the same on all ranks: ARGUMENT, MEMORY, TOO_LARGE (more points or cells than paradt.h's limits allow).
+// Thread safety: concurrent calls need MPI_THREAD_MULTIPLE and a communicator each. Cost: on the root linear in all
+// cells and points, in time and memory.
 PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm,
                                            const paradt_mpi_triangulation *triangulation, int root);
 
@@ -307,9 +333,24 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 
 #endif // PARADT_MPI_H
 
-// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each uses
-// only what stands above it, and of paradt.h the doors of >>remote, >>memory, >>bits, >>points and >>grid, and of
-// >>bowyer-watson the orders of insertion and what fetches and numbers the rows of cells.
+// The implementation follows; stop here if you only use the API.
+//
+// READING THE IMPLEMENTATION. A point's way through the sections, each of which uses only what stands above it:
+//
+//     rank that hands it in     read into a row (input), sent to the rank whose box it is in (partition)
+//     its home                  a record of the set, under a grid (own); perhaps sent again (weigh)
+//     other ranks               told which boxes the home has (directory); sent the point if they are close (guess)
+//     home and other ranks      triangulated (local). The cells around it are asked about where they could be wrong
+//                               (questions), other ranks answer (answers), and it is sent to whoever needs it and
+//                               inserted there (others, rounds)
+//     rank that owns a cell     a vertex of the result (result)
+//
+// Beneath are the state of a call (call), messages (talk) and lists of points (lists); replicated, triangulate and
+// gather stand at the end. What several ranks must decide alike is said at the head of call, and the numbers that a
+// point has there.
+//
+// Of paradt.h this file uses memory, bits, reading points and sets, the reference sphere, the grid, searches, orders
+// and rows of cells, and remote, which exists for this file.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
