@@ -374,22 +374,25 @@ extern "C" {
 // >>call
 //
 // The state of one call and what every step of it needs: the caller's options as a step of this rank sees them,
-// progress, the account of memory. Functions that call MPI are collective, and so are their callers; comments say
-// "Not collective" where a status is still this rank's own. A rank that fails alone goes on to the next agreement (see
-// >>talk), as the others wait for it there. Decisions that all ranks must share are made in integers, from the results
-// of reductions; where floating-point arithmetic decides, rank 0 decides for all.
+// progress, the account of memory.
 //
-// A point has several numbers here:
+// A function that calls MPI is collective, and so are its callers: all ranks call it together. A status is either this
+// rank's own or agreed, that is, the same on all ranks. A rank that fails alone goes on to the next agreement (see
+// >>talk), where the others wait for it. What all ranks must decide alike is decided in integers, from the results of
+// reductions; where floating-point arithmetic is needed, rank 0 decides for all.
+//
+// A point has several numbers:
 //
 //     id         its global id, the same on all ranks
-//     position   its place among the records of this rank (set.records): the own points first, [0, set.count), then
-//                those of other ranks that this rank has received, [set.count, known)
-//     home       the rank whose box holds it, and its position there: what ranks call a point by in messages
-//     received   its place among the points that this rank got for its box, duplicates included, in the order of ids
-//     vertex     its place in the result's table of vertices
+//     position   the index of its record on this rank, in set.records: the own points first, [0, set.count), then the
+//                points received from other ranks, [set.count, known)
+//     home       the rank whose box contains it, and its position there: how messages name a point
+//     received   its index among the points that this rank received for its box, duplicates included, by ascending id
+//     vertex     its index in the result's table of vertices
 //
-// A cell's place is its number in the local triangulation, a ghost's too while points are inserted. A facet's handle is
-// place * (dim + 1) + the place of the opposite vertex.
+// A place is the index of a cell in the local triangulation, and while points are inserted also of a ghost. The handle
+// of a facet is place * (dim + 1) + the number of the opposite vertex. k is the number of vertices a cell, dim + 1;
+// inlined functions are called with the constant 4 in three dimensions, so that loops over vertices are unrolled.
 //
 // Doors: paradt_mpi__progress, paradt_mpi__check_cancel, paradt_mpi__local_options, paradt_mpi__add_peak.
 
@@ -1737,11 +1740,11 @@ static void paradt_mpi__free_points(paradt_mpi__work *w) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>weigh
 //
-// Distributes the points, so that ranks have equal work. Not all points take the same time: those of a lattice take
-// more than points in general position, points near a sphere still more, and duplicates hardly any. So space is cut by
-// the number of points first. Then each rank triangulates small samples of its points; where these predict that some
-// rank has much more work than the mean, each point gets the weight of the work that it is expected to take, and space
-// is cut again. Ranks decide this together, from sums of integers.
+// Distributes the points so that ranks have equal work. Points of a lattice take more time than points in general
+// position, points near a sphere still more, and duplicates hardly any. So space is cut by the number of points first.
+// Then each rank triangulates small samples of its points. Where these predict that some rank has much more work than
+// the mean, each point gets the weight of the work that it is expected to take, and space is cut again. The decision is
+// made from sums of integers, alike on all ranks.
 //
 // Door: paradt_mpi__distribute_points.
 
@@ -1790,8 +1793,8 @@ static paradt_status paradt_mpi__estimate_work(paradt_mpi__work *w, double *work
     return status;
 }
 
-// Sets *weight to what a row of this rank should weigh, on all ranks, or to 0 on all where the work is even enough.
-// Collective.
+// Sets *weight to what each row of this rank should weigh; to 0, on all ranks, where the work is even enough.
+// Collective; returns the agreed status.
 static paradt_status paradt_mpi__point_weight(paradt_mpi__work *w, uint64_t *weight) {
     double work = 0.0, units;
     uint64_t all, most;
@@ -2409,8 +2412,9 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
 // Step 2, on the rank that asks: which cells of the local triangulation could be wrong, and which ranks may know
 // better? A cell or hull facet with an own vertex is right unless a point that this rank does not know is in conflict
 // with it. It is asked about where such a point may lie in its sphere, or beyond the facet, by the boxes of the
-// directory. With points of several ranks for vertices a cell needs no question (without weights): its own vertices are
-// sent to the other vertices' ranks, which then do their part.
+// directory. Where a cell has points of several ranks for vertices, its own vertices are sent to the others' ranks
+// without a question, unless there are weights. A rank that was sent all own vertices of a cell need not be asked about
+// it.
 //
 // While points are inserted, not all cells need be looked at. Let K be the box in which all points are known
 // (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>patches of paradt.h, if
@@ -2652,21 +2656,21 @@ static void paradt_mpi__set_budget(paradt_mpi__work *w) {
     w->budget = paradt_mpi__reduce_sum(w, paradt_mpi__place_count(w)) + PARADT_MPI__SPARE_BUDGET;
 }
 
-// Have answers taken more work than it takes to build all of T(P)?
+// Have answers taken more work than building all of T(P) would?
 static int paradt_mpi__is_over_budget(const paradt_mpi__work *w) {
     const paradt__counters *c = &w->search.space.counters;
     return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * w->budget;
 }
 
-// Gives up where cells ask half of all ranks on average: these need nearly all points then.
+// Gives up (w->too_costly) where a cell asks half of all ranks on average, as ranks then need nearly all points.
 static void paradt_mpi__limit_questions(paradt_mpi__work *w, paradt_mpi__questions *q) {
     if (q->count <= ((uint64_t)paradt_mpi__place_count(w) * (uint64_t)w->ranks + PARADT_MPI__SPARE_BUDGET) / 2) return;
     w->too_costly = 1;
     q->count = 0;
 }
 
-typedef struct paradt_mpi__queue { // to be looked at, in this order; marked
-    size_t *items;                 // [capacity] those that were looked at stay
+typedef struct paradt_mpi__queue { // places to be asked about, in this order; places asked about stay in it
+    size_t *items;                 // [capacity] all are marked in the engine
     size_t count, capacity;
 } paradt_mpi__queue;
 
@@ -2727,8 +2731,7 @@ PARADT__INLINE paradt_status paradt_mpi__list_cell_vertices(paradt_mpi__work *w,
 
 // Returns a new array, [known - set.count + 1], that marks which of the others' points are not strictly inside the
 // complete box; NULL when there is no memory. With weights all are marked, as a cell with another rank's vertex may be
-// in conflict with a heavy point far from its sphere. The last element is not used, but is there if there are no
-// others.
+// in conflict with a heavy point far from its sphere. The last element is unused, so that the array is never empty.
 static unsigned char *paradt_mpi__mark_outer(paradt_mpi__work *w) {
     size_t others = w->known - w->set.count, i;
     unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others + 1, 1);
@@ -2830,19 +2833,18 @@ static paradt_status paradt_mpi__collect_questions(paradt_mpi__work *w, paradt_m
 // relevant, and the rank adds those of its vertices that are the sender's own points to the known ones. With weights it
 // also answers with the point that it found.
 //
-// Doors: paradt_mpi__sort_questions, paradt_mpi__pack, paradt_mpi__exchange_packets, paradt_mpi__answer,
-// paradt_mpi__packets_free.
+// Door: paradt_mpi__ask_and_answer.
 
 // The role of a vertex on the wire, in the place of the position: p >= 0: own point p of the rank that is asked;
 // PARADT_MPI__STRANGER: a point of a third rank; STRANGER - 1 - p: own point p of the rank that asks.
 enum { PARADT_MPI__STRANGER = -1 };
 
-// The questions to all ranks, or from all ranks, in the order of ranks.
-typedef struct paradt_mpi__packets {
-    double *points;
-    int32_t *cells;
-    size_t *point_count; // [ranks]
-    size_t *cell_count;  // [ranks]
+typedef struct paradt_mpi__packets { // questions to all ranks, or from all ranks; rank 0's first
+    double *points;                  // the vertices as on the wire, each once a rank, with its role
+    int32_t *cells;                  // a cell: dim + 1 numbers of points among those of the rank, then the vertex
+                                     // opposite the facet asked about, or -1
+    size_t *point_count;             // [ranks]
+    size_t *cell_count;              // [ranks]
 } paradt_mpi__packets;
 
 // Sorts the questions by rank and counts them in w->to.
@@ -3021,12 +3023,32 @@ static paradt_status paradt_mpi__answer(paradt_mpi__work *w, paradt_mpi__packets
     return status;
 }
 
+// Sends the questions and answers those that arrive. Collective; returns the agreed status.
+//   status     of this rank so far
+//   questions  its items are released
+//   answers    set to the points to answer with; empty without weights
+//   *added     set to how many points were not known
+static paradt_status paradt_mpi__ask_and_answer(paradt_mpi__work *w, paradt_status status,
+                                                paradt_mpi__questions *questions, paradt_mpi__list *answers,
+                                                size_t *added) {
+    paradt_mpi__packets packets;
+    memset(&packets, 0, sizeof packets);
+    if (!status) status = paradt_mpi__sort_questions(w, questions);
+    if (!status) status = paradt_mpi__pack(w, questions, &packets);
+    paradt__release(&w->memory, questions->items);
+    status = paradt_mpi__exchange_packets(w, status, &packets);
+    if (!status) status = paradt_mpi__answer(w, &packets, answers, added);
+    paradt_mpi__packets_free(w, &packets);
+    return paradt_mpi__agree(w, status);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>rounds
 //
-// Steps 2 to 4 in order: the local triangulation, a round of questions and answers, the points that came of it; with
-// weights again, until no rank has received a point. Where a rank has given up, all points are sent to all ranks
-// instead. Between two exchanges a rank does all its work in one go, so that it waits for the slowest rank only once.
+// Steps 2 to 4 in order: the local triangulation, one round of questions and answers, the insertion of the points that
+// arrived. With weights this is repeated until no rank receives a point. Where a rank has given up, all points are sent
+// to all ranks instead. A rank does all work between two exchanges without a pause for agreement, so that it waits for
+// the slowest rank once a round.
 //
 // Door: paradt_mpi__run_rounds.
 
@@ -3034,12 +3056,10 @@ static paradt_status paradt_mpi__answer(paradt_mpi__work *w, paradt_mpi__packets
 // became known
 static paradt_status paradt_mpi__round(paradt_mpi__work *w, paradt_status status, size_t *added) {
     paradt_mpi__questions questions;
-    paradt_mpi__packets packets;
     paradt_mpi__list answers;
     size_t sent = 0, answered = 0;
     double begun = paradt__now();
     memset(&questions, 0, sizeof questions);
-    memset(&packets, 0, sizeof packets);
     memset(&answers, 0, sizeof answers);
     *added = 0;
     if (!status) status = paradt_mpi__collect_questions(w, &questions);
@@ -3048,13 +3068,7 @@ static paradt_status paradt_mpi__round(paradt_mpi__work *w, paradt_status status
     status = paradt_mpi__agree(w, paradt_mpi__exchange_points(w, status, &questions.to_send, &sent));
     paradt__release(&w->memory, questions.to_send.items);
     paradt_mpi__set_budget(w);
-    if (!status) status = paradt_mpi__sort_questions(w, &questions);
-    if (!status) status = paradt_mpi__pack(w, &questions, &packets);
-    paradt__release(&w->memory, questions.items);
-    status = paradt_mpi__exchange_packets(w, status, &packets);
-    if (!status) status = paradt_mpi__answer(w, &packets, &answers, added);
-    paradt_mpi__packets_free(w, &packets);
-    status = paradt_mpi__agree(w, status);
+    status = paradt_mpi__ask_and_answer(w, status, &questions, &answers, added);
     if (!status && w->weighted)
         status = paradt_mpi__agree(w, paradt_mpi__exchange_points(w, status, &answers, &answered));
     *added += sent + answered;
@@ -3693,8 +3707,8 @@ static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>triangulate
 //
-// The public functions on one rank's part, and the course of a call. Every rank takes part in every step, also one
-// without points or with wrong arguments, as the others wait for it.
+// The course of a call, and the public functions that need no more. Every rank takes part in every step, even without
+// points or with wrong arguments, as the others wait for it.
 //
 // Doors: paradt_mpi__end, paradt_mpi_neighbor.
 
@@ -3842,8 +3856,9 @@ PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *t, size_t
 // ---------------------------------------------------------------------------------------------------------------------
 // >>gather
 //
-// paradt_mpi_gather: all ranks send their cells, neighbours and representatives to one, which needs only put the arrays
-// one behind the other, as cells are numbered through all ranks and points by the ranks that handed them in.
+// paradt_mpi_gather: all ranks send their cells, neighbours and representatives to the root, which joins them in the
+// order of ranks: cells are numbered through all ranks in that order, and so are points as handed in. No other section
+// uses this one.
 
 // Sends `count` elements of `size` bytes to the root. Collective. *all: on the root those of all ranks, in the order of
 // ranks, else none; the caller releases it. *total: their number
