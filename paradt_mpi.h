@@ -820,12 +820,14 @@ static void paradt_mpi__number_points(paradt_mpi__work *w, size_t count) {
         w->first[r] = next;
         next += here;
     }
+    PARADT_ASSERT(w->first[w->rank + 1] - w->first[w->rank] == count);
 }
 
 // Reads this rank's points into *rows, which the caller releases. Not collective.
 static paradt_status paradt_mpi__read_points(paradt_mpi__work *w, const paradt_points *local, double **rows) {
     paradt__source source = paradt__source_of(local);
     size_t width = (size_t)w->dim + (size_t)w->weighted, i;
+    PARADT_ASSERT(local->dim == w->dim);
     *rows = (double *)paradt__alloc_filled(&w->memory, local->count, (width + 1) * sizeof **rows);
     if (!*rows) return PARADT_ERROR_MEMORY;
     for (i = 0; i < local->count; i++) {
@@ -1724,6 +1726,7 @@ static void paradt_mpi__free_question_data(paradt_mpi__work *w) {
 
 // Frees the own points and others'.
 static void paradt_mpi__free_points(paradt_mpi__work *w) {
+    PARADT_ASSERT(!w->inserting);
     paradt_mpi__free_question_data(w);
     paradt__set_free(&w->set, &w->memory);
     paradt__release(&w->memory, w->homes);
@@ -1920,6 +1923,7 @@ static int paradt_mpi__may_have(const paradt_mpi__work *w, int rank, const doubl
     const paradt_mpi__directory *d = &w->directory;
     const double *bounds = paradt_mpi__rank_box(d, rank);
     int j = 0;
+    PARADT_ASSERT(rank >= 0 && rank < w->ranks);
     if (!d->box_count[rank]) return 0;
     for (; j < w->set.space.dim && bounds[0] <= box[1] && bounds[PARADT__LANES] >= box[0]; j++, box += 2)
         bounds += 2 * PARADT__LANES;
@@ -2022,6 +2026,7 @@ static void paradt_mpi__padded_box(const paradt_mpi__work *w, int rank, double p
     const double *own = w->directory.wanted + (size_t)rank * (2 * (size_t)w->dim + 1);
     double margin = own[2 * w->dim] * part;
     int j;
+    PARADT_ASSERT(part >= 0.0 && part <= 1.0 && margin >= 0.0);
     for (j = 0; j < w->dim; j++) {
         box[2 * j] = own[2 * j] - margin;
         box[2 * j + 1] = own[2 * j + 1] + margin;
@@ -2242,6 +2247,7 @@ static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
     size_t added, ranks = (size_t)w->ranks;
     double *kept = (double *)paradt__alloc(&w->memory, 2 * ranks, sizeof *kept);
     int r;
+    PARADT_ASSERT(w->directory.groups && !w->inserting);
     memset(&list, 0, sizeof list);
     if (!kept) status = PARADT_ERROR_MEMORY;
     for (r = 0; r < w->ranks && !status; r++) {
@@ -2363,6 +2369,7 @@ static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
 static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
     double begun = paradt__now();
     paradt_status status = paradt_mpi__check_cancel(w, 0.0);
+    PARADT_ASSERT(w->known >= w->set.count);
     if (status || !w->set.count) return status;
     status = paradt_mpi__can_insert(w) ? paradt_mpi__insert(w) : paradt_mpi__triangulate_anew(w);
     w->stats.triangulations++;
@@ -2384,6 +2391,7 @@ PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, 
     size_t j;
     unsigned topics = PARADT_MPI__SPHERE;
     int facet;
+    PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && *place < paradt_mpi__place_count(w));
     if (w->inserting) {
         if (!paradt__remote_engine_place(&w->engine, k, place, &facet)) return 0;
         return facet < 0 ? topics : 1u << facet;
@@ -2396,6 +2404,7 @@ PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, 
 PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t place, paradt_index *cell,
                                      const double **corners) {
     size_t j;
+    PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && place < paradt_mpi__place_count(w));
     if (w->inserting) {
         paradt__remote_engine_cell(&w->engine, k, place, cell, corners);
         return;
@@ -3104,6 +3113,7 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
     uint64_t added_by_all = 1;
     size_t added;
     paradt_status status;
+    PARADT_ASSERT(!w->inserting && !w->too_costly);
     w->progress_length = 0.9;
     status = paradt_mpi__triangulate_known(w);
     while (w->set.space.dim > 0 && w->ranks > 1 && added_by_all) {
@@ -3584,6 +3594,8 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status stat
         status = paradt_mpi__send_representatives(w, rows);
     }
     if (!status && wanted && w->out->dim > 0) status = paradt_mpi__link_cells(w, &facets);
+    PARADT_ASSERT(status || w->out->first_cell + w->out->cell_count <= w->out->cell_total);
+    PARADT_ASSERT(status || w->out->vertex_own <= w->out->vertex_count);
     paradt__release(&w->memory, facets.rows);
     paradt__release(&w->memory, facets.homes);
     paradt__release(&w->memory, facets.handles);
@@ -3691,6 +3703,7 @@ static paradt_status paradt_mpi__represent_replicated(paradt_mpi__work *w) {
 // Triangulates replicated points. rows: all points; taken over. Collective.
 static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
     paradt_status status = paradt_mpi__compare_points(w, rows);
+    PARADT_ASSERT(w->options.flags & PARADT_MPI_REPLICATED);
     if (status) {
         paradt__release(&w->memory, rows);
         return status;
@@ -3731,6 +3744,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
 // Frees all that a call holds except the result. Collective.
 static void paradt_mpi__end(paradt_mpi__work *w) {
     if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    w->inserting = 0;
     paradt_mpi__free_local(w);
     paradt_mpi__free_points(w);
     paradt_mpi__directory_free(w);
