@@ -46,10 +46,11 @@
 //
 // POINTS
 //
-// Each point is handed in by exactly one rank. A rank may hand in any part of the points, as to paradt_triangulate: all
-// of them, some, or none. Global ids number all points consecutively from 0: the points of rank 0 in their order, then
-// those of rank 1, and so on. `dim` must be the same on all ranks, also on a rank without points; the type of the
-// coordinates and the stride may differ. Either all ranks with points have weights or none has.
+// A rank hands in any part of the points, as to paradt_triangulate: all of them, some, or none. Each point is handed in
+// by one rank; if two ranks hand it in, it counts as two points with equal coordinates. Global ids number all points
+// consecutively from 0: the points of rank 0 in their order, then those of rank 1, and so on. `dim` must be the same on
+// all ranks, also on a rank without points; the type of the coordinates and the stride may differ. Either all ranks
+// with points have weights or none has.
 //
 //
 // RESULT
@@ -676,6 +677,7 @@ static uint64_t paradt_mpi__load_bits(const double *x) {
     return bits;
 }
 
+// Writes the bits of an integer to x.
 static void paradt_mpi__store_bits(double *x, uint64_t bits) {
     memcpy(x, &bits, sizeof bits);
 }
@@ -2033,6 +2035,7 @@ static void paradt_mpi__padded_box(const paradt_mpi__work *w, int rank, double p
     }
 }
 
+// Frees the directory.
 static void paradt_mpi__directory_free(paradt_mpi__work *w) {
     paradt_mpi__directory *d = &w->directory;
     paradt__release(&w->memory, d->groups);
@@ -2382,11 +2385,11 @@ static size_t paradt_mpi__place_count(const paradt_mpi__work *w) {
     return w->inserting ? w->engine.bw.cells.count : w->local.cell_count;
 }
 
+enum { PARADT_MPI__SPHERE = 1 << (PARADT_MAX_DIM + 1) }; // beside a bit for each facet
+
 // Returns what there is to ask about a place: PARADT_MPI__SPHERE for the sphere of its cell, bit j for the hull facet
 // opposite vertex j; 0: nothing, the place is free. While points are inserted, a ghost stands for its hull facet, and
 // *place is replaced by the place of the cell behind it.
-enum { PARADT_MPI__SPHERE = 1 << (PARADT_MAX_DIM + 1) };
-
 PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, size_t *place) {
     size_t j;
     unsigned topics = PARADT_MPI__SPHERE;
@@ -2905,6 +2908,7 @@ static size_t paradt_mpi__pack_for(paradt_mpi__work *w, const paradt_mpi__questi
     return used;
 }
 
+// Frees the packets.
 static void paradt_mpi__packets_free(paradt_mpi__work *w, paradt_mpi__packets *packets) {
     paradt__release(&w->memory, packets->points);
     paradt__release(&w->memory, packets->cells);
