@@ -98,13 +98,15 @@
 //     t.neighbors[i * k + j]    the cell opposite that vertex
 //     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
 //
+// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
 // Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
 // orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
 // set of cells; paradt_hash is equal for equal sets.
 //
-// t.stats counts what was done. Give the arrays back with paradt_free, not with free.
+// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
 //
 //
 // METHODS
@@ -237,8 +239,11 @@
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
 //
-// After an error the result is empty: all memory is given back, and there is nothing to free (paradt_free does no
-// harm). Callbacks must return: an exception or longjmp out of them leaks what the call holds.
+// After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
+// harm). error_point and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at most, and
+// stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails again, and
+// one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them leaks what
+// the call holds.
 //
 //
 // COST
@@ -449,7 +454,8 @@ typedef struct paradt_stats {
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
-    uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
+    uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
@@ -458,15 +464,15 @@ typedef struct paradt_stats {
 } paradt_stats;
 
 typedef struct paradt_triangulation {
-    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points
-    size_t cell_count;            // number of cells
-    paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL when not wanted
-    size_t point_count;           // number of points, as given
+    int dim;                 // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
+    size_t cell_count;       // number of cells
+    paradt_index *cells;     // [cell_count][dim + 1] point indices, positively oriented
+    paradt_index *neighbors; // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL: not wanted, or dim < 1
+    size_t point_count;      // number of points, as given
     paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
-    paradt_stats stats;           // what was done
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
+    paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
 // What paradt_check found wrong first; all of it zero when nothing is.
@@ -477,7 +483,8 @@ typedef struct paradt_fault {
 } paradt_fault;
 
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it is empty but for error_point, and holds no memory.
+//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
+//            0, but error_point and stats are filled.
 //   points   read during the call only.
 //   options  NULL: the defaults.
 // Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED. Thread safety: any number of calls at once, with an `out`
@@ -485,9 +492,12 @@ typedef struct paradt_fault {
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation all zero. NULL and all zero are
-// fine. Thread safety: as free.
+// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
+// NULL and all zero are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
+
+// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+PARADT_DEF int paradt_version(void);
 
 // A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
@@ -641,6 +651,9 @@ typedef struct paradt__memory {
     uint64_t limit; // bytes; UINT64_MAX: none
     uint64_t held;
     uint64_t peak;
+    uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
+    uint64_t base;   // of a share: what the parent held,
+    uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
 enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
@@ -688,7 +701,9 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
 // The account of one of `shares` tasks that may run at once.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
-    memory.held = memory.peak = 0;
+    memory.held = memory.peak = memory.needed = 0;
+    memory.base = parent->held;
+    memory.shares = shares;
     if (parent->limit != UINT64_MAX) memory.limit = (parent->limit - parent->held) / shares;
     return memory;
 }
@@ -697,7 +712,17 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
+    if (child->needed > parent->needed) parent->needed = child->needed;
     if (parent->held > parent->peak) parent->peak = parent->held;
+}
+
+// Notes how much memory the call would have needed for a block that is refused: by the limit, which all shares have an
+// equal part of, or by the allocator. Returns NULL.
+static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit) {
+    uint64_t held = memory->held + bytes;
+    if (held < bytes) held = bytes; // the account is below zero
+    memory->needed = memory->base + (by_limit && memory->shares ? held * memory->shares : held);
+    return NULL;
 }
 
 // count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
@@ -709,9 +734,10 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
-    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2)) return NULL;
+    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2))
+        return paradt__refuse(memory, bytes, 1);
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
-    if (!block) return NULL;
+    if (!block) return paradt__refuse(memory, bytes, 0);
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held = held;
@@ -2658,7 +2684,6 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 // a curve, in which equal points are neighbours; where space is divided, box after box.
 // What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
 // paradt__span, paradt__record.
-
 
 enum {
     PARADT__UNGRADED,
@@ -9720,6 +9745,10 @@ static paradt__front_method paradt__choose_front(paradt_method method) {
     return methods[method];
 }
 
+PARADT_DEF int paradt_version(void) {
+    return PARADT_VERSION;
+}
+
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
 #define PARADT__TEXT(name, text) text,
     static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
@@ -9766,6 +9795,7 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     paradt__release(&memory, t->neighbors);
     paradt__release(&memory, t->representative);
     memset(t, 0, sizeof *t);
+    t->dim = -1;
 }
 
 static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options) {
@@ -10775,16 +10805,16 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     if (!out->representative) return PARADT_ERROR_MEMORY;
     status =
         paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    loaded = sorted = paradt__now();
+    work->stats->seconds_points = loaded - begun;
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
-    loaded = sorted = paradt__now();
     status = paradt__build_by_any(work, &sorted);
-    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.neighbors) {
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
         paradt__release(&work->memory, work->cells.neighbors);
         work->cells.neighbors = NULL;
     }
     if (!status) paradt__translate(work);
-    work->stats->seconds_points = loaded - begun;
     work->stats->seconds_grid = sorted - loaded;
     work->stats->seconds_build = paradt__now() - sorted;
     return status;
@@ -10799,6 +10829,13 @@ static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
     cells->vertices = cells->neighbors = NULL;
 }
 
+// After an error: leaves nothing but what says which.
+static void paradt__withdraw(paradt_triangulation *out) {
+    size_t bad = out->error_point;
+    paradt_free(out);
+    out->error_point = bad;
+}
+
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options) {
     paradt__work work;
@@ -10807,6 +10844,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     double begun = paradt__now(), built;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
+    out->dim = -1;
     if (!points) return PARADT_ERROR_ARGUMENT;
     status = paradt__check_arguments(points, options);
     if (status) return status;
@@ -10816,32 +10854,26 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt__memory_begin(&work.memory, options);
     work.stats = &stats;
     out->point_count = points->count;
+    out->allocator = work.memory.allocator;
     work.regions = work.options.regions ? work.options.regions : 1;
     if (work.regions > points->count) work.regions = points->count ? points->count : 1;
     status = paradt__build(&work, points, out);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    out->allocator = work.memory.allocator;
-    if (!status) {
-        paradt__deliver(&work, out);
-        stats.cells = out->cell_count;
-        stats.regions = work.regions;
-    }
+    if (!status) paradt__deliver(&work, out);
     paradt__cells_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
     paradt__release(&work.memory, work.cuts.cut);
-    if (status) {
-        size_t bad = out->error_point;
-        paradt_free(out);
-        out->error_point = bad;
-        return status;
-    }
+    if (status) paradt__withdraw(out);
+    stats.cells = out->cell_count;
+    stats.regions = work.regions;
     stats.peak_bytes = work.memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
     stats.seconds_finish = paradt__now() - built;
     stats.seconds = paradt__now() - begun;
     out->stats = stats;
-    return PARADT_OK;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11824,6 +11856,8 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
     check->neighbors = check->t->neighbors;
+    if (check->neighbors && check->corners == 1)
+        return paradt__check_fail(check, "a single vertex has no facets, but there are neighbours", -1, -1);
     if (check->neighbors) {
         for (i = 0; i < facets; i++)
             if (check->neighbors[i] < -1 || check->neighbors[i] >= (paradt_index)check->t->cell_count)

@@ -1,0 +1,182 @@
+// What a host program relies on around a call: what the result says after errors, progress, cancelling, flags, arguments.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "paradt.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static double *uniform(size_t count, int dim) {
+    double *x = (double *)malloc(count * (size_t)dim * sizeof *x + 1);
+    uint64_t state = 1;
+    assert_non_null(x);
+    for (size_t i = 0; i < count * (size_t)dim; i++) {
+        state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        x[i] = (double)(state >> 11) * 0x1p-53;
+    }
+    return x;
+}
+
+static paradt_points packed(const double *x, size_t count, int dim) {
+    paradt_points points = {0};
+    points.data = x;
+    points.count = count;
+    points.dim = dim;
+    return points;
+}
+
+typedef struct job {
+    void (*task)(void *context, size_t index);
+    void *context;
+    size_t index;
+} job;
+
+static void *run_job(void *argument) {
+    job *j = (job *)argument;
+    j->task(j->context, j->index);
+    return NULL;
+}
+
+static void on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    enum { MOST = 64 };
+    job jobs[MOST];
+    pthread_t threads[MOST];
+    (void)user;
+    assert_true(count <= MOST);
+    for (size_t i = 0; i < count; i++) {
+        job j = {task, context, i};
+        jobs[i] = j;
+        assert_int_equal(pthread_create(&threads[i], NULL, run_job, &jobs[i]), 0);
+    }
+    for (size_t i = 0; i < count; i++)
+        pthread_join(threads[i], NULL);
+}
+
+static void assert_empty(const paradt_triangulation *t) {
+    assert_int_equal(t->dim, -1);
+    assert_null(t->cells);
+    assert_null(t->neighbors);
+    assert_null(t->representative);
+    assert_true(t->cell_count == 0 && t->point_count == 0);
+}
+
+// --- what the result says
+
+static void the_version_is_that_of_the_header(void **state) {
+    (void)state;
+    assert_int_equal(paradt_version(), PARADT_VERSION);
+}
+
+// Bindings to other languages lay the structure out by themselves: what may grow is last.
+static void statistics_come_last_in_the_result(void **state) {
+    (void)state;
+    assert_true(offsetof(paradt_triangulation, stats) + sizeof(paradt_stats) == sizeof(paradt_triangulation));
+}
+
+static int cancel_at_once(void *user, double fraction) {
+    (void)user, (void)fraction;
+    return 1;
+}
+
+static void results_are_empty_after_every_error(void **state) {
+    double *x = uniform(5000, 3);
+    paradt_points points = packed(x, 5000, 3), none = packed(NULL, 0, 3);
+    paradt_options options = {0};
+    paradt_triangulation t;
+    (void)state;
+    memset(&t, 0xa5, sizeof t);
+    assert_int_equal(paradt_triangulate(&t, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_empty(&t);
+    points.dim = 9;
+    memset(&t, 0xa5, sizeof t);
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_ARGUMENT);
+    assert_empty(&t);
+    points.dim = 3;
+    options.progress = cancel_at_once;
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_CANCELLED);
+    assert_empty(&t);
+    assert_true(t.stats.peak_bytes > 0 && t.stats.seconds > 0);
+    x[3 * 77 + 1] = x[0] / 0.0;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_empty(&t);
+    assert_int_equal(t.error_point, 77);
+    assert_int_equal(paradt_triangulate(&t, &none, NULL), PARADT_OK);
+    assert_int_equal(t.dim, -1);
+    assert_int_equal(t.cell_count, 0);
+    paradt_free(&t);
+    assert_empty(&t);
+    free(x);
+}
+
+// Each limit that is set to what was needed gets further, until it is enough.
+static void after_memory_the_result_says_how_much_was_needed(void **state) {
+    double *x = uniform(20000, 3);
+    paradt_points points = packed(x, 20000, 3);
+    (void)state;
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+        for (int regions = 1; regions <= 3; regions += 2) {
+            paradt_options options = {0};
+            paradt_triangulation t;
+            paradt_status status;
+            int tries = 0;
+            options.method = (paradt_method)method;
+            options.regions = (size_t)regions;
+            options.parallel_for = regions > 1 ? on_threads : NULL;
+            options.memory_limit = 1000;
+            while ((status = paradt_triangulate(&t, &points, &options)) == PARADT_ERROR_MEMORY) {
+                assert_empty(&t);
+                assert_true(t.stats.peak_bytes <= options.memory_limit);
+                assert_true(t.stats.needed_bytes > options.memory_limit);
+                assert_true(++tries < 400);
+                options.memory_limit = (size_t)t.stats.needed_bytes;
+            }
+            assert_int_equal(status, PARADT_OK);
+            assert_true(tries > 2);
+            assert_true(t.stats.needed_bytes == 0);
+            assert_true(t.stats.peak_bytes <= options.memory_limit);
+            paradt_free(&t);
+        }
+    free(x);
+}
+
+static void one_point_has_no_facets(void **state) {
+    static const double x[] = {1, 2, 3, 1, 2, 3};
+    paradt_index none[] = {-1};
+    (void)state;
+    for (size_t count = 1; count <= 2; count++) {
+        paradt_points points = packed(x, count, 3);
+        paradt_triangulation t;
+        paradt_fault fault;
+        assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+        assert_int_equal(t.dim, 0);
+        assert_int_equal(t.cell_count, 1);
+        assert_int_equal(t.cells[0], 0);
+        assert_null(t.neighbors);
+        assert_true(t.stats.hull_facets == 0);
+        assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_OK);
+        t.neighbors = none;
+        assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_ERROR_INVALID);
+        assert_non_null(fault.reason);
+        t.neighbors = NULL;
+        paradt_free(&t);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_version_is_that_of_the_header),
+        cmocka_unit_test(statistics_come_last_in_the_result),
+        cmocka_unit_test(results_are_empty_after_every_error),
+        cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
+        cmocka_unit_test(one_point_has_no_facets),
+    };
+    return cmocka_run_group_tests_name("host", tests, NULL, NULL);
+}
