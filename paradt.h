@@ -6,7 +6,7 @@
 //     #include "paradt.h"
 //
 // A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, four point indices a line:
+// triangulates the corners of a cube and prints the cells, the indices of four points a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -19,14 +19,15 @@
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
+//         const size_t k = (size_t)(t.dim + 1); // 4; fewer where all points lie in a plane
 //         for (size_t c = 0; c < t.cell_count; c++)
-//             printf("%d %d %d %d\n", (int)t.cells[4 * c], (int)t.cells[4 * c + 1], (int)t.cells[4 * c + 2],
-//                    (int)t.cells[4 * c + 3]);
+//             for (size_t j = 0; j < k; j++)
+//                 printf("%d%c", (int)t.cells[c * k + j], j + 1 < k ? ' ' : '\n');
 //         paradt_free(&t);
 //         return 0;
 //     }
 //
-//     cc -o cube cube.c -lm && ./cube
+//     cc -O2 -o cube cube.c -lm && ./cube
 //
 // There is nothing else to build, and nothing to link but the C library (-lm where that has its mathematics apart).
 //
@@ -187,7 +188,8 @@
 // Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
 // cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
+// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
@@ -238,6 +240,7 @@
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
+//     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
 // harm). error_point and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at most, and
@@ -377,7 +380,8 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_MEMORY, "an allocation failed or the memory limit was reached")                                     \
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
-    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")
+    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
+    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -398,7 +402,10 @@ typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
-enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
+enum {
+    PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
+};
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
 // user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
@@ -433,7 +440,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -487,8 +494,8 @@ typedef struct paradt_fault {
 //            0, but error_point and stats are filled.
 //   points   read during the call only.
 //   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED. Thread safety: any number of calls at once, with an `out`
-// each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
+// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
@@ -9807,7 +9814,7 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     if (options) {
         if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
             return PARADT_ERROR_ARGUMENT;
-        if (options->flags & ~(unsigned)PARADT_NO_NEIGHBORS) return PARADT_ERROR_ARGUMENT;
+        if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FULL_DIM)) return PARADT_ERROR_ARGUMENT;
         if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
@@ -10809,6 +10816,7 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     work->stats->seconds_points = loaded - begun;
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
+    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
     status = paradt__build_by_any(work, &sorted);
     if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
         paradt__release(&work->memory, work->cells.neighbors);

@@ -170,6 +170,36 @@ static void one_point_has_no_facets(void **state) {
     }
 }
 
+// --- flags
+
+static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
+    static const double flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 5, 6, 1}, solid[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    paradt_points points = packed(flat, 5, 3), spanning = packed(solid, 4, 3), none = packed(NULL, 0, 3);
+    (void)state;
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+        for (size_t regions = 1; regions <= 2; regions++) {
+            paradt_options options = {0};
+            paradt_triangulation t;
+            options.method = (paradt_method)method;
+            options.regions = regions;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_int_equal(t.dim, 2);
+            options.flags = PARADT_FULL_DIM;
+            // A program may hand the same options to both.
+            assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
+            paradt_free(&t);
+            memset(&t, 0xa5, sizeof t);
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_FLAT);
+            assert_empty(&t);
+            assert_int_equal(paradt_triangulate(&t, &none, &options), PARADT_ERROR_FLAT);
+            assert_empty(&t);
+            assert_int_equal(paradt_triangulate(&t, &spanning, &options), PARADT_OK);
+            assert_int_equal(t.dim, 3);
+            assert_int_equal(t.cell_count, 1);
+            paradt_free(&t);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_version_is_that_of_the_header),
@@ -177,6 +207,7 @@ int main(void) {
         cmocka_unit_test(results_are_empty_after_every_error),
         cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
         cmocka_unit_test(one_point_has_no_facets),
+        cmocka_unit_test(a_lower_dimension_is_an_error_if_asked_for),
     };
     return cmocka_run_group_tests_name("host", tests, NULL, NULL);
 }
