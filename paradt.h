@@ -234,7 +234,9 @@
 //
 // Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown value
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
+//     value;
+//                              error_text, and reason in paradt_fault, say which
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
 //     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
@@ -243,10 +245,10 @@
 //     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
-// harm). error_point and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at most, and
-// stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails again, and
-// one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them leaks what
-// the call holds.
+// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
+// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
+// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
+// leaks what the call holds.
 //
 //
 // COST
@@ -478,11 +480,12 @@ typedef struct paradt_triangulation {
     size_t point_count;      // number of points, as given
     paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
     paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first; all of it zero when nothing is.
+// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
@@ -491,7 +494,7 @@ typedef struct paradt_fault {
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
-//            0, but error_point and stats are filled.
+//            0, but error_point, error_text and stats are filled.
 //   points   read during the call only.
 //   options  NULL: the defaults.
 // Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
@@ -518,9 +521,9 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 //   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
 //   points         those it was made of.
 //   options        NULL: the defaults; allocator, memory_limit, progress and user are used, the rest is only checked.
-//   fault          NULL: not wanted.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, by which nothing is said about the
-// triangulation. Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+//   fault          NULL: not wanted. Says what is wrong with an argument, too.
+// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
@@ -9805,22 +9808,48 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     t->dim = -1;
 }
 
-static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options) {
+// What is wrong with the points, apart from their number; NULL: nothing.
+static const char *paradt__points_fault(const paradt_points *points) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
-    if (points->dim < 2 || points->dim > PARADT_MAX_DIM || (unsigned)points->scalar > PARADT_F32)
+    if (points->dim < 2 || points->dim > PARADT_MAX_DIM) return "points.dim is out of 2..PARADT_MAX_DIM";
+    if ((unsigned)points->scalar > PARADT_F32) return "points.scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
+    if (points->stride && points->stride < size * (size_t)points->dim)
+        return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    return NULL;
+}
+
+// What is wrong with the options; NULL: nothing.
+static const char *paradt__options_fault(const paradt_options *options) {
+    if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
+    if ((unsigned)options->partition > PARADT_UNIFORM)
+        return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FULL_DIM))
+        return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
+    if (options->allocator.alloc && !options->allocator.free)
+        return "options.allocator has alloc but not free; give both or neither";
+    if (options->allocator.free && !options->allocator.alloc)
+        return "options.allocator has free but not alloc; give both or neither";
+    return NULL;
+}
+
+// *text: what is wrong, unless that is nothing.
+static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
+                                             const char **text) {
+    size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    const char *fault = points ? paradt__points_fault(points) : "points is NULL";
+    if (!fault && options) fault = paradt__options_fault(options);
+    if (fault) {
+        *text = fault;
         return PARADT_ERROR_ARGUMENT;
-    if (points->count && !points->data) return PARADT_ERROR_ARGUMENT;
-    if (points->stride && points->stride < size * (size_t)points->dim) return PARADT_ERROR_ARGUMENT;
-    if (options) {
-        if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
-            return PARADT_ERROR_ARGUMENT;
-        if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FULL_DIM)) return PARADT_ERROR_ARGUMENT;
-        if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
+    *text = "points.count is larger than an index can number";
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
         return PARADT_ERROR_TOO_LARGE;
+    *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
+    *text = NULL;
     return PARADT_OK;
 }
 
@@ -10837,11 +10866,20 @@ static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
     cells->vertices = cells->neighbors = NULL;
 }
 
+// Why the points don't span their dimension.
+static const char *paradt__flat_text(int dim) {
+    if (dim < 0) return "there are no points";
+    if (dim == 0) return "all points are at one place";
+    if (dim == 1) return "all points lie on a line";
+    return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
+}
+
 // After an error: leaves nothing but what says which.
-static void paradt__withdraw(paradt_triangulation *out) {
+static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
     out->error_point = bad;
+    out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -10850,11 +10888,11 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
+    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
-    if (!points) return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
+    status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
     memset(&work, 0, sizeof work);
     memset(&stats, 0, sizeof stats);
@@ -10870,10 +10908,11 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
     if (!status) paradt__deliver(&work, out);
+    dim = work.set.space.dim;
     paradt__cells_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
     paradt__release(&work.memory, work.cuts.cut);
-    if (status) paradt__withdraw(out);
+    if (status) paradt__withdraw(out, status, dim);
     stats.cells = out->cell_count;
     stats.regions = work.regions;
     stats.peak_bytes = work.memory.peak;
@@ -12116,6 +12155,15 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     return status;
 }
 
+// What is missing in the triangulation; NULL: nothing.
+static const char *paradt__check_triangulation(const paradt_triangulation *t) {
+    if (!t) return "triangulation is NULL";
+    if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
+    if (t->point_count && !t->representative)
+        return "triangulation.representative is NULL, but triangulation.point_count is not 0";
+    return NULL;
+}
+
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault) {
     paradt__check check;
@@ -12126,16 +12174,21 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     check.options = options;
     check.fault = fault ? fault : &unwanted;
     memset(check.fault, 0, sizeof *check.fault);
-    if (!triangulation || !points || (triangulation->cell_count && !triangulation->cells) ||
-        (triangulation->point_count && !triangulation->representative))
-        return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
-    if (status) return status;
+    status = paradt__check_arguments(points, options, &check.fault->reason);
+    if (!status) {
+        check.fault->reason = paradt__check_triangulation(triangulation);
+        if (check.fault->reason) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) {
+        check.fault->cell = check.fault->point = -1;
+        return status;
+    }
     paradt__memory_begin(&check.memory, options);
     status = paradt__check_all(&check, points);
     paradt__release(&check.memory, check.set.records);
     paradt__release(&check.memory, check.matched);
     paradt__release(&check.memory, check.cell_of);
+    if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
 #ifdef __cplusplus

@@ -687,8 +687,8 @@ static void paradt_mpi__put_bits(double *x, uint64_t bits) {
 // Agrees on the arguments: dim, weights, flags.
 static paradt_status paradt_mpi__check(paradt_mpi__work *w, const paradt_points *local, paradt_status status) {
     int64_t facts[5], weights;
-    if (!status && !local) status = PARADT_ERROR_ARGUMENT;
-    if (!status) status = paradt__check_arguments(local, &w->options.local);
+    const char *text;
+    if (!status) status = paradt__check_arguments(local, &w->options.local, &text);
     if (!status && w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED) status = PARADT_ERROR_ARGUMENT;
     status = paradt_mpi__agree(w, status);
     if (status) return status;

@@ -1,4 +1,4 @@
-// What a host program relies on around a call: what the result says after errors, progress, cancelling, flags, arguments.
+// What a host program relies on around a call: what the result says after errors, arguments, flags, progress, cancelling.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -170,10 +170,113 @@ static void one_point_has_no_facets(void **state) {
     }
 }
 
+// --- arguments: each error has its sentence
+
+typedef struct call {
+    paradt_points points;
+    paradt_options options;
+} call;
+
+static void *some_alloc(void *user, size_t size) {
+    (void)user;
+    return malloc(size);
+}
+
+static void some_free(void *user, void *memory) {
+    (void)user;
+    free(memory);
+}
+
+static void dim_9(call *c) { c->points.dim = 9; }
+static void dim_0(call *c) { c->points.dim = 0; }
+static void no_data(call *c) { c->points.data = NULL; }
+static void scalar_2(call *c) { c->points.scalar = (paradt_scalar)2; }
+static void stride_in_elements(call *c) { c->points.stride = 3; }
+static void method_77(call *c) { c->options.method = (paradt_method)77; }
+static void partition_2(call *c) { c->options.partition = (paradt_partition)2; }
+static void flags_not_zeroed(call *c) { c->options.flags = 0xcdcdcdcd; }
+static void alloc_alone(call *c) { c->options.allocator.alloc = some_alloc; }
+static void free_alone(call *c) { c->options.allocator.free = some_free; }
+
+static const struct {
+    void (*spoil)(call *c);
+    const char *says;
+} spoilers[] = {{dim_9, "dim"},           {dim_0, "dim"},           {no_data, "data"},
+                {scalar_2, "scalar"},     {stride_in_elements, "bytes"}, {method_77, "method"},
+                {partition_2, "partition"}, {flags_not_zeroed, "flags"}, {alloc_alone, "has alloc but not free"},
+                {free_alone, "has free but not alloc"}};
+
+static void every_argument_error_says_which_and_why(void **state) {
+    double *x = uniform(10, 3);
+    const call good = {packed(x, 10, 3), {0}};
+    paradt_triangulation made, t;
+    paradt_fault fault;
+    (void)state;
+    assert_int_equal(paradt_triangulate(&made, &good.points, NULL), PARADT_OK);
+    assert_null(made.error_text);
+    for (size_t i = 0; i < sizeof spoilers / sizeof spoilers[0]; i++) {
+        call c = good;
+        spoilers[i].spoil(&c);
+        assert_int_equal(paradt_triangulate(&t, &c.points, &c.options), PARADT_ERROR_ARGUMENT);
+        assert_non_null(t.error_text);
+        assert_non_null(strstr(t.error_text, spoilers[i].says));
+        assert_int_equal(paradt_check(&made, &c.points, &c.options, &fault), PARADT_ERROR_ARGUMENT);
+        assert_string_equal(fault.reason, t.error_text);
+        assert_true(fault.cell == -1 && fault.point == -1);
+    }
+    assert_int_equal(paradt_triangulate(&t, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_string_equal(t.error_text, "points is NULL");
+    assert_int_equal(paradt_check(NULL, &good.points, NULL, &fault), PARADT_ERROR_ARGUMENT);
+    assert_string_equal(fault.reason, "triangulation is NULL");
+    t = made;
+    t.cells = NULL;
+    assert_int_equal(paradt_check(&t, &good.points, NULL, &fault), PARADT_ERROR_ARGUMENT);
+    assert_non_null(strstr(fault.reason, "cells"));
+    t = made;
+    t.representative = NULL;
+    assert_int_equal(paradt_check(&t, &good.points, NULL, &fault), PARADT_ERROR_ARGUMENT);
+    assert_non_null(strstr(fault.reason, "representative"));
+    paradt_free(&made);
+    free(x);
+}
+
+// What is said about the other errors: at least what paradt_status_string says.
+static void every_other_error_has_a_sentence_too(void **state) {
+    static const double places[3][6] = {{1, 1, 1, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, {0}};
+    double *x = uniform(5000, 3);
+    paradt_points points = packed(x, SIZE_MAX / 2, 3), none = packed(NULL, 0, 3);
+    paradt_options options = {0};
+    paradt_triangulation t;
+    paradt_fault fault;
+    (void)state;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_TOO_LARGE);
+    assert_non_null(strstr(t.error_text, "points.count"));
+    points.count = 5000;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    options.memory_limit = 100;
+    assert_int_equal(paradt_check(&t, &points, &options, &fault), PARADT_ERROR_MEMORY);
+    assert_string_equal(fault.reason, paradt_status_string(PARADT_ERROR_MEMORY));
+    paradt_free(&t);
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_MEMORY);
+    assert_string_equal(t.error_text, paradt_status_string(PARADT_ERROR_MEMORY));
+    options.memory_limit = 0;
+    options.flags = PARADT_FULL_DIM;
+    for (size_t count = 1; count <= 2; count++)
+        for (int i = 0; i < 2; i++) {
+            points = packed(places[i], count, 3);
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_FLAT);
+            assert_string_equal(t.error_text, i && count == 2 ? "all points lie on a line" : "all points are at one place");
+        }
+    assert_int_equal(paradt_triangulate(&t, &none, &options), PARADT_ERROR_FLAT);
+    assert_string_equal(t.error_text, "there are no points");
+    free(x);
+}
+
 // --- flags
 
 static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
-    static const double flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 5, 6, 1}, solid[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const double flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 5, 6, 1};
+    static const double solid[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     paradt_points points = packed(flat, 5, 3), spanning = packed(solid, 4, 3), none = packed(NULL, 0, 3);
     (void)state;
     for (int method = 0; method < PARADT_METHOD_COUNT; method++)
@@ -207,6 +310,8 @@ int main(void) {
         cmocka_unit_test(results_are_empty_after_every_error),
         cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
         cmocka_unit_test(one_point_has_no_facets),
+        cmocka_unit_test(every_argument_error_says_which_and_why),
+        cmocka_unit_test(every_other_error_has_a_sentence_too),
         cmocka_unit_test(a_lower_dimension_is_an_error_if_asked_for),
     };
     return cmocka_run_group_tests_name("host", tests, NULL, NULL);
