@@ -303,6 +303,111 @@ static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
         }
 }
 
+// --- progress
+
+typedef struct watch {
+    double last, longest, called; // fraction; longest time between calls; time of the last one
+    size_t calls, cancel_at;
+    int inside, overlapped, fell, outside;
+} watch;
+
+static double seconds(void) {
+    struct timespec now;
+    timespec_get(&now, TIME_UTC);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+// Takes no lock: one thread at a time may be in here.
+static int look(void *user, double fraction) {
+    watch *w = (watch *)user;
+    w->overlapped += w->inside++;
+    w->fell += fraction < w->last;
+    w->outside += !(fraction >= 0 && fraction <= 1);
+    w->last = fraction;
+    w->calls++;
+    if (seconds() - w->called > w->longest)
+        w->longest = seconds() - w->called;
+    w->called = seconds();
+    w->inside--;
+    return w->cancel_at && w->calls >= w->cancel_at;
+}
+
+static watch begin_watch(paradt_options *options) {
+    watch w = {0};
+    options->progress = look;
+    w.called = seconds();
+    return w;
+}
+
+// Whatever the work is divided into: the sum of what all have done.
+static void progress_is_one_fraction_that_never_falls(void **state) {
+    static const struct {
+        int dim, method;
+        size_t count, regions;
+        int threads;
+        unsigned flags;
+    } ways[] = {{3, PARADT_AUTO, 60000, 1, 0, 0},        {3, PARADT_AUTO, 60000, 3, 0, 0},
+                {3, PARADT_AUTO, 60000, 3, 0, PARADT_NO_NEIGHBORS}, {3, PARADT_AUTO, 60000, 4, 1, 0},
+                {2, PARADT_AUTO, 60000, 4, 1, 0},        {3, PARADT_INCODE, 20000, 1, 0, 0},
+                {3, PARADT_INCODE, 20000, 3, 0, 0},      {3, PARADT_DEWALL, 20000, 4, 1, 0},
+                {4, PARADT_AUTO, 5000, 1, 0, 0},         {4, PARADT_AUTO, 5000, 3, 1, 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++)
+        for (int lattice = 0; lattice < 2; lattice++) {
+            double *x = uniform(ways[i].count, ways[i].dim);
+            paradt_points points = packed(x, ways[i].count, ways[i].dim);
+            paradt_options options = {0};
+            paradt_triangulation t;
+            for (size_t j = 0; lattice && j < ways[i].count * (size_t)ways[i].dim; j++)
+                x[j] = (double)(int)(x[j] * 16); // some ways give up then
+            options.method = (paradt_method)ways[i].method;
+            options.regions = ways[i].regions;
+            options.flags = ways[i].flags;
+            options.parallel_for = ways[i].threads ? on_threads : NULL;
+            watch w = begin_watch(&options);
+            options.user = &w;
+            assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+            assert_true(w.calls > 5);
+            assert_int_equal(w.overlapped + w.fell + w.outside, 0);
+            assert_true(w.last == 1);
+            w = begin_watch(&options);
+            assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
+            assert_true(w.calls > 5);
+            assert_int_equal(w.overlapped + w.fell + w.outside, 0);
+            assert_true(w.last == 1);
+            paradt_free(&t);
+            free(x);
+        }
+}
+
+// Cancels when the points are read and sorted; until then a cancel must not take long.
+static int look_while_reading(void *user, double fraction) {
+    watch *w = (watch *)user;
+    double now = (double)clock() / CLOCKS_PER_SEC;
+    w->calls++;
+    if (now - w->called > w->longest)
+        w->longest = now - w->called;
+    w->called = now;
+    return fraction >= 0.1;
+}
+
+static void points_are_read_in_short_steps(void **state) {
+    enum { COUNT = 2000000 };
+    double *x = uniform(COUNT, 3);
+    paradt_points points = packed(x, COUNT, 3);
+    paradt_options options = {0};
+    paradt_triangulation t;
+    watch w = {0};
+    (void)state;
+    options.progress = look_while_reading;
+    options.user = &w;
+    w.called = (double)clock() / CLOCKS_PER_SEC;
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_CANCELLED);
+    assert_true(w.calls > 200);
+    assert_true(w.longest < 0.1); // of processor time, which the rest of the machine lengthens too: 0.02 where it is idle
+    free(x);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_version_is_that_of_the_header),
@@ -313,6 +418,8 @@ int main(void) {
         cmocka_unit_test(every_argument_error_says_which_and_why),
         cmocka_unit_test(every_other_error_has_a_sentence_too),
         cmocka_unit_test(a_lower_dimension_is_an_error_if_asked_for),
+        cmocka_unit_test(progress_is_one_fraction_that_never_falls),
+        cmocka_unit_test(points_are_read_in_short_steps),
     };
     return cmocka_run_group_tests_name("host", tests, NULL, NULL);
 }
