@@ -12078,8 +12078,6 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
     check->neighbors = check->t->neighbors;
-    if (check->neighbors && check->corners == 1)
-        return paradt__check_fail(check, "a single vertex has no facets, but there are neighbours", -1, -1);
     if (check->neighbors) {
         for (i = 0; i < facets; i++)
             if (check->neighbors[i] < -1 || check->neighbors[i] >= (paradt_index)check->t->cell_count)
