@@ -473,7 +473,7 @@ typedef struct paradt_stats {
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
     double seconds_finish;         // hidden points, translating indices
-    double seconds;                // all of it. Where there is no timespec_get (C11) these are processor time
+    double seconds;                // all of it
 } paradt_stats;
 
 typedef struct paradt_triangulation {
@@ -575,6 +575,10 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#if !defined(CLOCK_MONOTONIC) && (defined(__unix__) || defined(__APPLE__) || defined(__MINGW32__))
+#include <sys/time.h>
+#define PARADT__TIMEVAL
+#endif
 #if defined(__linux__)
 #include <errno.h>
 #include <sys/mman.h> // for pages made ahead
@@ -1215,15 +1219,25 @@ static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #endif
 }
 
+// --- the clock
+
+// Seconds of wall time, from some moment on. Of the system's clocks it is the best that the language standard in use
+// lets <time.h> declare; gettimeofday is declared by any, where there is <sys/time.h>. Without any of them, processor
+// time.
 static double paradt__now(void) {
-#if defined(__wasi__) // has no clock()
+#if defined(CLOCK_MONOTONIC) && !defined(__MINGW32__) // there it would take another library
     struct timespec now;
-    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-#else
-#if defined(TIME_UTC)
+    if (!clock_gettime(CLOCK_MONOTONIC, &now)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(TIME_UTC)
     struct timespec now;
     if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(PARADT__TIMEVAL)
+    struct timeval now;
+    if (!gettimeofday(&now, NULL)) return (double)now.tv_sec + 1e-6 * (double)now.tv_usec;
 #endif
+#if defined(__wasi__) // has no clock()
+    return 0.0;
+#else
     return (double)clock() / (double)CLOCKS_PER_SEC;
 #endif
 }
