@@ -34,9 +34,12 @@
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          the functions are static: define it with PARADT_IMPLEMENTATION, in any number of files
+//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program.
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
+//     none:
+//                            the functions are called otherwise then, so the linker finds those that don't agree.
 //                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
@@ -358,6 +361,14 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+#if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
+#error                                                                                                                 \
+    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#endif
+#if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
+#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#endif
+
 #ifndef PARADT_H
 #define PARADT_H
 
@@ -368,6 +379,9 @@
 extern "C" {
 #endif
 
+#ifdef PARADT_STATIC
+#define PARADT__IS_STATIC
+#endif
 #ifndef PARADT_DEF
 #if defined(PARADT_STATIC) && defined(__GNUC__)
 #define PARADT_DEF static __attribute__((unused)) // a file need not call all of them
@@ -382,7 +396,20 @@ extern "C" {
 #define PARADT_MAX_DIM 8
 
 #ifdef PARADT_INDEX64
+#define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
+// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+#define paradt_triangulate        paradt_triangulate_64
+#define paradt_free               paradt_free_64
+#define paradt_version            paradt_version_64
+#define paradt_status_string      paradt_status_string_64
+#define paradt_method_string      paradt_method_string_64
+#define paradt_check              paradt_check_64
+#define paradt_hash               paradt_hash_64
+#define paradt_hash_cell          paradt_hash_cell_64
+#define paradt_orient             paradt_orient_64
+#define paradt_insphere           paradt_insphere_64
+#define paradt_insphere_perturbed paradt_insphere_perturbed_64
 #else
 typedef int32_t paradt_index; // a point or a cell; negative: none
 #endif
@@ -607,6 +634,16 @@ int madvise(void *address, size_t length, int advice);
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
 #include <immintrin.h> // for copies of the inner functions that are chosen at run time
 #define PARADT__AVX2 __attribute__((target("avx2,fma,popcnt")))
+#endif
+
+// Casts and null pointers are written as C and C++ both have them.
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wzero-as-null-pointer-constant"
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuseless-cast"
+#endif
 #endif
 
 // Floating point rules cases out, with bounds that hold however sums of products are ordered and contracted, but a
@@ -12451,6 +12488,10 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
 #pragma GCC pop_options
 #elif defined(_MSC_VER)
 #pragma float_control(pop)
+#endif
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif // PARADT__IMPLEMENTED

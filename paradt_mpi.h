@@ -203,6 +203,14 @@
 
 #include <mpi.h>
 
+#ifdef PARADT_INDEX64 // see paradt.h
+#define paradt_mpi_triangulate paradt_mpi_triangulate_64
+#define paradt_mpi_free        paradt_mpi_free_64
+#define paradt_mpi_neighbor    paradt_mpi_neighbor_64
+#define paradt_mpi_hash        paradt_mpi_hash_64
+#define paradt_mpi_gather      paradt_mpi_gather_64
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
