@@ -2180,7 +2180,7 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
 
 typedef struct paradt__keyed {
     uint64_t key;
-    paradt_index point;
+    paradt_index item; // what has the key: a caller's index, or a position in a set
 } paradt__keyed;
 
 enum {
@@ -2411,8 +2411,8 @@ PARADT__INLINE uint64_t paradt__curve_key_by(const uint16_t *table, int dim, int
 }
 
 // The position on the curve of a point of the lattice's box: of dim * levels bits.
-PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const paradt__lattice *lattice,
-                                          const double *point) {
+PARADT__INLINE uint64_t paradt__hilbert_key(const paradt__hilbert *hilbert, const paradt__lattice *lattice,
+                                            const double *point) {
     uint32_t x[PARADT_MAX_DIM];
     uint64_t key = 0;
     unsigned entry = 0, direction = 0;
@@ -2428,6 +2428,52 @@ PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const 
         key = key << dim | paradt__hilbert_step(dim, bits, &entry, &direction);
     }
     return key;
+}
+
+// Hilbert's curve through a box
+typedef struct paradt__curve {
+    paradt__hilbert hilbert;
+    paradt__lattice lattice;
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // points outside this part of the box get its nearest place
+} paradt__curve;
+
+// low, high: the box's corners, as ordered bits. levels: see paradt__levels_for. keys: about how many will be made.
+static void paradt__curve_begin(paradt__curve *curve, int dim, int levels, const int64_t *low, const int64_t *high,
+                                size_t keys) {
+    paradt__hilbert_begin(&curve->hilbert, dim, keys);
+    paradt__lattice_begin(&curve->lattice, dim, levels, 0, low, high);
+    memcpy(curve->low, low, (size_t)dim * sizeof *low);
+    memcpy(curve->high, high, (size_t)dim * sizeof *high);
+}
+
+// Limits the curve to a part of its box.
+static void paradt__curve_limit(paradt__curve *curve, const int64_t *low, const int64_t *high) {
+    int axis;
+    for (axis = 0; axis < curve->lattice.dim; axis++) {
+        curve->low[axis] = low[axis] > curve->low[axis] ? low[axis] : curve->low[axis];
+        curve->high[axis] = high[axis] < curve->high[axis] ? high[axis] : curve->high[axis];
+    }
+}
+
+// Returns the position on the curve of the place nearest to a point.
+static uint64_t paradt__curve_key(const paradt__curve *curve, const double *point) {
+    double inside[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < curve->lattice.dim; axis++) {
+        int64_t x = paradt__ordered_bits(point[axis]);
+        x = x < curve->low[axis] ? curve->low[axis] : x > curve->high[axis] ? curve->high[axis] : x;
+        inside[axis] = paradt__from_ordered_bits(x);
+    }
+    return paradt__hilbert_key(&curve->hilbert, &curve->lattice, inside);
+}
+
+// Sorts records along the curve: keyed[i].item is the position of each, and its key is made here. other: scratch for
+// as many.
+static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
+                               paradt__keyed *other, size_t count) {
+    size_t i;
+    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -2541,11 +2587,16 @@ static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
     return keys[begin];
 }
 
-// The axis along which a box is longest, the first of several.
-static int paradt__longest_axis(const double *low, const double *high, int dim) {
+// The axis along which a box is longest, the first of several. by_steps: lengths are counted in representable numbers;
+// else they are differences of coordinates, of half of them as the whole may overflow.
+PARADT__INLINE int paradt__longest_axis(const double *low, const double *high, int dim, int by_steps) {
+    double length = -1.0;
     int axis, longest = 0;
-    for (axis = 1; axis < dim; axis++) {
-        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
+    for (axis = 0; axis < dim; axis++) {
+        double side = by_steps ? (double)paradt__ordered_bits(high[axis]) * 0.5 -
+                                     (double)paradt__ordered_bits(low[axis]) * 0.5
+                               : high[axis] * 0.5 - low[axis] * 0.5;
+        if (side > length) length = side, longest = axis;
     }
     return longest;
 }
@@ -2574,6 +2625,15 @@ static double paradt__spacing(const double *records, size_t width, int dim, cons
         sides[j] = longest;
     }
     return sides[SAMPLE / 2];
+}
+
+// Such boxes are about two distances between neighbours long.
+#define PARADT__MARGIN_PART 0.7
+
+// The margin beside a cut in which points of the other side are neighbours, by paradt__spacing: about one and a half
+// distances between neighbours
+static double paradt__margin_for(double spacing) {
+    return PARADT__MARGIN_PART * spacing;
 }
 
 // More points that a set in the order of the boxes has room for
@@ -2633,7 +2693,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     memcpy(above, high, bytes);
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
-    cut->axis = paradt__longest_axis(below, above, c->dim);
+    cut->axis = paradt__longest_axis(below, above, c->dim, 0);
     cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index point = c->points[i];
@@ -2937,7 +2997,7 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
 PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t point) {
     double x[PARADT_MAX_DIM];
     paradt__coordinates(&loader->source->points, point, x);
-    return paradt__curve_key(&loader->hilbert, lattice, x);
+    return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
 // Sorts points with the same key by a lattice of their own box. Returns 0 if they are equal: their keys say so then.
@@ -2950,7 +3010,7 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        paradt__coordinates(&loader->source->points, (size_t)run[i].point, record);
+        paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
             low[axis] = i && low[axis] < x ? low[axis] : x;
@@ -2963,7 +3023,7 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].point);
+    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
@@ -3009,18 +3069,16 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
 
 // --- cuts by a sample
 
-// Puts a few points of the sample along a curve: the first of loader->keyed, which has room for twice as many.
-static void paradt__sort_few(const paradt__loader *loader, const paradt__hilbert *hilbert, size_t few, int levels) {
-    int dim = loader->source->points.dim;
-    paradt__keyed *keyed = loader->keyed;
-    paradt__lattice lattice;
+// Sorts a few points of the sample, evenly chosen, along a curve of so many levels: in loader->keyed, which has room
+// for twice as many.
+static void paradt__sort_few(const paradt__loader *loader, size_t few, int levels) {
+    const paradt__space *space = &loader->set->space;
+    paradt__curve curve;
     size_t i;
-    paradt__lattice_begin(&lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
-    for (i = 0; i < few; i++) {
-        keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-        keyed[i].key = paradt__curve_key(hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
-    }
-    paradt__keyed_sort(keyed, keyed + few, few, dim * levels, 0);
+    paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
+    for (i = 0; i < few; i++)
+        loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
 }
 
 // How far points of the set are from their neighbours: 2^k times as far are those of one in 2^(k dim) points, such as
@@ -3030,16 +3088,14 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     size_t count = loader->source->points.count, few = count, i;
     int dim = loader->source->points.dim;
     double nearer = 1.0;
-    paradt__hilbert hilbert;
     paradt_index *order;
     do {
         few >>= dim;
         nearer *= 0.5;
     } while (few > FEW);
-    paradt__hilbert_begin(&hilbert, dim, few);
-    paradt__sort_few(loader, &hilbert, few, paradt__levels_for(few, dim));
+    paradt__sort_few(loader, few, paradt__levels_for(few, dim));
     order = (paradt_index *)(void *)(loader->keyed + 2 * few);
-    for (i = 0; i < few; i++) order[i] = loader->keyed[i].point;
+    for (i = 0; i < few; i++) order[i] = loader->keyed[i].item;
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
@@ -3048,7 +3104,7 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
     int64_t keys[SOME];
-    double margin = 0.7 * paradt__sample_spacing(loader), middle, extra, most;
+    double margin = paradt__margin_for(paradt__sample_spacing(loader)), middle, extra, most;
     size_t dim = (size_t)loader->source->points.dim, count = loader->sampled, i, beside = 0;
     const double *x = loader->sample + axis;
     for (i = 0; i < SOME; i++) {
@@ -3078,7 +3134,7 @@ static void paradt__loader_cut(paradt__loader *loader) {
     cutter.dim = dim;
     cutter.sample = loader->sample;
     cutter.count = loader->sampled;
-    cutter.extra = loader->cuts->spares ? paradt__sample_extra(loader, paradt__longest_axis(low, high, dim)) : 0;
+    cutter.extra = loader->cuts->spares ? paradt__sample_extra(loader, paradt__longest_axis(low, high, dim, 0)) : 0;
     cutter.keys = (int64_t *)(void *)loader->keyed;
     cutter.points = (paradt_index *)(void *)(cutter.keys + cutter.count);
     for (i = 0; i < cutter.count; i++) cutter.points[i] = (paradt_index)i;
@@ -3121,10 +3177,10 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t index, int 
         uint64_t key;
         paradt__coordinates(&points, i, x);
         paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
-        key = paradt__curve_key(&loader->hilbert, &lattice, x);
+        key = paradt__hilbert_key(&loader->hilbert, &lattice, x);
         if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
         keyed[i].key = key;
-        keyed[i].point = (paradt_index)i;
+        keyed[i].item = (paradt_index)i;
         count[paradt__first_digit(loader, key)]++;
     }
 }
@@ -3168,7 +3224,7 @@ static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     if (!few || !loader->sampled) return 0;
     levels -= (paradt__bit_length(count / few) - 1) / 2;
     levels = paradt__whole_steps(paradt__max(levels, 1), loader->source->points.dim);
-    paradt__sort_few(loader, &loader->hilbert, few, levels);
+    paradt__sort_few(loader, few, levels);
     for (i = 1; i < few; i++) shared += loader->keyed[i].key == loader->keyed[i - 1].key;
     return shared > few / SHARE;
 }
@@ -3205,9 +3261,9 @@ static void paradt__gather_task(void *context, size_t index) {
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
-        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].point);
-        paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
-        set->origin[i] = loader->keyed[i].point;
+        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].item);
+        paradt__read_record(loader->source, (size_t)loader->keyed[i].item, set->records + i * set->width);
+        set->origin[i] = loader->keyed[i].item;
         repeating += (size_t)loader->keyed[i].key;
     }
     loader->repeating[index] = repeating;
@@ -3222,15 +3278,15 @@ static void paradt__loader_merge(paradt__loader *loader) {
         const double *record = set->records + i * width;
         if (!loader->keyed[i].key) {
             if (kept < i) memcpy(set->records + kept * width, record, width * sizeof *record);
-            set->origin[kept++] = loader->keyed[i].point;
+            set->origin[kept++] = loader->keyed[i].item;
         } else if (set->space.weighted) {
             double *weight = set->records + (kept - 1) * width + ambient;
             if (paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(*weight)) {
                 *weight = record[ambient];
-                set->origin[kept - 1] = loader->keyed[i].point;
+                set->origin[kept - 1] = loader->keyed[i].item;
             }
         }
-        loader->representative[loader->keyed[i].point] = (paradt_index)(kept - 1);
+        loader->representative[loader->keyed[i].item] = (paradt_index)(kept - 1);
     }
     for (i = 0; i < set->count; i++) loader->representative[i] = set->origin[loader->representative[i]];
     set->count = kept;
@@ -3316,7 +3372,7 @@ static int paradt__set_scale(paradt__set *set) {
 }
 
 // Is x outside the affine hull of the basis, seen in the axes taken and one more?
-static int paradt__extends(paradt__space *space, int taken, const double *const *basis, const int *axes,
+static int paradt__extends(paradt__counters *counters, int taken, const double *const *basis, const int *axes,
                            const double *x) {
     double copies[PARADT_MAX_DIM + 1][PARADT_MAX_DIM + 1];
     const double *pointers[PARADT_MAX_DIM + 1];
@@ -3331,9 +3387,9 @@ static int paradt__extends(paradt__space *space, int taken, const double *const 
         paradt__space_add(&view, copies[i]);
     }
     paradt__space_end(&view);
-    view.counters = space->counters;
+    view.counters = *counters;
     independent = paradt__orient(&view, pointers) != 0;
-    space->counters = view.counters;
+    *counters = view.counters;
     return independent;
 }
 
@@ -3352,13 +3408,67 @@ static int paradt__span(paradt__set *set, const paradt_index *order, const doubl
             size_t at = (from + step) % set->count;
             const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
             for (i = 0; i <= taken && basis[i] != x;) i++; // a point of the basis does not extend it
-            if (i > taken && paradt__extends(&set->space, taken, basis, axes, x)) {
+            if (i > taken && paradt__extends(&set->space.counters, taken, basis, axes, x)) {
                 basis[++taken] = x;
                 break;
             }
         }
     }
     return taken;
+}
+
+// Is a number among so many?
+static int paradt__is_among(int number, const int *numbers, int count) {
+    while (count > 0 && numbers[count - 1] != number) count--;
+    return count > 0;
+}
+
+// The first point in the order, from `from` on, that is outside the affine hull of the taken + 1 points of the basis,
+// seen in the axes taken and one more; set->count: there is none.
+static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+    const double *points[PARADT_MAX_DIM + 1];
+    size_t step;
+    int i;
+    for (i = 0; i <= taken; i++) points[i] = paradt__record(set, basis[i]);
+    for (step = 0; step < set->count; step++) {
+        size_t at = (from + step) % set->count;
+        const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
+        if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
+    }
+    return set->count;
+}
+
+// Finds points that span the set. basis: [dim + 1] their positions; the first `given`, none to two that differ, are the
+// caller's. order: positions in the order in which they are tried; NULL: in that of the set, from basis[0] on.
+// axes: NULL: the set's first `dim` axes, which orient, are looked at; or [ambient], all axes are, and `axes` becomes
+// those in which the points found are independent, one less than they, followed by the others. Returns the number of
+// points: one more than the set's affine dimension, so 0 for an empty set.
+static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
+                             int *axes, paradt__counters *counters) {
+    int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
+    size_t from = given && !order ? (size_t)basis[0] : 0;
+    PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
+    if (!axes) axes = unasked;
+    if (!given && set->count) basis[0] = order ? order[0] : 0;
+    if (given == 2) {
+        const double *a = paradt__record(set, basis[0]), *b = paradt__record(set, basis[1]);
+        for (axis = 0; paradt__bits(a[axis]) == paradt__bits(b[axis]);) axis++;
+        axes[taken++] = axis;
+    }
+    for (axis = 0; axis < all && set->count; axis++) {
+        size_t at;
+        if (paradt__is_among(axis, axes, taken)) continue;
+        axes[taken] = axis;
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
+    }
+    dim = taken;
+    for (axis = 0; axis < all; axis++) {
+        if (!paradt__is_among(axis, axes, taken)) axes[taken++] = axis;
+    }
+    return set->count ? dim + 1 : 0;
 }
 
 // Puts the axes that orient first. Returns whether they were not.
@@ -3404,18 +3514,8 @@ static void paradt__set_measured(paradt__set *set, int dim) {
 
 // Finds the affine dimension and puts the axes that orient first. *as_read is cleared when that changes records.
 static int paradt__set_orient(paradt__set *set, int *as_read) {
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axis, i, dim, taken = 0, ambient = set->space.ambient;
-    if (set->count) {
-        basis[0] = set->records;
-        taken = paradt__span(set, NULL, basis, set->axes, 0, 0);
-    }
-    dim = set->count ? taken : -1;
-    for (axis = 0; axis < ambient; axis++) {
-        int known = 0;
-        for (i = 0; i < taken; i++) known |= set->axes[i] == axis;
-        if (!known) set->axes[taken++] = axis;
-    }
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    int dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
     if (paradt__set_permute(set)) *as_read = 0;
     return dim;
 }
@@ -4069,9 +4169,9 @@ static size_t paradt__grid_cut(size_t begin, size_t end) {
 // The axis across which a range is cut: the longest side of its bounding box. Where differences of coordinates may
 // overflow, lengths are counted in representable numbers.
 PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length = -1.0;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     const double *x = set->records + begin * width, *last = set->records + end * width;
-    int axis, longest = 0;
+    int axis;
     for (axis = 0; axis < dim; axis++) low[axis] = high[axis] = x[axis];
     for (; x < last; x += width) {
         for (axis = 0; axis < dim; axis++) {
@@ -4079,13 +4179,7 @@ PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, si
             high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
         }
     }
-    for (axis = 0; axis < dim; axis++) {
-        double side = set->space.filtered ? high[axis] - low[axis]
-                                          : (double)paradt__ordered_bits(high[axis]) * 0.5 -
-                                                (double)paradt__ordered_bits(low[axis]) * 0.5;
-        if (side > length) length = side, longest = axis;
-    }
-    return longest;
+    return paradt__longest_axis(low, high, dim, !set->space.filtered);
 }
 
 static int paradt__grid_axis(const paradt__set *set, size_t begin, size_t end) {
@@ -6165,53 +6259,26 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// A curve, by the box of its lattice and how many points are along it
-typedef struct paradt__curve {
-    const int64_t *low, *high;
-    size_t along;
-} paradt__curve;
-
-// Where the curve comes by next to a point: the key of the nearest place in a box, its corners as ordered bits.
-static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__lattice *lattice, const double *x,
-                                 const int64_t *low, const int64_t *high) {
-    double inside[PARADT_MAX_DIM];
-    int axis;
-    for (axis = 0; axis < lattice->dim; axis++) {
-        int64_t bits = paradt__ordered_bits(x[axis]);
-        bits = bits < low[axis] ? low[axis] : bits > high[axis] ? high[axis] : bits;
-        inside[axis] = paradt__from_ordered_bits(bits);
-    }
-    return paradt__curve_key(hilbert, lattice, inside);
-}
-
-// The first `own` points of the set are along a curve, in the box of low and high. The others come where it passes
-// them, within a few own ones. sorted, other: room for set->count - own.
-static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
-                                 const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
+// The first `own` points of the set are along a curve. The others come where it passes them, within a few own ones.
+// sorted, other: scratch for set->count - own.
+static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
+                                 paradt__keyed *other, paradt__rounds *r) {
     enum { FEW = 16 };
-    paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    int ambient = set->space.ambient, levels = paradt__levels_for(curve->along, ambient);
     size_t others = set->count - own, i, few, end, next = 0;
-    paradt__hilbert_begin(&hilbert, ambient, others + own / FEW);
-    paradt__lattice_begin(&lattice, ambient, levels, 0, curve->low, curve->high);
-    for (i = 0; i < others; i++) {
-        sorted[i].point = (paradt_index)(own + i);
-        sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
-    }
-    paradt__keyed_sort(sorted, other, others, ambient * levels, 0);
+    for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
     for (i = 0; i < own; i += FEW) {
-        uint64_t key = paradt__curve_key(&hilbert, &lattice, set->records + i * set->width);
-        while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].point);
+        uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
+        while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
         for (end = i + FEW < own ? i + FEW : own, few = i; few < end; few++) paradt__rounds_put(r, (paradt_index)few);
     }
-    while (next < others) paradt__rounds_put(r, sorted[next++].point);
+    while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
 // The positions of the set's points by rounds, and in each along the curve that the first `own` are along, as above: a
 // new block, or NULL when there is no memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
-                                          const int64_t *low, const int64_t *high, paradt__memory *memory) {
+                                          paradt__memory *memory) {
     size_t others = set->count - own;
     paradt__rounds r;
     paradt__keyed *sorted, *other;
@@ -6219,7 +6286,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
     other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
     if (!sorted || !other || paradt__rounds_begin(&r, set->count, memory)) r.order = NULL;
-    else paradt__merge_others(set, own, curve, low, high, sorted, other, &r);
+    else paradt__merge_others(set, own, curve, sorted, other, &r);
     paradt__release(memory, other);
     paradt__release(memory, sorted);
     return r.order;
@@ -8792,7 +8859,7 @@ static double paradt__margin(const paradt__field *field) {
     for (axis = set->space.dim; axis < set->space.ambient; axis++)
         open &= field->low[axis] == -PARADT__FAR && field->high[axis] == PARADT__FAR;
     if (!set->space.filtered || !open) return 0.0;
-    return 0.7 * paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count);
+    return paradt__margin_for(paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count));
 }
 
 // Lists the points of the others in the margin, which K has then.
@@ -8859,17 +8926,18 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
     paradt__set known = paradt__patch_known(patch);
+    const paradt__space *space = &patch->set->space;
     paradt__curve curve;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int axis;
-    curve.low = patch->set->space.low;
-    curve.high = patch->set->space.high;
-    curve.along = patch->set->count;
-    for (axis = 0; axis < patch->set->space.ambient; axis++) {
+    paradt__curve_begin(&curve, space->ambient, paradt__levels_for(patch->set->count, space->ambient), space->low,
+                        space->high, known.count / 8);
+    for (axis = 0; axis < space->ambient; axis++) {
         low[axis] = paradt__ordered_bits(own->low[axis]);
         high[axis] = paradt__ordered_bits(own->high[axis]);
     }
-    patch->order = paradt__merged_order(&known, own->set.count, &curve, low, high, patch->memory);
+    paradt__curve_limit(&curve, low, high);
+    patch->order = paradt__merged_order(&known, own->set.count, &curve, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
     patch->bw.order = patch->order;
     paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
@@ -10995,10 +11063,9 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
                                                  const paradt__progress *progress) {
     paradt__curve curve;
     memset(engine, 0, sizeof *engine);
-    curve.low = low;
-    curve.high = high;
-    curve.along = own;
-    engine->order = paradt__merged_order(set, own, &curve, low, high, memory);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    engine->order = paradt__merged_order(set, own, &curve, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__bw_begin(&engine->bw, set, engine->order, memory);
     engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
@@ -11011,19 +11078,15 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
     paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
     paradt_index *order = paradt__round_order(set->count, memory);
-    paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    int dim = set->space.dim, levels = paradt__levels_for(SIZE_MAX, dim);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
     size_t i;
     if (keyed && other && order) {
-        paradt__hilbert_begin(&hilbert, dim, set->count);
-        paradt__lattice_begin(&lattice, dim, levels, 0, set->space.low, set->space.high);
-        for (i = 0; i < set->count; i++) {
-            keyed[i].point = (paradt_index)i;
-            keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, (paradt_index)i));
-        }
-        paradt__keyed_sort(keyed, other, set->count, dim * levels, 0);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].point;
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
         order = NULL;

@@ -27,7 +27,7 @@ static int keys_of_cube(const paradt__hilbert *hilbert, int dim, int levels, int
     for (int i = 0; i < count; i++) {
         double x[PARADT_MAX_DIM];
         lattice_point(i, dim, levels, x);
-        uint64_t key = paradt__curve_key(hilbert, &lattice, x);
+        uint64_t key = paradt__hilbert_key(hilbert, &lattice, x);
         if (key >= (uint64_t)count || order[key] >= 0) return -1;
         order[key] = i;
     }
@@ -79,8 +79,8 @@ static void the_corners_of_any_box_get_different_places(void **state) {
             }
             paradt__hilbert_begin(&hilbert, 3, 10);
             paradt__lattice_begin(&lattice, 3, levels, by_steps, low, high);
-            assert_true(paradt__curve_key(&hilbert, &lattice, low_corner) !=
-                        paradt__curve_key(&hilbert, &lattice, high_corner));
+            assert_true(paradt__hilbert_key(&hilbert, &lattice, low_corner) !=
+                        paradt__hilbert_key(&hilbert, &lattice, high_corner));
         }
 }
 
@@ -96,13 +96,13 @@ static void sorting_keeps_the_order_of_equal_keys(void **state) {
                 paradt__keyed *other = (paradt__keyed *)need(count + 1, sizeof *other);
                 for (size_t i = 0; i < count; i++) { // few different keys, up to the highest bit
                     keyed[i].key = paradt__mix(i) % 97 * 0x9e3779b97f4a7c15u >> (64 - bits[b]);
-                    keyed[i].point = (paradt_index)i;
+                    keyed[i].item = (paradt_index)i;
                 }
                 paradt__keyed_sort(keyed, other, count, bits[b], across);
                 const paradt__keyed *sorted = across ? other : keyed;
                 for (size_t i = 1; i < count; i++)
                     assert_true(sorted[i - 1].key < sorted[i].key ||
-                                (sorted[i - 1].key == sorted[i].key && sorted[i - 1].point < sorted[i].point));
+                                (sorted[i - 1].key == sorted[i].key && sorted[i - 1].item < sorted[i].item));
                 free(keyed);
                 free(other);
             }
