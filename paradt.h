@@ -5504,30 +5504,12 @@ static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int g
     return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
 }
 
-// Any simplex with the first `given` (1 or 2) vertices; those exist, as the set spans its dimension.
-static void paradt__any_simplex(paradt__search *s, paradt_index *simplex, int given) {
-    paradt__set *set = (paradt__set *)(uintptr_t)s->set;
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], i, taken = 0;
-    paradt__set view = *set;
-    view.space = s->space;
-    view.space.ambient = s->space.dim; // only the axes that orient
-    for (i = 0; i < given; i++) basis[i] = paradt__record(s->set, simplex[i]);
-    if (given == 2) {
-        while (paradt__bits(basis[0][taken]) == paradt__bits(basis[1][taken])) taken++;
-        axes[0] = taken;
-        taken = 1;
-    }
-    paradt__span(&view, NULL, basis, axes, taken, (size_t)simplex[0]);
-    for (i = 0; i <= s->space.dim; i++) simplex[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
-    s->space.counters = view.space.counters;
-}
-
 // The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
 // positively oriented. It does not contain simplex[0] just when that is hidden.
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
-    if (!paradt__guess_simplex(s, simplex, given)) paradt__any_simplex(s, simplex, given);
+    if (!paradt__guess_simplex(s, simplex, given))
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters);
     memcpy(goal, simplex, sizeof goal);
     paradt__turn_positive(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
