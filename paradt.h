@@ -8265,19 +8265,13 @@ static uint64_t paradt__bw_close(paradt__bw *bw, const paradt_index *origin) {
 
 // Points that span the set come first in the order.
 static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], i, dim = set->space.dim;
-    paradt__set view = *set;
-    view.space.ambient = dim; // only the axes that orient
-    basis[0] = paradt__record(set, order[0]);
-    paradt__span(&view, order, basis, axes, 0, 0);
-    *counters = view.space.counters;
-    for (i = 0; i <= dim; i++) {
-        paradt_index point = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
-        while (order[at] != point) at++;
+        while (order[at] != basis[i]) at++;
         order[at] = order[i];
-        order[i] = point;
+        order[i] = basis[i];
     }
 }
 
