@@ -8873,13 +8873,11 @@ static paradt__set paradt__patch_known(const paradt__patch *patch) {
 
 // Does a set of points span the space?
 static int paradt__spans(const paradt__set *set) {
-    paradt__set view = *set;
-    const double *points[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim;
-    if (view.count <= (size_t)dim) return 0;
-    points[0] = view.records;
-    view.space.ambient = dim; // only the axes that orient
-    return paradt__span(&view, NULL, points, axes, 0, 0) == dim;
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__counters counters;
+    memset(&counters, 0, sizeof counters);
+    return set->count > (size_t)set->space.dim &&
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
 }
 
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
