@@ -10382,18 +10382,13 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
 
 // Points that span the set, as positions in it once it is open.
 static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set, view = *set;
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], k;
-    view.space.ambient = set->space.dim; // only the axes that orient
-    basis[0] = set->records;
-    paradt__span(&view, NULL, basis, axes, 0, 0);
-    set->space.counters = view.space.counters;
-    for (k = 0; k <= set->space.dim; k++) {
-        size_t point = (size_t)(basis[k] - set->records) / set->width, region = 0;
-        while (point >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) point += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[k] = (paradt_index)point;
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
     }
 }
 
