@@ -1319,21 +1319,17 @@ static int paradt_mpi__scale(paradt_mpi__work *w) {
 // Points that span all, and the axes in which they do. origins: of those that are this rank's, in the places they have
 // among them; the others are -1. Returns the affine dimension.
 static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *counts, paradt_index *origins) {
-    const double *basis[PARADT_MAX_DIM + 1];
+    paradt_index basis[PARADT_MAX_DIM + 1];
     double mine[(PARADT_MAX_DIM + 1) * (PARADT_MAX_DIM + 1)];
     paradt_index own[PARADT_MAX_DIM + 1];
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
-    size_t count = 0;
-    int axes[PARADT_MAX_DIM], dim, axis, taken, r;
-    if (set->count) {
-        basis[0] = set->records;
-        count = (size_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
-    }
+    int axes[PARADT_MAX_DIM], found, r;
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
-        memcpy(mine + i * width, basis[i], width * sizeof *mine);
-        own[i] = set->origin[(size_t)(basis[i] - set->records) / width];
+        memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
+        own[i] = set->origin[basis[i]];
     }
     MPI_Allgather(&count, (int)sizeof count, MPI_BYTE, counts, (int)sizeof count, MPI_BYTE, w->comm);
     MPI_Allgather(mine, (int)(most * width), MPI_DOUBLE, gathered, (int)(most * width), MPI_DOUBLE, w->comm);
@@ -1345,22 +1341,12 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    dim = -1;
-    if (total) {
-        basis[0] = gathered;
-        dim = paradt__span(&all, NULL, basis, set->axes, 0, 0);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    for (i = 0; i < (size_t)found; i++) {
+        size_t position = (size_t)basis[i];
+        origins[i] = position >= before && position < before + count ? own[position - before] : -1;
     }
-    for (taken = 0; taken <= dim; taken++) {
-        size_t place = (size_t)(basis[taken] - gathered) / width;
-        origins[taken] = place >= before && place < before + count ? own[place - before] : -1;
-    }
-    taken = dim > 0 ? dim : 0;
-    for (axis = 0; axis < w->dim; axis++) {
-        int known = 0, j;
-        for (j = 0; j < taken; j++) known |= set->axes[j] == axis;
-        if (!known) set->axes[taken++] = axis;
-    }
-    return dim;
+    return found - 1;
 }
 
 // Measures the points of all ranks. as_read: the own ones have been, as they are, while they were read.
