@@ -3393,30 +3393,6 @@ static int paradt__extends(paradt__counters *counters, int taken, const double *
     return independent;
 }
 
-// Adds points to the basis and axes to the axes until they span the set: the simplex stays independent in just the axes
-// taken. Points are searched for in the order (NULL: that of the set), `from` on. Returns the number of axes taken.
-static int paradt__span(paradt__set *set, const paradt_index *order, const double **basis, int *axes, int taken,
-                        size_t from) {
-    int candidate, i, ambient = set->space.ambient;
-    for (candidate = 0; candidate < ambient; candidate++) {
-        size_t step;
-        int known = 0;
-        for (i = 0; i < taken; i++) known |= axes[i] == candidate;
-        if (known) continue;
-        axes[taken] = candidate;
-        for (step = 0; step < set->count; step++) {
-            size_t at = (from + step) % set->count;
-            const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-            for (i = 0; i <= taken && basis[i] != x;) i++; // a point of the basis does not extend it
-            if (i > taken && paradt__extends(&set->space.counters, taken, basis, axes, x)) {
-                basis[++taken] = x;
-                break;
-            }
-        }
-    }
-    return taken;
-}
-
 // Is a number among so many?
 static int paradt__is_among(int number, const int *numbers, int count) {
     while (count > 0 && numbers[count - 1] != number) count--;
