@@ -1648,11 +1648,11 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     if (keyed && other && sorted) {
         for (i = 0; i < count; i++) {
             keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
-            keyed[i].point = (paradt_index)i;
+            keyed[i].item = (paradt_index)i;
         }
         paradt__keyed_sort(keyed, other, count, 64 - PARADT__DIGIT_BITS, 0); // no id has more bits
         for (i = 0; i < count; i++)
-            memcpy(sorted + i * width, *rows + (size_t)keyed[i].point * width, width * sizeof *sorted);
+            memcpy(sorted + i * width, *rows + (size_t)keyed[i].item * width, width * sizeof *sorted);
         paradt__release(&w->memory, *rows);
         *rows = sorted;
         sorted = NULL;
