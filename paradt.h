@@ -6,7 +6,7 @@
 //     #include "paradt.h"
 //
 // A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, four point indices a line:
+// triangulates the corners of a cube and prints the cells, the indices of four points a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -19,14 +19,15 @@
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
+//         const size_t k = (size_t)(t.dim + 1); // 4; fewer where all points lie in a plane
 //         for (size_t c = 0; c < t.cell_count; c++)
-//             printf("%d %d %d %d\n", (int)t.cells[4 * c], (int)t.cells[4 * c + 1], (int)t.cells[4 * c + 2],
-//                    (int)t.cells[4 * c + 3]);
+//             for (size_t j = 0; j < k; j++)
+//                 printf("%d%c", (int)t.cells[c * k + j], j + 1 < k ? ' ' : '\n');
 //         paradt_free(&t);
 //         return 0;
 //     }
 //
-//     cc -o cube cube.c -lm && ./cube
+//     cc -O2 -o cube cube.c -lm && ./cube
 //
 // There is nothing else to build, and nothing to link but the C library (-lm where that has its mathematics apart).
 //
@@ -85,8 +86,11 @@
 //     options.method = PARADT_DEWALL;
 //     options.memory_limit = (size_t)1 << 30;
 //
-// `progress` is called now and then with the part of the work that is done, as far as that can be foretold. It cancels
-// the work by returning nonzero: the call then ends with PARADT_ERROR_CANCELLED and gives back all memory.
+// `progress` is called now and then with the part of the call's work that is done, as far as that can be foretold: one
+// number from 0 to 1 for all regions and threads, which never falls. It cancels the work by returning nonzero: the call
+// then ends with PARADT_ERROR_CANCELLED, within a few hundredths of a second, and gives back all memory. It is called
+// from any thread that works, by one at a time; compilers that have no atomic operations call it from the first task of
+// a parallel_for only.
 //
 //
 // RESULT
@@ -98,13 +102,15 @@
 //     t.neighbors[i * k + j]    the cell opposite that vertex
 //     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
 //
+// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
 // Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
 // orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
 // set of cells; paradt_hash is equal for equal sets.
 //
-// t.stats counts what was done. Give the arrays back with paradt_free, not with free.
+// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
 //
 //
 // METHODS
@@ -145,16 +151,16 @@
 //         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
 //     }
 //
-// examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called some ten times, for large sets up to forty: the insertion is done in legs, between
-// which regions change hands, so that a slow processor, or one that others use, is not waited for. Near surfaces, where
-// regions tell each other what they lack, it is called some dozens of times more. One region a thread is right where
-// the points are alike everywhere; a few more even out regions that take longer. The cells do not depend on the
-// regions, nor on the threads.
+// examples/paradt.c has one for POSIX threads. The allocator is then called concurrently from those threads, the
+// progress callback from one of them at a time. parallel_for is called some ten times, for large sets up to forty: the
+// insertion is done in legs, between which regions change hands, so that a slow processor, or one that others use, is
+// not waited for. Near surfaces, where regions tell each other what they lack, it is called some dozens of times more.
+// One region a thread is right where the points are alike everywhere; a few more even out regions that take longer. The
+// cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
 // points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
-// 1. Threads may see the progress go back.
+// 1.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
 //
@@ -185,7 +191,8 @@
 // Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
 // cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
+// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
@@ -230,15 +237,21 @@
 //
 // Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown value
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
+//     value;
+//                              error_text, and reason in paradt_fault, say which
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
 //     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
+//     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
-// After an error the result is empty: all memory is given back, and there is nothing to free (paradt_free does no
-// harm). Callbacks must return: an exception or longjmp out of them leaks what the call holds.
+// After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
+// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
+// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
+// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
+// leaks what the call holds.
 //
 //
 // COST
@@ -372,7 +385,8 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_MEMORY, "an allocation failed or the memory limit was reached")                                     \
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
-    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")
+    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
+    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -393,15 +407,19 @@ typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
-enum { PARADT_NO_NEIGHBORS = 1 }; // the result's neighbors are NULL
+enum {
+    PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
+};
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
 // user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
 // from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// fraction: 0..1, of the work done; an estimate. A nonzero return cancels. With a parallel_for it is called from its
-// threads, at once, and the fractions of several regions come interleaved. user: that of the options.
+// fraction: 0..1, the part of the whole call's work that is done; an estimate that never falls, and 1 at the end. A
+// nonzero return cancels. With a parallel_for it is called from any of its threads, but never by two at a time. user:
+// that of the options.
 typedef int (*paradt_progress)(void *user, double fraction);
 
 // Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
@@ -428,7 +446,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -449,27 +467,29 @@ typedef struct paradt_stats {
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
-    uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
+    uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
     double seconds_finish;         // hidden points, translating indices
-    double seconds;                // all of it. Where there is no timespec_get (C11) these are processor time
+    double seconds;                // all of it
 } paradt_stats;
 
 typedef struct paradt_triangulation {
-    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points
-    size_t cell_count;            // number of cells
-    paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL when not wanted
-    size_t point_count;           // number of points, as given
+    int dim;                 // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
+    size_t cell_count;       // number of cells
+    paradt_index *cells;     // [cell_count][dim + 1] point indices, positively oriented
+    paradt_index *neighbors; // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL: not wanted, or dim < 1
+    size_t point_count;      // number of points, as given
     paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
-    paradt_stats stats;           // what was done
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
+    paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first; all of it zero when nothing is.
+// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
@@ -477,17 +497,21 @@ typedef struct paradt_fault {
 } paradt_fault;
 
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it is empty but for error_point, and holds no memory.
+//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
+//            0, but error_point, error_text and stats are filled.
 //   points   read during the call only.
 //   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED. Thread safety: any number of calls at once, with an `out`
-// each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
+// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation all zero. NULL and all zero are
-// fine. Thread safety: as free.
+// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
+// NULL and all zero are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
+
+// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+PARADT_DEF int paradt_version(void);
 
 // A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
@@ -501,9 +525,9 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 //   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
 //   points         those it was made of.
 //   options        NULL: the defaults; allocator, memory_limit, progress and user are used, the rest is only checked.
-//   fault          NULL: not wanted.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, by which nothing is said about the
-// triangulation. Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+//   fault          NULL: not wanted. Says what is wrong with an argument, too.
+// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
@@ -551,6 +575,10 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#if !defined(CLOCK_MONOTONIC) && (defined(__unix__) || defined(__APPLE__) || defined(__MINGW32__))
+#include <sys/time.h>
+#define PARADT__TIMEVAL
+#endif
 #if defined(__linux__)
 #include <errno.h>
 #include <sys/mman.h> // for pages made ahead
@@ -621,10 +649,23 @@ extern "C" {
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
-// Adds to a count that several threads add to at once; the sum. Where the compiler has nothing for that it is not
-// defined, and done without.
+// Numbers that several threads read and change concurrently. Where the compiler has nothing for them PARADT__ATOMICS is
+// not defined, and the numbers are one thread's at a time.
 #if defined(__GNUC__) && !defined(__TINYC__)
-#define PARADT__ADD_AT_ONCE(count, more) __atomic_add_fetch(count, more, __ATOMIC_RELAXED)
+#define PARADT__ATOMICS
+#define PARADT__ATOMIC_ADD(number, more) __atomic_add_fetch(number, more, __ATOMIC_RELAXED) // returns the sum
+#define PARADT__ATOMIC_LOAD(number)      __atomic_load_n(number, __ATOMIC_RELAXED)
+#define PARADT__ATOMIC_LOCK(flag)        (!__atomic_exchange_n(flag, 1, __ATOMIC_ACQUIRE)) // 0: it is locked already
+#define PARADT__ATOMIC_UNLOCK(flag)      __atomic_store_n(flag, 0, __ATOMIC_RELEASE)
+// Replaces *number by `value` where it is *expected; otherwise *expected becomes what it is. May fail without a reason.
+#define PARADT__ATOMIC_SWAP(number, expected, value)                                                                   \
+    __atomic_compare_exchange_n(number, expected, value, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)
+#else
+#define PARADT__ATOMIC_ADD(number, more)             (*(number) += (more))
+#define PARADT__ATOMIC_LOAD(number)                  (*(number))
+#define PARADT__ATOMIC_LOCK(flag)                    (*(flag) ? 0 : (*(flag) = 1))
+#define PARADT__ATOMIC_UNLOCK(flag)                  (*(flag) = 0)
+#define PARADT__ATOMIC_SWAP(number, expected, value) (*(number) = (value), (void)(expected), 1)
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -641,6 +682,9 @@ typedef struct paradt__memory {
     uint64_t limit; // bytes; UINT64_MAX: none
     uint64_t held;
     uint64_t peak;
+    uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
+    uint64_t base;   // of a share: what the parent held,
+    uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
 enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
@@ -688,7 +732,9 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
 // The account of one of `shares` tasks that may run at once.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
-    memory.held = memory.peak = 0;
+    memory.held = memory.peak = memory.needed = 0;
+    memory.base = parent->held;
+    memory.shares = shares;
     if (parent->limit != UINT64_MAX) memory.limit = (parent->limit - parent->held) / shares;
     return memory;
 }
@@ -697,7 +743,17 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
+    if (child->needed > parent->needed) parent->needed = child->needed;
     if (parent->held > parent->peak) parent->peak = parent->held;
+}
+
+// Notes how much memory the call would have needed for a block that is refused: by the limit, which all shares have an
+// equal part of, or by the allocator. Returns NULL.
+static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit) {
+    uint64_t held = memory->held + bytes;
+    if (held < bytes) held = bytes; // the account is below zero
+    memory->needed = memory->base + (by_limit && memory->shares ? held * memory->shares : held);
+    return NULL;
 }
 
 // count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
@@ -709,9 +765,10 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
-    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2)) return NULL;
+    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2))
+        return paradt__refuse(memory, bytes, 1);
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
-    if (!block) return NULL;
+    if (!block) return paradt__refuse(memory, bytes, 0);
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held = held;
@@ -1007,45 +1064,132 @@ static uint64_t paradt__mix(uint64_t h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>tasks
 //
-// What runs on several threads: teams of tasks, progress, giving up, and pauses of insertions that work together.
-// Doors: to be listed.
+// What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
+// together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
+// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__team_run,
+// paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
+// paradt__relay_waits, paradt__now.
 
-// Tasks that may run at once, for work that is divided by points
+// --- progress
+//
+// All tasks of a call add what they have done to one sum, which the callback is told; so it never falls, in whatever
+// order they run. One thread at a time is in the callback: another that comes meanwhile goes on without. When the
+// callback has asked for it, all tasks find the work cancelled at their next look.
+
+enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+
+typedef struct paradt__meter {
+    paradt_progress call; // NULL: none
+    void *user;
+    uint32_t done; // of PARADT__ALL_DONE
+    int calling;   // 1: a thread is in the callback
+    int cancelled;
+} paradt__meter;
+
+// The share of a call's work that one task does, or several that work through it together
+typedef struct paradt__progress {
+    paradt__meter *meter; // NULL: nobody asks
+    uint32_t *told;       // what the meter has been told of the share
+    double share;         // 0..1, of the whole call
+} paradt__progress;
+
+static void paradt__meter_begin(paradt__meter *meter, const paradt_options *options) {
+    memset(meter, 0, sizeof *meter);
+    if (!options) return;
+    meter->call = options->progress;
+    meter->user = options->user;
+}
+
+// Part of the work that is done: 0..1
+static double paradt__meter_done(const paradt__meter *meter) {
+    double done = (double)PARADT__ATOMIC_LOAD(&meter->done) / (double)PARADT__ALL_DONE;
+    return done < 1.0 ? done : 1.0;
+}
+
+// Asks the caller. Returns 1 when the call is to end.
+static int paradt__meter_cancels(paradt__meter *meter) {
+    if (!meter->call) return 0;
+    if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && PARADT__ATOMIC_LOCK(&meter->calling)) {
+        if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && meter->call(meter->user, paradt__meter_done(meter)))
+            (void)PARADT__ATOMIC_ADD(&meter->cancelled, 1);
+        PARADT__ATOMIC_UNLOCK(&meter->calling);
+    }
+    return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// A share of the work. *told is the caller's to keep for as long as somebody works on the share.
+static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *told, double share) {
+    paradt__progress progress;
+    progress.meter = meter->call ? meter : NULL;
+    progress.told = told;
+    progress.share = share;
+    return progress;
+}
+
+// To be called some hundred times a second: `fraction` of the share is done, an estimate. Returns 1 when the call is to
+// end. Several threads may work on one share: the farthest one counts.
+static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
+    uint32_t now, before;
+    if (!progress->meter) return 0;
+    if (fraction > 1.0) fraction = 1.0;
+    now = (uint32_t)(fraction * progress->share * (double)PARADT__ALL_DONE);
+    before = PARADT__ATOMIC_LOAD(progress->told);
+    while (before < now && !PARADT__ATOMIC_SWAP(progress->told, &before, now)) {
+    }
+    if (before < now) (void)PARADT__ATOMIC_ADD(&progress->meter->done, now - before);
+    return paradt__meter_cancels(progress->meter);
+}
+
+// The progress of a task that may run concurrently with others: without atomics only the first of them reports.
+static paradt__progress paradt__progress_of_task(paradt__progress progress, size_t index) {
+#if !defined(PARADT__ATOMICS)
+    if (index) progress.meter = NULL;
+#endif
+    (void)index;
+    return progress;
+}
+
+// --- teams
+
+// Tasks that may run concurrently, for work that is divided by points
 typedef struct paradt__team {
     paradt_parallel_for parallel_for; // NULL: one after another
     void *user;
-    size_t tasks; // 1..PARADT__MOST_TASKS
+    size_t tasks;              // 1..PARADT__MOST_TASKS
+    paradt__progress progress; // of what they do together
 } paradt__team;
 
 enum { PARADT__MOST_TASKS = 4 };
 
-static paradt__team paradt__team_of(const paradt_options *options, size_t regions) {
+static paradt__team paradt__team_of(const paradt_options *options, size_t regions, paradt__progress progress) {
     paradt__team team;
     team.parallel_for = options->parallel_for;
     team.user = options->user;
     team.tasks = options->parallel_for ? regions : 1;
     if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
+    team.progress = progress;
     return team;
 }
 
-static const paradt__team paradt__alone = {NULL, NULL, 1};
+static const paradt__team paradt__alone = {NULL, NULL, 1, {NULL, NULL, 0.0}};
 
 static void paradt__team_run(const paradt__team *team, void (*task)(void *context, size_t index), void *context) {
     if (team->tasks > 1) team->parallel_for(team->user, team->tasks, task, context);
     else task(context, 0);
 }
-// Progress and cancellation, asked for now and then.
-typedef struct paradt__progress {
-    paradt_progress call; // NULL: none
-    void *user;
-    double begin, length; // the part of the work that this task is
-} paradt__progress;
 
-static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
-    if (!progress->call) return 0;
-    if (fraction > 1.0) fraction = 1.0;
-    return progress->call(progress->user, progress->begin + fraction * progress->length) != 0;
+// For the task `index` of a team: `fraction` of what the team does is done. Returns 1 when the call is to end.
+static int paradt__team_cancels(const paradt__team *team, size_t index, double fraction) {
+    paradt__progress progress = paradt__progress_of_task(team->progress, index);
+    return paradt__progress_cancels(&progress, fraction);
 }
+
+// Has one of the tasks found that the call is to end?
+static int paradt__team_cancelled(const paradt__team *team) {
+    return team->progress.meter && PARADT__ATOMIC_LOAD(&team->progress.meter->cancelled);
+}
+
+// --- giving up, and pauses
 
 // A status that no caller gets to see
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
@@ -1058,8 +1202,8 @@ typedef struct paradt__relay {
 
 // Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
 static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
-#if defined(PARADT__ADD_AT_ONCE)
-    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, (ptrdiff_t)worth) >= relay->stop;
+#if defined(PARADT__ATOMICS)
+    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
 #else
     (void)relay, (void)done, (void)worth;
     return 0;
@@ -1068,22 +1212,32 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 
 // The others do not pause while one does what takes as long as so many points and can't be paused.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
-#if defined(PARADT__ADD_AT_ONCE)
-    if (relay) PARADT__ADD_AT_ONCE(&relay->done, -(ptrdiff_t)points);
+#if defined(PARADT__ATOMICS)
+    if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
 #else
     (void)relay, (void)points;
 #endif
 }
 
+// --- the clock
+
+// Seconds of wall time, from some moment on. Of the system's clocks it is the best that the language standard in use
+// lets <time.h> declare; gettimeofday is declared by any, where there is <sys/time.h>. Without any of them, processor
+// time.
 static double paradt__now(void) {
-#if defined(__wasi__) // has no clock()
+#if defined(CLOCK_MONOTONIC) && !defined(__MINGW32__) // there it would take another library
     struct timespec now;
-    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-#else
-#if defined(TIME_UTC)
+    if (!clock_gettime(CLOCK_MONOTONIC, &now)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(TIME_UTC)
     struct timespec now;
     if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(PARADT__TIMEVAL)
+    struct timeval now;
+    if (!gettimeofday(&now, NULL)) return (double)now.tv_sec + 1e-6 * (double)now.tv_usec;
 #endif
+#if defined(__wasi__) // has no clock()
+    return 0.0;
+#else
     return (double)clock() / (double)CLOCKS_PER_SEC;
 #endif
 }
@@ -2719,7 +2873,6 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 // What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
 // paradt__span, paradt__record.
 
-
 enum {
     PARADT__UNGRADED,
     PARADT__WEIGHT,
@@ -2907,6 +3060,17 @@ static size_t paradt__loader_share(const paradt__loader *loader, size_t count, s
     return index + 1 == tasks ? count : count / tasks * (index + 1);
 }
 
+// Passes over the points while they are read and sorted, and where each begins in the progress of that
+enum { PARADT__LOADER_PACE = 1 << 15 }; // points between two looks at whether the call is cancelled
+enum { PARADT__SURVEY = 0, PARADT__KEYS = 20, PARADT__SORT = 50, PARADT__GATHER = 80, PARADT__LOADED = 100 };
+
+// Looks in on the caller, after `done` of a task's `count` elements in the pass from `begin` to `end`.
+static int paradt__loader_cancels(const paradt__loader *loader, size_t index, int begin, int end, size_t done,
+                                  size_t count) {
+    double part = (double)done / (double)count;
+    return paradt__team_cancels(loader->team, index, (begin + (end - begin) * part) / (double)PARADT__LOADED);
+}
+
 // Looks at all coordinates of a task's points [i, end).
 PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, size_t i, size_t end, int dim) {
     paradt__source source = *loader->source; // copies, that no store through a pointer can change
@@ -2941,14 +3105,20 @@ static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     }
 }
 
-// Makes the pages of a task's part of the arrays that are filled from now on.
-static void paradt__loader_pages(const paradt__loader *loader, size_t index) {
-    size_t record = loader->set->width * sizeof(double), first;
-    size_t end = paradt__loader_share(loader, loader->source->points.count, index, &first);
-    paradt__make_pages(loader->keyed, first * sizeof *loader->keyed, end * sizeof *loader->keyed);
-    paradt__make_pages(loader->set->records, first * record, end * record);
-    paradt__make_pages(loader->set->origin, first * sizeof(paradt_index), end * sizeof(paradt_index));
-    paradt__make_pages(loader->representative, first * sizeof(paradt_index), end * sizeof(paradt_index));
+// Makes the pages of a task's part of the arrays that are filled from now on. Returns 1 when the call is to end.
+static int paradt__loader_pages(const paradt__loader *loader, size_t index) {
+    enum { TOGETHER = 1 << 17 }; // points
+    size_t record = loader->set->width * sizeof(double), i, next;
+    size_t end = paradt__loader_share(loader, loader->source->points.count, index, &i);
+    for (; i < end; i = next) {
+        if (paradt__loader_cancels(loader, index, PARADT__SURVEY, PARADT__KEYS, 0, 1)) return 1;
+        next = end - i < 2 * TOGETHER ? end : i + TOGETHER;
+        paradt__make_pages(loader->keyed, i * sizeof *loader->keyed, next * sizeof *loader->keyed);
+        paradt__make_pages(loader->set->records, i * record, next * record);
+        paradt__make_pages(loader->set->origin, i * sizeof(paradt_index), next * sizeof(paradt_index));
+        paradt__make_pages(loader->representative, i * sizeof(paradt_index), next * sizeof(paradt_index));
+    }
+    return 0;
 }
 
 // How many of the sample's shares end up to a point. In integers: where a task ends the next one begins.
@@ -2961,11 +3131,12 @@ static void paradt__survey_task(void *context, size_t index) {
     enum { TOGETHER = 1 << 12 };
     paradt__loader *loader = (paradt__loader *)context;
     int dim = loader->source->points.dim;
-    size_t i, next, end = paradt__loader_share(loader, loader->source->points.count, index, &i);
-    paradt__loader_pages(loader, index);
+    size_t i, next, end = paradt__loader_share(loader, loader->source->points.count, index, &i), first = i;
     loader->space[index] = loader->set->space;
     loader->bad[index] = SIZE_MAX;
+    if (paradt__loader_pages(loader, index)) return;
     for (; i < end && loader->bad[index] == SIZE_MAX; i = next) {
+        if (paradt__loader_cancels(loader, index, PARADT__SURVEY, PARADT__KEYS, i - first, end - first)) return;
         next = end - i < TOGETHER ? end : i + TOGETHER;
         if (dim == 3) paradt__survey(loader, index, i, next, 3);
         else paradt__survey(loader, index, i, next, dim);
@@ -2979,6 +3150,7 @@ static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
     paradt__set *set = loader->set;
     size_t i;
     paradt__team_run(loader->team, paradt__survey_task, loader);
+    if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
     for (i = 0; i < loader->team->tasks; i++) {
         if (loader->bad[i] == SIZE_MAX) continue;
         *bad = loader->bad[i];
@@ -3168,13 +3340,16 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t index, int 
     paradt_points points = loader->source->points; // copies, that no store through a pointer can change
     paradt__lattice lattice = loader->lattice;
     paradt__keyed *keyed = loader->keyed;
-    size_t i, end = paradt__loader_share(loader, points.count, index, &i), *count = loader->place[index];
+    size_t i, end = paradt__loader_share(loader, points.count, index, &i), first = i, *count = loader->place[index];
     int bits = dim * lattice.levels;
     points.dim = lattice.dim = dim;
     memset(count, 0, loader->digits * sizeof *count);
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
+        if (i % PARADT__LOADER_PACE == 0 &&
+            paradt__loader_cancels(loader, index, PARADT__KEYS, PARADT__SORT, i - first, end - first))
+            return;
         paradt__coordinates(&points, i, x);
         paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
         key = paradt__hilbert_key(&loader->hilbert, &lattice, x);
@@ -3209,6 +3384,7 @@ static void paradt__sort_task(void *context, size_t index) {
     for (digit = 0; digit < loader->digits; begin = ends[digit++]) {
         size_t count = ends[digit] - begin;
         if (!count || ends[digit] <= share || ends[digit] > last) continue;
+        if (paradt__loader_cancels(loader, index, PARADT__SORT, PARADT__GATHER, begin, last)) return;
         paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
         paradt__refine(loader, loader->keyed + begin, loader->other + begin, count);
     }
@@ -3242,6 +3418,7 @@ static void paradt__loader_sort(paradt__loader *loader) {
     loader->digits = (size_t)1 << (dim * levels + box_bits - loader->shift);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
+    if (paradt__team_cancelled(loader->team)) return;
     for (digit = 0; digit < loader->digits; digit++) {
         for (i = 0; i < tasks; i++) {
             size_t here = loader->place[i][digit];
@@ -3257,9 +3434,12 @@ static void paradt__gather_task(void *context, size_t index) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
     paradt__set *set = loader->set;
-    size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
+    size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0, first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
+        if (i % PARADT__LOADER_PACE == 0 &&
+            paradt__loader_cancels(loader, index, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
+            return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
         paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].item);
         paradt__read_record(loader->source, (size_t)loader->keyed[i].item, set->records + i * set->width);
@@ -3338,8 +3518,14 @@ static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *
     if (!status) {
         if (loader.cuts) paradt__loader_cut(&loader);
         paradt__loader_sort(&loader);
+        if (paradt__team_cancelled(team)) status = PARADT_ERROR_CANCELLED;
+    }
+    if (!status) {
         set->count = points->count;
         paradt__team_run(team, paradt__gather_task, &loader);
+        if (paradt__team_cancelled(team)) status = PARADT_ERROR_CANCELLED;
+    }
+    if (!status) {
         for (i = 0; i < team->tasks; i++) repeating += loader.repeating[i];
         if (repeating) paradt__loader_merge(&loader);
         if (loader.cuts) paradt__loader_bound(&loader);
@@ -9738,6 +9924,10 @@ static paradt__front_method paradt__choose_front(paradt_method method) {
     return methods[method];
 }
 
+PARADT_DEF int paradt_version(void) {
+    return PARADT_VERSION;
+}
+
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
 #define PARADT__TEXT(name, text) text,
     static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
@@ -9784,24 +9974,51 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     paradt__release(&memory, t->neighbors);
     paradt__release(&memory, t->representative);
     memset(t, 0, sizeof *t);
+    t->dim = -1;
 }
 
-static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options) {
+// What is wrong with the points, apart from their number; NULL: nothing.
+static const char *paradt__points_fault(const paradt_points *points) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
-    if (points->dim < 2 || points->dim > PARADT_MAX_DIM || (unsigned)points->scalar > PARADT_F32)
+    if (points->dim < 2 || points->dim > PARADT_MAX_DIM) return "points.dim is out of 2..PARADT_MAX_DIM";
+    if ((unsigned)points->scalar > PARADT_F32) return "points.scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
+    if (points->stride && points->stride < size * (size_t)points->dim)
+        return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    return NULL;
+}
+
+// What is wrong with the options; NULL: nothing.
+static const char *paradt__options_fault(const paradt_options *options) {
+    if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
+    if ((unsigned)options->partition > PARADT_UNIFORM)
+        return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FULL_DIM))
+        return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
+    if (options->allocator.alloc && !options->allocator.free)
+        return "options.allocator has alloc but not free; give both or neither";
+    if (options->allocator.free && !options->allocator.alloc)
+        return "options.allocator has free but not alloc; give both or neither";
+    return NULL;
+}
+
+// *text: what is wrong, unless that is nothing.
+static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
+                                             const char **text) {
+    size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    const char *fault = points ? paradt__points_fault(points) : "points is NULL";
+    if (!fault && options) fault = paradt__options_fault(options);
+    if (fault) {
+        *text = fault;
         return PARADT_ERROR_ARGUMENT;
-    if (points->count && !points->data) return PARADT_ERROR_ARGUMENT;
-    if (points->stride && points->stride < size * (size_t)points->dim) return PARADT_ERROR_ARGUMENT;
-    if (options) {
-        if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
-            return PARADT_ERROR_ARGUMENT;
-        if (options->flags & ~(unsigned)PARADT_NO_NEIGHBORS) return PARADT_ERROR_ARGUMENT;
-        if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
+    *text = "points.count is larger than an index can number";
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
         return PARADT_ERROR_TOO_LARGE;
+    *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
+    *text = NULL;
     return PARADT_OK;
 }
 
@@ -9820,10 +10037,12 @@ typedef struct paradt__work {
     paradt_options options;
     paradt_method method; // that is tried; AUTO has become one
     int impatient;        // 1: it may give up
-    double done;          // part of the work that one that gave up has reported
     size_t regions;
     int in_turn; // 1: insertion builds one after another, without neighbours
     int hollow;  // 1: the points may be on a surface or a curve
+    paradt__meter meter;
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of it, while one task does all of it
     paradt_stats *stats;
     paradt__cells cells;
     paradt__cuts cuts;                      // between the regions
@@ -9846,11 +10065,11 @@ typedef struct paradt__region {
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
-    int built;   // it has ended the third step
-    int open;    // it waits for what others have to tell
-    size_t runs; // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;  // and what this task has done, in points inserted
-    double done; // what a front has reported of the whole work, at most
+    int built;     // it has ended the third step
+    int open;      // it waits for what others have to tell
+    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
+    size_t ran;    // and what this task has done, in points inserted
+    uint32_t told; // of its share of the work
     paradt_stats stats;
 } paradt__region;
 
@@ -9884,39 +10103,38 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
     stats->cells_recomputed += region->cells_recomputed;
 }
 
-static paradt__progress paradt__part_of_progress(const paradt__work *work, size_t index, size_t parts) {
-    paradt__progress progress;
-    progress.call = work->options.progress;
-    progress.user = work->options.user;
-    progress.length = (1.0 - work->done) / (double)parts;
-    progress.begin = work->done + (double)index * progress.length;
-    return progress;
+// A way of building begins: it has what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    enum { FINISH = 40 }; // so large a part of the work is left for the time when the cells are made: one in 40
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - 1.0 / FINISH);
+    work->told = 0;
 }
 
-static double paradt__front_done(const paradt__front *front) {
-    double part = (double)front->cells.count / front->expected;
-    return front->progress.begin + (part < 1.0 ? part : 1.0) * front->progress.length;
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
 }
 
 static paradt_status paradt__build_undivided(paradt__work *work) {
     paradt__front front;
     paradt__region_view view = {NULL, NULL, 0};
     paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    front.progress = paradt__part_of_progress(work, 0, 1);
+    paradt__begin_way(work);
+    front.progress = paradt__whole_progress(work);
     front.impatient = work->impatient;
     if (!status) status = paradt__choose_front(work->method)(&front);
     paradt__count_front(work->stats, &front);
     paradt__front_end(&front);
     work->cells = front.cells;
     work->stats->hull_facets = front.hull_facets;
-    work->done = paradt__front_done(&front);
     return status;
 }
 
 static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1);
+    paradt__progress progress;
     paradt__counters counters;
     paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
     memset(&counters, 0, sizeof counters);
     status =
         paradt__bowyer_watson(&work->set, &work->memory, &work->cells, !(work->options.flags & PARADT_NO_NEIGHBORS),
@@ -9936,6 +10154,11 @@ static paradt__region_view paradt__view_of(const paradt__work *work, size_t inde
     return view;
 }
 
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
 // Points of a region
 static size_t paradt__region_count(const paradt__work *work, size_t index) {
     return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
@@ -9949,12 +10172,11 @@ static void paradt__front_task(void *context, size_t index) {
     paradt__front front;
     region->status =
         paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__part_of_progress(work, index, work->regions);
+    front.progress = paradt__region_progress(work, index);
     front.impatient = work->impatient;
     if (!region->status) region->status = paradt__choose_front(work->method)(&front);
     paradt__count_front(&region->stats, &front);
     paradt__front_end(&front);
-    region->done = paradt__front_done(&front);
     region->cells = front.cells;
     if (!region->status)
         region->status =
@@ -10016,13 +10238,11 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
     int hasty = paradt__asks_around(work);
-    size_t turn = work->in_turn ? work->regions - 1 - index : index;
-    paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
+    paradt__progress progress = paradt__region_progress(work, index);
     region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
     if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
     if (!region->status && paradt__patch_pauses(patch, hasty)) return;
     region->built = 1;
-    region->done = progress.begin + progress.length;
     region->open = !region->status && patch->list_count;
     paradt__count_patch(region);
     if (region->status || region->open || patch->trusts) return;
@@ -10058,10 +10278,9 @@ static void paradt__hear_task(void *context, size_t index) {
 static void paradt__complete_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1); // all regions have come to its end
+    paradt__progress progress = paradt__region_progress(work, index);
     if (!region->open) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    region->done = progress.begin + progress.length;
     paradt__count_patch(region);
     if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
@@ -10413,9 +10632,6 @@ static paradt_status paradt__build_together(paradt__work *work) {
     if (!status && open) status = paradt__complete_together(work);
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
-        if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
-    }
     paradt__share_memory(work);
     if (!status) status = paradt__collect_patches(work);
     paradt__share_memory(work);
@@ -10478,10 +10694,7 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
     paradt__cells *cells = &work->cells;
     size_t corners = (size_t)cells->corners, i;
     paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) { // the first is told by all the others
-        status = paradt__build_turn(work, i);
-        work->done = work->region[i].done;
-    }
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
     if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
         void *vertices = cells->vertices;
         size_t used = cells->count * corners;
@@ -10496,10 +10709,12 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
 // The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
 // back.
 static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1);
+    paradt__progress progress;
     paradt__region *largest = NULL, *region;
     paradt__patch *patch;
     paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
     for (region = work->region; region < work->region + work->regions; region++) {
         region->patch.memory = region->patch.bw.memory = &work->memory;
         if (region->status == PARADT__GAVE_UP && (!largest || region->patch.bw.count > largest->patch.bw.count))
@@ -10560,8 +10775,6 @@ static paradt_status paradt__build_patches(paradt__work *work) {
 
 static paradt_status paradt__build_fronts(paradt__work *work) {
     paradt_status status = paradt__run_regions(work, paradt__front_task);
-    size_t i;
-    for (i = 0; i < work->regions; i++) work->done = paradt__larger(work->done, work->region[i].done);
     status = paradt__collect_regions(work, &work->cells, status);
     return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
 }
@@ -10575,6 +10788,7 @@ static paradt_status paradt__build_regions(paradt__work *work) {
     if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
     memset(work->region, 0, work->regions * sizeof *work->region);
     if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    paradt__begin_way(work);
     for (i = 0; i < work->regions; i++) {
         work->region[i].memory = paradt__memory_fork(memory, work->regions);
         work->region[i].cells.corners = work->set.space.dim + 1;
@@ -10600,13 +10814,13 @@ static paradt_status paradt__build_trivial(paradt__work *work) {
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
     const paradt__cells *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, corners = (size_t)cells->corners, i;
+    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
-    for (i = 0; i < cells->count * corners; i++) {
+    for (i = 0; i < vertices; i++) {
         size_t point = (size_t)cells->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
@@ -10621,11 +10835,17 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
 }
 
 // Positions become the caller's indices.
-static void paradt__translate(paradt__work *work) {
+static paradt_status paradt__translate(paradt__work *work) {
+    enum { PACE = 1 << 20 }; // vertices between two looks at whether the call is cancelled
     paradt_index *vertices = work->cells.vertices;
     const paradt_index *origin = work->set.origin;
-    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i;
-    for (i = 0; i < count; i++) vertices[i] = origin[vertices[i]];
+    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i, end;
+    for (i = 0; i < count;) {
+        end = count - i < PACE ? count : i + PACE;
+        for (; i < end; i++) vertices[i] = origin[vertices[i]];
+        if (paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+    }
+    return PARADT_OK;
 }
 
 // Gives back what the building of cells needs beside the set.
@@ -10776,10 +10996,11 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
 
 static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now(), loaded, sorted;
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
     paradt__team team;
     paradt_status status;
     paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions);
+    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
     work->cuts.boxes = work->regions;
     work->cuts.partition = work->options.partition;
     work->cuts.spares = !work->in_turn && paradt__inserts(work->options.method, points->dim);
@@ -10788,16 +11009,18 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     if (!out->representative) return PARADT_ERROR_MEMORY;
     status =
         paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    loaded = sorted = paradt__now();
+    work->stats->seconds_points = loaded - begun;
+    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
-    loaded = sorted = paradt__now();
+    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
     status = paradt__build_by_any(work, &sorted);
-    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.neighbors) {
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
         paradt__release(&work->memory, work->cells.neighbors);
         work->cells.neighbors = NULL;
     }
-    if (!status) paradt__translate(work);
-    work->stats->seconds_points = loaded - begun;
+    if (!status) status = paradt__translate(work);
     work->stats->seconds_grid = sorted - loaded;
     work->stats->seconds_build = paradt__now() - sorted;
     return status;
@@ -10812,49 +11035,64 @@ static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
     cells->vertices = cells->neighbors = NULL;
 }
 
+// Why the points don't span their dimension.
+static const char *paradt__flat_text(int dim) {
+    if (dim < 0) return "there are no points";
+    if (dim == 0) return "all points are at one place";
+    if (dim == 1) return "all points lie on a line";
+    return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
+}
+
+// After an error: leaves nothing but what says which.
+static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
+    size_t bad = out->error_point;
+    paradt_free(out);
+    out->error_point = bad;
+    out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options) {
     paradt__work work;
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
+    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
-    if (!points) return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
+    out->dim = -1;
+    status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
     memset(&work, 0, sizeof work);
     memset(&stats, 0, sizeof stats);
     if (options) work.options = *options;
     paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
     work.stats = &stats;
     out->point_count = points->count;
+    out->allocator = work.memory.allocator;
     work.regions = work.options.regions ? work.options.regions : 1;
     if (work.regions > points->count) work.regions = points->count ? points->count : 1;
     status = paradt__build(&work, points, out);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    out->allocator = work.memory.allocator;
-    if (!status) {
-        paradt__deliver(&work, out);
-        stats.cells = out->cell_count;
-        stats.regions = work.regions;
-    }
+    work.meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) paradt__deliver(&work, out);
+    dim = work.set.space.dim;
     paradt__cells_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
     paradt__release(&work.memory, work.cuts.cut);
-    if (status) {
-        size_t bad = out->error_point;
-        paradt_free(out);
-        out->error_point = bad;
-        return status;
-    }
+    if (status) paradt__withdraw(out, status, dim);
+    stats.cells = out->cell_count;
+    stats.regions = work.regions;
     stats.peak_bytes = work.memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
     stats.seconds_finish = paradt__now() - built;
     stats.seconds = paradt__now() - begun;
     out->stats = stats;
-    return PARADT_OK;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11319,6 +11557,8 @@ typedef struct paradt__remote_part {
     paradt__cuts cuts;
     uint32_t *owner; // [set.count]
     paradt__cells cells;
+    paradt__meter meter;
+    uint32_t told;
 } paradt__remote_part;
 
 // Builds one region of a loaded set facet by facet.
@@ -11340,9 +11580,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     view.cuts = &part->cuts;
     view.region = (uint32_t)region;
     status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress.call = options->progress;
-    front.progress.user = options->user;
-    front.progress.length = 1.0;
+    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
     if (!status) status = paradt__choose_front(method)(&front);
     paradt__count_front(stats, &front);
     paradt__front_end(&front);
@@ -11390,6 +11628,7 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
     memset(&part, 0, sizeof part);
     memset(&stats, 0, sizeof stats);
     paradt__memory_begin(&part.memory, options);
+    paradt__meter_begin(&part.meter, options);
     out->point_count = points->count;
     out->allocator = part.memory.allocator;
     out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
@@ -11474,10 +11713,25 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
 // is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
 // o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
 
-enum {
-    PARADT__CHECK_PHASES = 5, // those that report progress
-    PARADT__CHECK_PACE = 4096 // elements between two calls of it: some milliseconds
-};
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+
+// What is done, one after another, with the part of the work that is done when it begins
+#define PARADT__CHECK_PHASES(X)                                                                                        \
+    X(READ, 0.0)                                                                                                       \
+    X(LEAD, 0.02)                                                                                                      \
+    X(REPRESENT, 0.04)                                                                                                 \
+    X(CELLS, 0.06)                                                                                                     \
+    X(MATCH, 0.2)                                                                                                      \
+    X(FACETS, 0.35)                                                                                                    \
+    X(HULL, 0.8)                                                                                                       \
+    X(HIDDEN, 0.9)
+
+typedef enum paradt__check_phase {
+#define PARADT__CHECK_NAME(name, begin) PARADT__CHECK_##name,
+    PARADT__CHECK_PHASES(PARADT__CHECK_NAME)
+#undef PARADT__CHECK_NAME
+        PARADT__CHECK_END
+} paradt__check_phase;
 
 typedef struct paradt__check {
     const paradt_triangulation *t;
@@ -11491,7 +11745,7 @@ typedef struct paradt__check {
     paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
     const double
         *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
-    int phase;
+    paradt__check_phase phase;
 } paradt__check;
 
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
@@ -11502,12 +11756,15 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// To be called for each element of a phase.
+// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
+#define PARADT__CHECK_BEGIN(name, begin) begin,
+    static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
+#undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
-    double fraction;
+    double fraction = begins[check->phase];
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
-    fraction = (check->phase + (double)done / (double)all) / (double)PARADT__CHECK_PHASES;
+    fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
@@ -11565,8 +11822,10 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
     if (!set->records) return PARADT_ERROR_MEMORY;
     for (; set->count < points->count; set->count++) {
+        paradt_status status = paradt__check_pace(check, set->count, points->count);
         int exponent = paradt__read_record(&source, set->count, set->records + set->count * set->width);
         if (exponent > set->exponent) set->exponent = exponent;
+        if (status) return status;
         if (exponent < 2047) continue;
         paradt__check_fail(check, "a coordinate or weight is NaN or infinite", -1, (paradt_index)set->count);
         return PARADT_ERROR_NOT_FINITE;
@@ -11624,23 +11883,27 @@ static size_t paradt__check_place(const paradt__check *check, const paradt_index
 }
 
 // Fills the table with the point that has to stand for its place: the heaviest, then the first.
-static void paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
+static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
+    paradt_status status = PARADT_OK;
     size_t i;
-    for (i = 0; i < check->set.count; i++) {
+    for (i = 0; i < check->set.count && !status; i++) {
         const double *record = paradt__record(&check->set, (paradt_index)i);
         paradt_index *leader = table + paradt__check_place(check, table, slots, record);
         if (*leader < 0 ||
             (space->weighted && paradt__ordered_bits(record[space->ambient]) >
                                     paradt__ordered_bits(paradt__record(&check->set, *leader)[space->ambient])))
             *leader = (paradt_index)i;
+        status = paradt__check_pace(check, i, check->set.count);
     }
+    return status;
 }
 
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
+    paradt_status status = PARADT_OK;
     size_t i;
-    for (i = 0; i < check->set.count; i++) {
+    for (i = 0; i < check->set.count && !status; i++) {
         paradt_index point = (paradt_index)i, stands = representative[i], leader;
         leader = table[paradt__check_place(check, table, slots, paradt__record(&check->set, point))];
         if ((stands < 0) != (representative[leader] < 0))
@@ -11649,8 +11912,9 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
         if (stands >= 0 && stands != leader)
             return paradt__check_fail(
                 check, "the representative is not the first of the heaviest with these coordinates", -1, point);
+        status = paradt__check_pace(check, i, check->set.count);
     }
-    return PARADT_OK;
+    return status;
 }
 
 static paradt_status paradt__check_representatives(paradt__check *check) {
@@ -11668,8 +11932,10 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
     table = (paradt_index *)paradt__alloc(&check->memory, slots, sizeof *table);
     if (!table) return PARADT_ERROR_MEMORY;
     memset(table, 0xff, slots * sizeof *table);
-    paradt__check_lead(check, table, slots);
-    status = paradt__check_against_leaders(check, table, slots);
+    check->phase = PARADT__CHECK_LEAD;
+    status = paradt__check_lead(check, table, slots);
+    check->phase = PARADT__CHECK_REPRESENT;
+    if (!status) status = paradt__check_against_leaders(check, table, slots);
     paradt__release(&check->memory, table);
     return status;
 }
@@ -11810,6 +12076,8 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
+        paradt_status status = paradt__check_pace(check, cell, check->t->cell_count);
+        if (status) return status;
         for (corner = 0; corner < corners; corner++) {
             size_t *place = table + paradt__check_facet_place(check, table, slots, cell, corner);
             size_t facet = cell * corners + corner, twin = *place - 1;
@@ -12069,17 +12337,28 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     if (!points->count)
         return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
     status = paradt__check_representatives(check);
-    check->phase = 1;
+    check->phase = PARADT__CHECK_CELLS;
     if (!status) status = paradt__check_cells(check);
     if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
     if (!status) status = paradt__check_adjacency(check);
-    check->phase = 2;
+    check->phase = PARADT__CHECK_FACETS;
     if (!status) status = paradt__check_facets(check);
-    check->phase = 3;
+    check->phase = PARADT__CHECK_HULL;
     if (!status) status = paradt__check_hull(check);
-    check->phase = 4;
+    check->phase = PARADT__CHECK_HIDDEN;
     if (!status) status = paradt__check_hidden(check);
-    return status;
+    check->phase = PARADT__CHECK_END;
+    return status ? status : paradt__check_pace(check, 0, 1);
+}
+
+// What is missing in the triangulation; NULL: nothing.
+static const char *paradt__check_triangulation(const paradt_triangulation *t) {
+    if (!t) return "triangulation is NULL";
+    if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
+    if (t->point_count && !t->representative)
+        return "triangulation.representative is NULL, but triangulation.point_count is not 0";
+    return NULL;
 }
 
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
@@ -12092,16 +12371,21 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     check.options = options;
     check.fault = fault ? fault : &unwanted;
     memset(check.fault, 0, sizeof *check.fault);
-    if (!triangulation || !points || (triangulation->cell_count && !triangulation->cells) ||
-        (triangulation->point_count && !triangulation->representative))
-        return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
-    if (status) return status;
+    status = paradt__check_arguments(points, options, &check.fault->reason);
+    if (!status) {
+        check.fault->reason = paradt__check_triangulation(triangulation);
+        if (check.fault->reason) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) {
+        check.fault->cell = check.fault->point = -1;
+        return status;
+    }
     paradt__memory_begin(&check.memory, options);
     status = paradt__check_all(&check, points);
     paradt__release(&check.memory, check.set.records);
     paradt__release(&check.memory, check.matched);
     paradt__release(&check.memory, check.cell_of);
+    if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
 #ifdef __cplusplus

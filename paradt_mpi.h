@@ -435,6 +435,8 @@ typedef struct paradt_mpi__work {
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
     double progress_begin, progress_length;
+    paradt__meter meter; // of the insertion on this rank
+    uint32_t told;
 } paradt_mpi__work;
 
 // The status of the first rank that has one, on all.
@@ -687,8 +689,8 @@ static void paradt_mpi__put_bits(double *x, uint64_t bits) {
 // Agrees on the arguments: dim, weights, flags.
 static paradt_status paradt_mpi__check(paradt_mpi__work *w, const paradt_points *local, paradt_status status) {
     int64_t facts[5], weights;
-    if (!status && !local) status = PARADT_ERROR_ARGUMENT;
-    if (!status) status = paradt__check_arguments(local, &w->options.local);
+    const char *text;
+    if (!status) status = paradt__check_arguments(local, &w->options.local, &text);
     if (!status && w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED) status = PARADT_ERROR_ARGUMENT;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
@@ -2119,13 +2121,14 @@ static paradt_status paradt_mpi__insert_late(paradt_mpi__work *w) {
 // Inserts what this rank knows, at first or after more came.
 static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     paradt__set all = w->set;
+    paradt_options options;
     paradt__progress progress;
     if (w->inserting) return paradt_mpi__insert_late(w);
     all.count = w->known;
-    progress.call = w->options.local.progress ? paradt_mpi__progress : NULL;
-    progress.user = w;
-    progress.begin = 0.0;
-    progress.length = 1.0;
+    options = paradt_mpi__local_options(w);
+    paradt__meter_begin(&w->meter, &options);
+    w->told = 0;
+    progress = paradt__progress_of(&w->meter, &w->told, 1.0);
     w->inserting = 1;
     return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }

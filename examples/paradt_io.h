@@ -1658,8 +1658,10 @@ static void paradt_io__put_ele(paradt_io__scene *scene) {
 }
 
 static void paradt_io__put_neigh(paradt_io__scene *scene) {
-    paradt_io__putf(&scene->out, "%zu %d\n", scene->t->cell_count, scene->t->dim + 1);
-    paradt_io__put_table(scene, scene->t->neighbors);
+    size_t rows = scene->t->neighbors ? scene->t->cell_count : 0; // a single point has none
+    paradt_io__putf(&scene->out, "%zu %d\n", rows, scene->t->dim + 1);
+    if (rows)
+        paradt_io__put_table(scene, scene->t->neighbors);
 }
 
 static int paradt_io__write_ele(paradt_io__scene *scene) {

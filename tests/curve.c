@@ -131,7 +131,7 @@ static void equal_points_are_found_on_all_scales(void **state) {
     for (int dim = 2; dim <= 4; dim++)
         for (size_t tasks = 1; tasks <= PARADT__MOST_TASKS; tasks++) {
             paradt_points points = {0};
-            paradt__team team = {tasks_in_turn, NULL, tasks};
+            paradt__team team = {tasks_in_turn, NULL, tasks, {NULL, NULL, 0.0}};
             paradt__memory memory;
             paradt__set set;
             size_t bad = 0, distinct = 0, count = tasks % 2 ? SCALES : PARADT__MANY_KEYS - 1;
@@ -267,7 +267,7 @@ static void boxes_follow_each_other(void **state) {
         for (int kind = 0; kind < 4; kind++)
             for (size_t boxes = 1; boxes <= 700; boxes += boxes < 9 ? 1 : 230) {
                 paradt_points points = {0};
-                paradt__team team = {tasks_in_turn, NULL, 2};
+                paradt__team team = {tasks_in_turn, NULL, 2, {NULL, NULL, 0.0}};
                 paradt__cuts cuts = {0};
                 paradt__memory memory;
                 paradt__set set;
@@ -338,7 +338,7 @@ static void points_are_measured_while_they_are_read(void **state) {
             sample s = family_make(&families[f], &weightings[w], 2 + (f + w) % 4, 60, 5);
             paradt_points points = points_of(&s);
             paradt__source source = paradt__source_of(&points);
-            paradt__team team = {tasks_in_turn, NULL, 1 + (size_t)w % 3};
+            paradt__team team = {tasks_in_turn, NULL, 1 + (size_t)w % 3, {NULL, NULL, 0.0}};
             paradt__memory memory;
             paradt__set set = {0};
             paradt_index *representative = (paradt_index *)need((size_t)s.count, sizeof *representative);
