@@ -1291,8 +1291,8 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     source.points.dim = w->dim;
     source.points.stride = source.weight_stride = (width + 1) * sizeof *rows;
     source.points.weights = w->weighted ? rows + w->dim : NULL;
-    source.spare = paradt_mpi__expect_others(w, count);
-    w->room = count + source.spare;
+    source.reserve = paradt_mpi__expect_others(w, count);
+    w->room = count + source.reserve;
     // ids ascend, so the smallest index is the smallest id
     return paradt__set_gather(&w->set, &source, NULL, &paradt__alone, &w->memory, w->twin, &bad);
 }
@@ -1642,6 +1642,7 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
     paradt__keyed *keyed, *other;
     double *sorted;
+    enum { ID_BITS = 56 }; // no id has more
     paradt_status status = PARADT_ERROR_MEMORY;
     if (count > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
     keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
@@ -1652,7 +1653,7 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
             keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
             keyed[i].item = (paradt_index)i;
         }
-        paradt__keyed_sort(keyed, other, count, 64 - PARADT__DIGIT_BITS, 0); // no id has more bits
+        paradt__keyed_sort(keyed, other, count, ID_BITS, 0);
         for (i = 0; i < count; i++)
             memcpy(sorted + i * width, *rows + (size_t)keyed[i].item * width, width * sizeof *sorted);
         paradt__release(&w->memory, *rows);

@@ -181,16 +181,12 @@ static int is_crowded(const double *x, size_t count) {
     int crowded;
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
-    paradt__loader_begin(&loader, &set, &paradt__alone);
-    loader.source = &source;
-    loader.representative = representative;
-    set.width = 3;
-    paradt__space_begin(&set.space, 3, 3, 0);
-    assert_int_equal(paradt__loader_room(&loader, &memory), PARADT_OK);
-    assert_int_equal(paradt__set_survey(&loader, &bad), PARADT_OK);
+    paradt__loader_begin(&loader, &set, &source, NULL, &paradt__alone, representative);
+    assert_int_equal(paradt__loader_allocate(&loader, &memory), PARADT_OK);
+    assert_int_equal(paradt__loader_survey(&loader, &bad), PARADT_OK);
     paradt__hilbert_begin(&loader.hilbert, 3, count);
     crowded = paradt__loader_crowded(&loader, paradt__levels_for(count, 3));
-    paradt__release(&memory, loader.keyed);
+    paradt__loader_free(&loader, &memory);
     paradt__set_free(&set, &memory);
     assert_int_equal(memory.held, 0);
     return crowded;
@@ -387,14 +383,16 @@ static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, 
     static paradt_index merged[OWN + OTHERS];
     static size_t place[OWN + OTHERS];
     size_t all = set->count = own + OTHERS;
-    paradt__curve curve = {set->space.low, set->space.high, OWN};
+    paradt__curve curve;
     paradt__rounds one; // and no more
     memset(&one, 0, sizeof one);
+    paradt__curve_begin(&curve, 3, paradt__levels_for(OWN, 3), set->space.low, set->space.high, all);
+    paradt__curve_limit(&curve, low, high);
     one.order = merged;
     for (size_t i = 0; i < TWINS; i++)
         memcpy(set->records + 3 * (own + i), set->records + 3 * (own / TWINS * i), 3 * sizeof(double));
     for (size_t i = 3 * (own + TWINS); i < 3 * all; i++) set->records[i] = (double)(paradt__mix(i) >> 11) * 0x1p-50 - 4;
-    paradt__merge_others(set, own, &curve, low, high, sorted, other, &one);
+    paradt__merge_others(set, own, &curve, sorted, other, &one);
     assert_int_equal(one.next, all);
     for (size_t i = 0; i < all; i++) place[i] = all;
     for (size_t i = 0; i < all; i++) {
