@@ -102,6 +102,16 @@
 //     t.neighbors[i * k + j]    the cell opposite that vertex
 //     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
 //
+// With PARADT_FACETS in options.flags neighbors hold half-facets: the place in the array of the same facet as its other
+// cell has it. Place f = i * k + j is the facet of cell f / k opposite its vertex f % k, and with g = t.neighbors[f]
+//
+//     g < 0                     the facet is on the hull (g is -1); else
+//     g / k                     the neighbour
+//     t.cells[g]                its vertex that is not in the facet
+//     t.neighbors[g]            f
+//
+// So programs that go from cell to cell, or around a ridge, need not search for the way back.
+//
 // In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
@@ -409,6 +419,7 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 // paradt_options.flags
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
+    PARADT_FACETS = 2,       // neighbors are half-facets: where the neighbour has the facet, too (see RESULT)
     PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
 };
 
@@ -446,7 +457,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS, PARADT_FULL_DIM
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -477,11 +488,11 @@ typedef struct paradt_stats {
 } paradt_stats;
 
 typedef struct paradt_triangulation {
-    int dim;                 // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
-    size_t cell_count;       // number of cells
-    paradt_index *cells;     // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors; // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL: not wanted, or dim < 1
-    size_t point_count;      // number of points, as given
+    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
+    size_t cell_count;            // number of cells
+    paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
+    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex, or its half-facet; -1: hull
+    size_t point_count;           // number of points, as given
     paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
     const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
@@ -524,7 +535,8 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 // was found first.
 //   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
 //   points         those it was made of.
-//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, the rest is only checked.
+//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags:
+//                  what neighbors hold. The rest is only checked.
 //   fault          NULL: not wanted. Says what is wrong with an argument, too.
 // Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
 // Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
@@ -10135,8 +10147,10 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FULL_DIM))
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
+    if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
+        return "options.flags has PARADT_FACETS, which is about neighbours, and PARADT_NO_NEIGHBORS";
     if (options->allocator.alloc && !options->allocator.free)
         return "options.allocator has alloc but not free; give both or neither";
     if (options->allocator.free && !options->allocator.alloc)
@@ -10247,8 +10261,8 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 
 // A way of building begins: it has what is left of the work but for the finish.
 static void paradt__begin_way(paradt__work *work) {
-    enum { FINISH = 40 }; // so large a part of the work is left for the time when the cells are made: one in 40
-    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - 1.0 / FINISH);
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
     work->told = 0;
 }
 
@@ -11168,8 +11182,36 @@ static paradt_status paradt__build(paradt__work *work, const paradt_points *poin
     return status;
 }
 
+// The corner of the cell `other` that is no vertex of the neighbour `cell`.
+static size_t paradt__opposite_corner(const paradt_index *cell, const paradt_index *other, size_t corners) {
+    size_t i, j;
+    for (j = 0; j < corners; j++) {
+        for (i = 0; i < corners && cell[i] != other[j]; i++) {
+        }
+        if (i == corners) break;
+    }
+    return j;
+}
+
+// Neighbours, which are cells, become half-facets. Those that have are negative, below PARADT__HULL, until all have.
+static void paradt__make_half_facets(paradt__work *work) {
+    const paradt_index *vertices = work->cells.vertices;
+    paradt_index *neighbors = work->cells.neighbors;
+    size_t corners = (size_t)work->cells.corners, facets = work->cells.count * corners, facet, twin;
+    for (facet = 0; facet < facets; facet++) {
+        if (neighbors[facet] < 0) continue;
+        twin = (size_t)neighbors[facet] * corners;
+        twin += paradt__opposite_corner(vertices + facet / corners * corners, vertices + twin, corners);
+        neighbors[facet] = -2 - (paradt_index)twin;
+        neighbors[twin] = -2 - (paradt_index)facet;
+    }
+    for (facet = 0; facet < facets; facet++)
+        if (neighbors[facet] < PARADT__HULL) neighbors[facet] = -2 - neighbors[facet];
+}
+
 static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
     paradt__cells *cells = &work->cells;
+    if (work->options.flags & PARADT_FACETS && cells->neighbors) paradt__make_half_facets(work);
     out->dim = work->set.space.dim;
     out->cell_count = cells->count;
     out->cells = cells->vertices;
@@ -11883,6 +11925,7 @@ typedef struct paradt__check {
     paradt__set set;               // the records of all the caller's points, by the caller's index
     size_t corners;                // dim + 1, of a cell
     const paradt_index *neighbors; // t->neighbors or matched
+    int halves;                    // 1: they are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
     paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
     const double
@@ -11908,6 +11951,12 @@ static paradt_status paradt__check_pace(const paradt__check *check, size_t done,
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
     fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
+}
+
+// The cell across a facet (numbered cell * corners + corner); negative: none
+PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
+    paradt_index neighbor = check->neighbors[facet];
+    return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
 }
 
 PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check, size_t cell) {
@@ -12156,15 +12205,20 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
 }
 
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
-    paradt_index neighbor = check->neighbors[cell * check->corners + corner];
-    size_t place[PARADT_MAX_DIM + 1], other = (size_t)neighbor;
+    size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
+    paradt_index neighbor = paradt__check_neighbor(check, facet);
     int opposite;
     if (neighbor < 0) return PARADT_OK;
+    other = (size_t)neighbor;
     opposite = paradt__check_across(check, cell, corner, other, place);
     if (opposite < 0)
         return paradt__check_fail(check, "a cell does not share the facet with the neighbour across it",
                                   (paradt_index)cell, paradt__check_cell(check, cell)[corner]);
-    if (check->neighbors[other * check->corners + (size_t)opposite] != (paradt_index)cell)
+    twin = other * check->corners + (size_t)opposite;
+    if (check->halves && (size_t)check->neighbors[facet] != twin)
+        return paradt__check_fail(check, "a half-facet is another facet of the neighbour", (paradt_index)cell,
+                                  paradt__check_cell(check, cell)[corner]);
+    if (check->neighbors[twin] != (paradt_index)(check->halves ? facet : cell))
         return paradt__check_fail(check, "a neighbour's neighbour is another cell", (paradt_index)cell,
                                   paradt__check_cell(check, cell)[corner]);
     if (cell > other) return PARADT_OK;
@@ -12242,10 +12296,14 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
     check->neighbors = check->t->neighbors;
+    check->halves = check->neighbors && check->options && check->options->flags & PARADT_FACETS;
     if (check->neighbors) {
+        size_t end = check->halves ? facets : check->t->cell_count;
         for (i = 0; i < facets; i++)
-            if (check->neighbors[i] < -1 || check->neighbors[i] >= (paradt_index)check->t->cell_count)
-                return paradt__check_fail(check, "a neighbour is no cell", (paradt_index)(i / check->corners), -1);
+            if (check->neighbors[i] < -1 || (check->neighbors[i] >= 0 && (size_t)check->neighbors[i] >= end))
+                return paradt__check_fail(check,
+                                          check->halves ? "a neighbour is no half-facet" : "a neighbour is no cell",
+                                          (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
     while (slots < facets + facets / 4) // most facets are there twice and take one place
@@ -12312,7 +12370,7 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
-        paradt_index next = check->neighbors[cell * check->corners + leave];
+        paradt_index next = paradt__check_neighbor(check, cell * check->corners + leave);
         int opposite;
         if (next < 0) return paradt__check_cell(check, cell)[stay];
         opposite = paradt__check_across(check, cell, leave, (size_t)next, place);
@@ -12434,7 +12492,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
         paradt__check_gather(check, (size_t)*cell, corners);
         while (corner < check->corners && paradt__check_side(check, corners, corner, x) >= 0) corner++;
         if (corner == check->corners) break;
-        *cell = check->neighbors[(size_t)*cell * check->corners + corner];
+        *cell = paradt__check_neighbor(check, (size_t)*cell * check->corners + corner);
         if (*cell < 0) return paradt__check_fail(check, "a hidden point lies outside of all cells", -1, point);
     }
     corners[check->corners] = x;

@@ -435,8 +435,8 @@ typedef struct paradt_mpi__work {
     paradt_triangulation local;   // of the points known when it was made
     size_t local_bytes;           // that it holds, if it was made by a call with an account of its own
     double progress_begin, progress_length;
-    paradt__meter meter; // of the insertion on this rank
-    uint32_t told;
+    paradt__meter meter;     // of the insertion on this rank,
+    uint32_t meter_told;     // all of which is one share
 } paradt_mpi__work;
 
 // The status of the first rank that has one, on all.
@@ -2128,8 +2128,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     all.count = w->known;
     options = paradt_mpi__local_options(w);
     paradt__meter_begin(&w->meter, &options);
-    w->told = 0;
-    progress = paradt__progress_of(&w->meter, &w->told, 1.0);
+    w->meter_told = 0;
+    progress = paradt__progress_of(&w->meter, &w->meter_told, 1.0);
     w->inserting = 1;
     return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }

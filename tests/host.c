@@ -193,6 +193,7 @@ static void scalar_2(call *c) { c->points.scalar = (paradt_scalar)2; }
 static void stride_in_elements(call *c) { c->points.stride = 3; }
 static void method_77(call *c) { c->options.method = (paradt_method)77; }
 static void partition_2(call *c) { c->options.partition = (paradt_partition)2; }
+static void facets_of_nothing(call *c) { c->options.flags = PARADT_NO_NEIGHBORS | PARADT_FACETS; }
 static void flags_not_zeroed(call *c) { c->options.flags = 0xcdcdcdcd; }
 static void alloc_alone(call *c) { c->options.allocator.alloc = some_alloc; }
 static void free_alone(call *c) { c->options.allocator.free = some_free; }
@@ -200,9 +201,16 @@ static void free_alone(call *c) { c->options.allocator.free = some_free; }
 static const struct {
     void (*spoil)(call *c);
     const char *says;
-} spoilers[] = {{dim_9, "dim"},           {dim_0, "dim"},           {no_data, "data"},
-                {scalar_2, "scalar"},     {stride_in_elements, "bytes"}, {method_77, "method"},
-                {partition_2, "partition"}, {flags_not_zeroed, "flags"}, {alloc_alone, "has alloc but not free"},
+} spoilers[] = {{dim_9, "dim"},
+                {dim_0, "dim"},
+                {no_data, "data"},
+                {scalar_2, "scalar"},
+                {stride_in_elements, "bytes"},
+                {method_77, "method"},
+                {partition_2, "partition"},
+                {flags_not_zeroed, "flags"},
+                {facets_of_nothing, "PARADT_FACETS"},
+                {alloc_alone, "has alloc but not free"},
                 {free_alone, "has free but not alloc"}};
 
 static void every_argument_error_says_which_and_why(void **state) {
@@ -272,6 +280,57 @@ static void every_other_error_has_a_sentence_too(void **state) {
 }
 
 // --- flags
+
+static void half_facets_lead_there_and_back(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 5; dim++)
+        for (int method = 0; method < PARADT_METHOD_COUNT; method++)
+            for (size_t regions = 1; regions <= 3; regions += 2) {
+                size_t count = dim < 4 ? 2000 : 150, k = (size_t)dim + 1, hull = 0;
+                double *x = uniform(count, dim);
+                paradt_points points = packed(x, count, dim);
+                paradt_options options = {0};
+                paradt_triangulation t;
+                paradt_fault fault;
+                options.method = (paradt_method)method;
+                options.regions = regions;
+                options.flags = PARADT_FACETS;
+                assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+                for (size_t f = 0; f < t.cell_count * k; f++) {
+                    paradt_index g = t.neighbors[f];
+                    hull += g < 0;
+                    if (g < 0)
+                        continue;
+                    assert_true((size_t)g < t.cell_count * k && (size_t)g / k != f / k);
+                    assert_true(t.neighbors[g] == (paradt_index)f);
+                    for (size_t i = 0; i < k; i++) { // the facet's vertices are those of the neighbour but for one
+                        const paradt_index *other = t.cells + (size_t)g / k * k;
+                        size_t j = 0;
+                        while (j < k && (j == (size_t)g % k || other[j] != t.cells[f / k * k + i]))
+                            j++;
+                        assert_true((j == k) == (i == f % k));
+                    }
+                }
+                assert_true(hull == t.stats.hull_facets);
+                assert_int_equal(paradt_check(&t, &points, &options, &fault), PARADT_OK);
+                for (int change = 0; change < 40; change++) {
+                    size_t f = (size_t)change * 37 % (t.cell_count * k);
+                    paradt_index right = t.neighbors[f];
+                    // Another facet of the right neighbour, one of another, none, one that does not exist
+                    const paradt_index wrong[] = {right < 0 ? 0 : right / (paradt_index)k * (paradt_index)k +
+                                                                      (right % (paradt_index)k + 1) % (paradt_index)k,
+                                                  (paradt_index)((f + 3 * k) % (t.cell_count * k)), right < 0 ? 1 : -1,
+                                                  (paradt_index)(t.cell_count * k), -2};
+                    t.neighbors[f] = wrong[change % 5];
+                    if (t.neighbors[f] != right)
+                        assert_int_equal(paradt_check(&t, &points, &options, &fault), PARADT_ERROR_INVALID);
+                    t.neighbors[f] = right;
+                }
+                assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_ERROR_INVALID); // they are no cells
+                paradt_free(&t);
+                free(x);
+            }
+}
 
 static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
     static const double flat[] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 5, 6, 1};
@@ -416,6 +475,7 @@ int main(void) {
         cmocka_unit_test(one_point_has_no_facets),
         cmocka_unit_test(every_argument_error_says_which_and_why),
         cmocka_unit_test(every_other_error_has_a_sentence_too),
+        cmocka_unit_test(half_facets_lead_there_and_back),
         cmocka_unit_test(a_lower_dimension_is_an_error_if_asked_for),
         cmocka_unit_test(progress_is_one_fraction_that_never_falls),
         cmocka_unit_test(points_are_read_in_short_steps),
