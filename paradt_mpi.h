@@ -1299,8 +1299,8 @@ static paradt_status paradt_mpi__load(paradt_mpi__work *w, const double *rows, s
     source.points.dim = w->dim;
     source.points.stride = source.weight_stride = (width + 1) * sizeof *rows;
     source.points.weights = w->weighted ? rows + w->dim : NULL;
-    source.spare = paradt_mpi__expect_others(w, count);
-    w->room = count + source.spare;
+    source.reserve = paradt_mpi__expect_others(w, count);
+    w->room = count + source.reserve;
     // ids ascend, so the smallest index is the smallest id
     return paradt__set_gather(&w->set, &source, NULL, &paradt__alone, &w->memory, w->twin, &bad);
 }
@@ -1329,21 +1329,17 @@ static int paradt_mpi__scale(paradt_mpi__work *w) {
 // Points that span all, and the axes in which they do. origins: of those that are this rank's, in the places they have
 // among them; the others are -1. Returns the affine dimension.
 static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *counts, paradt_index *origins) {
-    const double *basis[PARADT_MAX_DIM + 1];
+    paradt_index basis[PARADT_MAX_DIM + 1];
     double mine[(PARADT_MAX_DIM + 1) * (PARADT_MAX_DIM + 1)];
     paradt_index own[PARADT_MAX_DIM + 1];
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
-    size_t count = 0;
-    int axes[PARADT_MAX_DIM], dim, axis, taken, r;
-    if (set->count) {
-        basis[0] = set->records;
-        count = (size_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
-    }
+    int axes[PARADT_MAX_DIM], found, r;
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
-        memcpy(mine + i * width, basis[i], width * sizeof *mine);
-        own[i] = set->origin[(size_t)(basis[i] - set->records) / width];
+        memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
+        own[i] = set->origin[basis[i]];
     }
     MPI_Allgather(&count, (int)sizeof count, MPI_BYTE, counts, (int)sizeof count, MPI_BYTE, w->comm);
     MPI_Allgather(mine, (int)(most * width), MPI_DOUBLE, gathered, (int)(most * width), MPI_DOUBLE, w->comm);
@@ -1355,22 +1351,12 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    dim = -1;
-    if (total) {
-        basis[0] = gathered;
-        dim = paradt__span(&all, NULL, basis, set->axes, 0, 0);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    for (i = 0; i < (size_t)found; i++) {
+        size_t position = (size_t)basis[i];
+        origins[i] = position >= before && position < before + count ? own[position - before] : -1;
     }
-    for (taken = 0; taken <= dim; taken++) {
-        size_t place = (size_t)(basis[taken] - gathered) / width;
-        origins[taken] = place >= before && place < before + count ? own[place - before] : -1;
-    }
-    taken = dim > 0 ? dim : 0;
-    for (axis = 0; axis < w->dim; axis++) {
-        int known = 0, j;
-        for (j = 0; j < taken; j++) known |= set->axes[j] == axis;
-        if (!known) set->axes[taken++] = axis;
-    }
-    return dim;
+    return found - 1;
 }
 
 // Measures the points of all ranks. as_read: the own ones have been, as they are, while they were read.
@@ -1664,6 +1650,7 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
     paradt__keyed *keyed, *other;
     double *sorted;
+    enum { ID_BITS = 56 }; // no id has more
     paradt_status status = PARADT_ERROR_MEMORY;
     if (count > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
     keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
@@ -1672,11 +1659,11 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     if (keyed && other && sorted) {
         for (i = 0; i < count; i++) {
             keyed[i].key = paradt_mpi__bits_at(*rows + (i + 1) * width - 1);
-            keyed[i].point = (paradt_index)i;
+            keyed[i].item = (paradt_index)i;
         }
-        paradt__keyed_sort(keyed, other, count, 64 - PARADT__DIGIT_BITS, 0); // no id has more bits
+        paradt__keyed_sort(keyed, other, count, ID_BITS, 0);
         for (i = 0; i < count; i++)
-            memcpy(sorted + i * width, *rows + (size_t)keyed[i].point * width, width * sizeof *sorted);
+            memcpy(sorted + i * width, *rows + (size_t)keyed[i].item * width, width * sizeof *sorted);
         paradt__release(&w->memory, *rows);
         *rows = sorted;
         sorted = NULL;
