@@ -6,7 +6,7 @@
 //     #include "paradt.h"
 //
 // A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, four point indices a line:
+// triangulates the corners of a cube and prints the cells, the indices of four points a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -19,23 +19,27 @@
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
+//         const size_t k = (size_t)(t.dim + 1); // 4; fewer where all points lie in a plane
 //         for (size_t c = 0; c < t.cell_count; c++)
-//             printf("%d %d %d %d\n", (int)t.cells[4 * c], (int)t.cells[4 * c + 1], (int)t.cells[4 * c + 2],
-//                    (int)t.cells[4 * c + 3]);
+//             for (size_t j = 0; j < k; j++)
+//                 printf("%d%c", (int)t.cells[c * k + j], j + 1 < k ? ' ' : '\n');
 //         paradt_free(&t);
 //         return 0;
 //     }
 //
-//     cc -o cube cube.c -lm && ./cube
+//     cc -O2 -o cube cube.c -lm && ./cube
 //
 // There is nothing else to build, and nothing to link but the C library (-lm where that has its mathematics apart).
 //
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          the functions are static: define it with PARADT_IMPLEMENTATION, in any number of files
+//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program.
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
+//     none:
+//                            the functions are called otherwise then, so the linker finds those that don't agree.
 //                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
@@ -85,8 +89,11 @@
 //     options.method = PARADT_DEWALL;
 //     options.memory_limit = (size_t)1 << 30;
 //
-// `progress` is called now and then with the part of the work that is done, as far as that can be foretold. It cancels
-// the work by returning nonzero: the call then ends with PARADT_ERROR_CANCELLED and gives back all memory.
+// `progress` is called now and then with the part of the call's work that is done, as far as that can be foretold: one
+// number from 0 to 1 for all regions and threads, which never falls. It cancels the work by returning nonzero: the call
+// then ends with PARADT_ERROR_CANCELLED, within a few hundredths of a second, and gives back all memory. It is called
+// from any thread that works, by one at a time; compilers that have no atomic operations call it from the first task of
+// a parallel_for only.
 //
 //
 // RESULT
@@ -98,13 +105,25 @@
 //     t.neighbors[i * k + j]    the cell opposite that vertex
 //     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
 //
+// With PARADT_FACETS in options.flags neighbors hold half-facets: the place in the array of the same facet as its other
+// cell has it. Place f = i * k + j is the facet of cell f / k opposite its vertex f % k, and with g = t.neighbors[f]
+//
+//     g < 0                     the facet is on the hull (g is -1); else
+//     g / k                     the neighbour
+//     t.cells[g]                its vertex that is not in the facet
+//     t.neighbors[g]            f
+//
+// So programs that go from cell to cell, or around a ridge, need not search for the way back.
+//
+// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
 // Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
 // orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
 // set of cells; paradt_hash is equal for equal sets.
 //
-// t.stats counts what was done. Give the arrays back with paradt_free, not with free.
+// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
 //
 //
 // METHODS
@@ -145,16 +164,16 @@
 //         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
 //     }
 //
-// examples/paradt.c has one for POSIX threads. The allocator and the progress callback are then called from those
-// threads, at once. It is called some ten times, for large sets up to forty: the insertion is done in legs, between
-// which regions change hands, so that a slow processor, or one that others use, is not waited for. Near surfaces, where
-// regions tell each other what they lack, it is called some dozens of times more. One region a thread is right where
-// the points are alike everywhere; a few more even out regions that take longer. The cells do not depend on the
-// regions, nor on the threads.
+// examples/paradt.c has one for POSIX threads. The allocator is then called concurrently from those threads, the
+// progress callback from one of them at a time. parallel_for is called some ten times, for large sets up to forty: the
+// insertion is done in legs, between which regions change hands, so that a slow processor, or one that others use, is
+// not waited for. Near surfaces, where regions tell each other what they lack, it is called some dozens of times more.
+// One region a thread is right where the points are alike everywhere; a few more even out regions that take longer. The
+// cells do not depend on the regions, nor on the threads.
 //
 // Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
 // points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
-// 1. Threads may see the progress go back.
+// 1.
 //
 // Any number of calls may run at once from any threads, each with its own result; points may be shared.
 //
@@ -185,7 +204,8 @@
 // Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
 // cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
+// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
@@ -230,15 +250,21 @@
 //
 // Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown value
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
+//     value;
+//                              error_text, and reason in paradt_fault, say which
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
 //     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
+//     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
-// After an error the result is empty: all memory is given back, and there is nothing to free (paradt_free does no
-// harm). Callbacks must return: an exception or longjmp out of them leaks what the call holds.
+// After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
+// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
+// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
+// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
+// leaks what the call holds.
 //
 //
 // COST
@@ -335,6 +361,14 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+#if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
+#error                                                                                                                 \
+    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#endif
+#if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
+#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#endif
+
 #ifndef PARADT_H
 #define PARADT_H
 
@@ -345,6 +379,9 @@
 extern "C" {
 #endif
 
+#ifdef PARADT_STATIC
+#define PARADT__IS_STATIC
+#endif
 #ifndef PARADT_DEF
 #if defined(PARADT_STATIC) && defined(__GNUC__)
 #define PARADT_DEF static __attribute__((unused)) // a file need not call all of them
@@ -359,7 +396,20 @@ extern "C" {
 #define PARADT_MAX_DIM 8
 
 #ifdef PARADT_INDEX64
+#define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
+// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+#define paradt_triangulate        paradt_triangulate_64
+#define paradt_free               paradt_free_64
+#define paradt_version            paradt_version_64
+#define paradt_status_string      paradt_status_string_64
+#define paradt_method_string      paradt_method_string_64
+#define paradt_check              paradt_check_64
+#define paradt_hash               paradt_hash_64
+#define paradt_hash_cell          paradt_hash_cell_64
+#define paradt_orient             paradt_orient_64
+#define paradt_insphere           paradt_insphere_64
+#define paradt_insphere_perturbed paradt_insphere_perturbed_64
 #else
 typedef int32_t paradt_index; // a point or a cell; negative: none
 #endif
@@ -372,7 +422,8 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_MEMORY, "an allocation failed or the memory limit was reached")                                     \
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
-    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")
+    X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
+    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -395,7 +446,8 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 // paradt_options.flags
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
-    PARADT_FACETS = 2 // neighbors are half-facets: the same facet seen from its other cell, (dim + 1) * cell + place
+    PARADT_FACETS = 2,       // neighbors are half-facets: where the neighbour has the facet, too (see RESULT)
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
@@ -403,8 +455,9 @@ enum {
 // from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// fraction: 0..1, of the work done; an estimate. A nonzero return cancels. With a parallel_for it is called from its
-// threads, at once, and the fractions of several regions come interleaved. user: that of the options.
+// fraction: 0..1, the part of the whole call's work that is done; an estimate that never falls, and 1 at the end. A
+// nonzero return cancels. With a parallel_for it is called from any of its threads, but never by two at a time. user:
+// that of the options.
 typedef int (*paradt_progress)(void *user, double fraction);
 
 // Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
@@ -431,7 +484,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -452,27 +505,29 @@ typedef struct paradt_stats {
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
-    uint64_t peak_bytes;           // most memory held at once, result included; with regions an upper bound
+    uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
     double seconds_build;          // making cells, with regions joining them too
     double seconds_finish;         // hidden points, translating indices
-    double seconds;                // all of it. Where there is no timespec_get (C11) these are processor time
+    double seconds;                // all of it
 } paradt_stats;
 
 typedef struct paradt_triangulation {
-    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points
+    int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
     size_t cell_count;            // number of cells
     paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] cell opposite each vertex, -1: hull; NULL when not wanted
+    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex, or its half-facet; -1: hull
     size_t point_count;           // number of points, as given
     paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
-    paradt_stats stats;           // what was done
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
+    paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first; all of it zero when nothing is.
+// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
@@ -480,17 +535,21 @@ typedef struct paradt_fault {
 } paradt_fault;
 
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it is empty but for error_point, and holds no memory.
+//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
+//            0, but error_point, error_text and stats are filled.
 //   points   read during the call only.
 //   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED. Thread safety: any number of calls at once, with an `out`
-// each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
+// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation all zero. NULL and all zero are
-// fine. Thread safety: as free.
+// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
+// NULL and all zero are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
+
+// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+PARADT_DEF int paradt_version(void);
 
 // A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
@@ -503,10 +562,11 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 // was found first.
 //   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
 //   points         those it was made of.
-//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, the rest is only checked.
-//   fault          NULL: not wanted.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, by which nothing is said about the
-// triangulation. Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags:
+//                  what neighbors hold. The rest is only checked.
+//   fault          NULL: not wanted. Says what is wrong with an argument, too.
+// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
@@ -554,6 +614,10 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#if !defined(CLOCK_MONOTONIC) && (defined(__unix__) || defined(__APPLE__) || defined(__MINGW32__))
+#include <sys/time.h>
+#define PARADT__TIMEVAL
+#endif
 #if defined(__linux__)
 #include <errno.h>
 #include <sys/mman.h> // for pages made ahead
@@ -570,6 +634,16 @@ int madvise(void *address, size_t length, int advice);
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
 #include <immintrin.h> // for copies of the inner functions that are chosen at run time
 #define PARADT__AVX2 __attribute__((target("avx2,fma,popcnt")))
+#endif
+
+// Casts and null pointers are written as C and C++ both have them.
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wzero-as-null-pointer-constant"
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuseless-cast"
+#endif
 #endif
 
 // Floating point rules cases out, with bounds that hold however sums of products are ordered and contracted, but a
@@ -624,10 +698,23 @@ extern "C" {
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
-// Adds to a count that several threads add to at once; the sum. Where the compiler has nothing for that it is not
-// defined, and done without.
+// Numbers that several threads read and change concurrently. Where the compiler has nothing for them PARADT__ATOMICS is
+// not defined, and the numbers are one thread's at a time.
 #if defined(__GNUC__) && !defined(__TINYC__)
-#define PARADT__ADD_AT_ONCE(count, more) __atomic_add_fetch(count, more, __ATOMIC_RELAXED)
+#define PARADT__ATOMICS
+#define PARADT__ATOMIC_ADD(number, more) __atomic_add_fetch(number, more, __ATOMIC_RELAXED) // returns the sum
+#define PARADT__ATOMIC_LOAD(number)      __atomic_load_n(number, __ATOMIC_RELAXED)
+#define PARADT__ATOMIC_LOCK(flag)        (!__atomic_exchange_n(flag, 1, __ATOMIC_ACQUIRE)) // 0: it is locked already
+#define PARADT__ATOMIC_UNLOCK(flag)      __atomic_store_n(flag, 0, __ATOMIC_RELEASE)
+// Replaces *number by `value` where it is *expected; otherwise *expected becomes what it is. May fail without a reason.
+#define PARADT__ATOMIC_SWAP(number, expected, value)                                                                   \
+    __atomic_compare_exchange_n(number, expected, value, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)
+#else
+#define PARADT__ATOMIC_ADD(number, more)             (*(number) += (more))
+#define PARADT__ATOMIC_LOAD(number)                  (*(number))
+#define PARADT__ATOMIC_LOCK(flag)                    (*(flag) ? 0 : (*(flag) = 1))
+#define PARADT__ATOMIC_UNLOCK(flag)                  (*(flag) = 0)
+#define PARADT__ATOMIC_SWAP(number, expected, value) (*(number) = (value), (void)(expected), 1)
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -644,6 +731,9 @@ typedef struct paradt__memory {
     uint64_t limit; // bytes; UINT64_MAX: none
     uint64_t held;
     uint64_t peak;
+    uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
+    uint64_t base;   // of a share: what the parent held,
+    uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
 enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
@@ -691,7 +781,9 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
 // The account of one of `shares` tasks that may run at once.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
-    memory.held = memory.peak = 0;
+    memory.held = memory.peak = memory.needed = 0;
+    memory.base = parent->held;
+    memory.shares = shares;
     if (parent->limit != UINT64_MAX) memory.limit = (parent->limit - parent->held) / shares;
     return memory;
 }
@@ -700,7 +792,17 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
+    if (child->needed > parent->needed) parent->needed = child->needed;
     if (parent->held > parent->peak) parent->peak = parent->held;
+}
+
+// Notes how much memory the call would have needed for a block that is refused: by the limit, which all shares have an
+// equal part of, or by the allocator. Returns NULL.
+static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit) {
+    uint64_t held = memory->held + bytes;
+    if (held < bytes) held = bytes; // the account is below zero
+    memory->needed = memory->base + (by_limit && memory->shares ? held * memory->shares : held);
+    return NULL;
 }
 
 // count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
@@ -712,9 +814,10 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
-    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2)) return NULL;
+    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2))
+        return paradt__refuse(memory, bytes, 1);
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
-    if (!block) return NULL;
+    if (!block) return paradt__refuse(memory, bytes, 0);
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held = held;
@@ -1010,45 +1113,132 @@ static uint64_t paradt__mix(uint64_t h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>tasks
 //
-// What runs on several threads: teams of tasks, progress, giving up, and pauses of insertions that work together.
-// Doors: to be listed.
+// What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
+// together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
+// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__team_run,
+// paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
+// paradt__relay_waits, paradt__now.
 
-// Tasks that may run at once, for work that is divided by points
+// --- progress
+//
+// All tasks of a call add what they have done to one sum, which the callback is told; so it never falls, in whatever
+// order they run. One thread at a time is in the callback: another that comes meanwhile goes on without. When the
+// callback has asked for it, all tasks find the work cancelled at their next look.
+
+enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+
+typedef struct paradt__meter {
+    paradt_progress call; // NULL: none
+    void *user;
+    uint32_t done; // of PARADT__ALL_DONE
+    int calling;   // 1: a thread is in the callback
+    int cancelled;
+} paradt__meter;
+
+// The share of a call's work that one task does, or several that work through it together
+typedef struct paradt__progress {
+    paradt__meter *meter; // NULL: nobody asks
+    uint32_t *told;       // what the meter has been told of the share
+    double share;         // 0..1, of the whole call
+} paradt__progress;
+
+static void paradt__meter_begin(paradt__meter *meter, const paradt_options *options) {
+    memset(meter, 0, sizeof *meter);
+    if (!options) return;
+    meter->call = options->progress;
+    meter->user = options->user;
+}
+
+// Part of the work that is done: 0..1
+static double paradt__meter_done(const paradt__meter *meter) {
+    double done = (double)PARADT__ATOMIC_LOAD(&meter->done) / (double)PARADT__ALL_DONE;
+    return done < 1.0 ? done : 1.0;
+}
+
+// Asks the caller. Returns 1 when the call is to end.
+static int paradt__meter_cancels(paradt__meter *meter) {
+    if (!meter->call) return 0;
+    if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && PARADT__ATOMIC_LOCK(&meter->calling)) {
+        if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && meter->call(meter->user, paradt__meter_done(meter)))
+            (void)PARADT__ATOMIC_ADD(&meter->cancelled, 1);
+        PARADT__ATOMIC_UNLOCK(&meter->calling);
+    }
+    return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// A share of the work. *told is the caller's to keep for as long as somebody works on the share.
+static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *told, double share) {
+    paradt__progress progress;
+    progress.meter = meter->call ? meter : NULL;
+    progress.told = told;
+    progress.share = share;
+    return progress;
+}
+
+// To be called some hundred times a second: `fraction` of the share is done, an estimate. Returns 1 when the call is to
+// end. Several threads may work on one share: the farthest one counts.
+static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
+    uint32_t now, before;
+    if (!progress->meter) return 0;
+    if (fraction > 1.0) fraction = 1.0;
+    now = (uint32_t)(fraction * progress->share * (double)PARADT__ALL_DONE);
+    before = PARADT__ATOMIC_LOAD(progress->told);
+    while (before < now && !PARADT__ATOMIC_SWAP(progress->told, &before, now)) {
+    }
+    if (before < now) (void)PARADT__ATOMIC_ADD(&progress->meter->done, now - before);
+    return paradt__meter_cancels(progress->meter);
+}
+
+// The progress of a task that may run concurrently with others: without atomics only the first of them reports.
+static paradt__progress paradt__progress_of_task(paradt__progress progress, size_t index) {
+#if !defined(PARADT__ATOMICS)
+    if (index) progress.meter = NULL;
+#endif
+    (void)index;
+    return progress;
+}
+
+// --- teams
+
+// Tasks that may run concurrently, for work that is divided by points
 typedef struct paradt__team {
     paradt_parallel_for parallel_for; // NULL: one after another
     void *user;
-    size_t tasks; // 1..PARADT__MOST_TASKS
+    size_t tasks;              // 1..PARADT__MOST_TASKS
+    paradt__progress progress; // of what they do together
 } paradt__team;
 
 enum { PARADT__MOST_TASKS = 4 };
 
-static paradt__team paradt__team_of(const paradt_options *options, size_t regions) {
+static paradt__team paradt__team_of(const paradt_options *options, size_t regions, paradt__progress progress) {
     paradt__team team;
     team.parallel_for = options->parallel_for;
     team.user = options->user;
     team.tasks = options->parallel_for ? regions : 1;
     if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
+    team.progress = progress;
     return team;
 }
 
-static const paradt__team paradt__alone = {NULL, NULL, 1};
+static const paradt__team paradt__alone = {NULL, NULL, 1, {NULL, NULL, 0.0}};
 
 static void paradt__team_run(const paradt__team *team, void (*task)(void *context, size_t index), void *context) {
     if (team->tasks > 1) team->parallel_for(team->user, team->tasks, task, context);
     else task(context, 0);
 }
-// Progress and cancellation, asked for now and then.
-typedef struct paradt__progress {
-    paradt_progress call; // NULL: none
-    void *user;
-    double begin, length; // the part of the work that this task is
-} paradt__progress;
 
-static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
-    if (!progress->call) return 0;
-    if (fraction > 1.0) fraction = 1.0;
-    return progress->call(progress->user, progress->begin + fraction * progress->length) != 0;
+// For the task `index` of a team: `fraction` of what the team does is done. Returns 1 when the call is to end.
+static int paradt__team_cancels(const paradt__team *team, size_t index, double fraction) {
+    paradt__progress progress = paradt__progress_of_task(team->progress, index);
+    return paradt__progress_cancels(&progress, fraction);
 }
+
+// Has one of the tasks found that the call is to end?
+static int paradt__team_cancelled(const paradt__team *team) {
+    return team->progress.meter && PARADT__ATOMIC_LOAD(&team->progress.meter->cancelled);
+}
+
+// --- giving up, and pauses
 
 // A status that no caller gets to see
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
@@ -1061,8 +1251,8 @@ typedef struct paradt__relay {
 
 // Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
 static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
-#if defined(PARADT__ADD_AT_ONCE)
-    return relay && done % 64 == 0 && PARADT__ADD_AT_ONCE(&relay->done, (ptrdiff_t)worth) >= relay->stop;
+#if defined(PARADT__ATOMICS)
+    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
 #else
     (void)relay, (void)done, (void)worth;
     return 0;
@@ -1071,22 +1261,32 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 
 // The others do not pause while one does what takes as long as so many points and can't be paused.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
-#if defined(PARADT__ADD_AT_ONCE)
-    if (relay) PARADT__ADD_AT_ONCE(&relay->done, -(ptrdiff_t)points);
+#if defined(PARADT__ATOMICS)
+    if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
 #else
     (void)relay, (void)points;
 #endif
 }
 
+// --- the clock
+
+// Seconds of wall time, from some moment on. Of the system's clocks it is the best that the language standard in use
+// lets <time.h> declare; gettimeofday is declared by any, where there is <sys/time.h>. Without any of them, processor
+// time.
 static double paradt__now(void) {
-#if defined(__wasi__) // has no clock()
+#if defined(CLOCK_MONOTONIC) && !defined(__MINGW32__) // there it would take another library
     struct timespec now;
-    return clock_gettime(CLOCK_REALTIME, &now) ? 0.0 : (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-#else
-#if defined(TIME_UTC)
+    if (!clock_gettime(CLOCK_MONOTONIC, &now)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(TIME_UTC)
     struct timespec now;
     if (timespec_get(&now, TIME_UTC)) return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+#elif defined(PARADT__TIMEVAL)
+    struct timeval now;
+    if (!gettimeofday(&now, NULL)) return (double)now.tv_sec + 1e-6 * (double)now.tv_usec;
 #endif
+#if defined(__wasi__) // has no clock()
+    return 0.0;
+#else
     return (double)clock() / (double)CLOCKS_PER_SEC;
 #endif
 }
@@ -2176,30 +2376,34 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
 //
-// Points in the order of Hilbert's curve: neighbours in it are neighbours in space. The order only matters for speed,
-// but for one thing: equal points have equal positions on the curve, and are found by that. So positions come from the
-// bits of the coordinates, by integers alone. Doors: paradt__levels_for, paradt__lattice_begin, paradt__hilbert_begin,
-// paradt__curve_key, paradt__keyed_sort.
+// Keys: positions of points on Hilbert's curve, and sorting by them. Points that are neighbours in this order are
+// neighbours in space; all that is built later is fast because of that. Keys matter for more than speed in one respect:
+// equal points have equal keys, and are found by them. So keys are made from the bits of the coordinates in integer
+// arithmetic, and no compiler flag changes them. The curve is D. Hilbert's (Math. Annalen 38, 1891), its step in any
+// dimension is C. Hamilton's ("Compact Hilbert indices", Dalhousie University, CS-2006-07).
+// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for those
+// who make keys in a way of their own paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
+// paradt__hilbert_key, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
     uint64_t key;
-    paradt_index point;
+    paradt_index item; // what has the key: a caller's index, or a position in a set
 } paradt__keyed;
 
 enum {
-    PARADT__CURVE_BITS = 60, // of a key, at most
-    PARADT__FEW_KEYS = 32,   // sorted by insertion
-    PARADT__DIGIT_BITS = 8,  // of a key, by which all points are sorted first, at most
-    PARADT__DIGITS = 1 << PARADT__DIGIT_BITS,
-    PARADT__MOST_DIGIT_BITS = 11, // by which some of them are sorted next, at most
-    PARADT__STEP_BITS = 6,        // of a key, found at once for many points in two or three dimensions
-    PARADT__TURNS = 24,           // orientations of the curve there, at most: dim << dim
-    PARADT__MANY_KEYS = 2048,
-    PARADT__FLAT = 1 << 14 // an exponent that makes every coordinate 0
+    PARADT__CURVE_BITS = 60,      // bits of a key, at most
+    PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
+    PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
+    PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
+    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
+    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
 };
 
-// The bits of a key by which so many are sorted next, of those that are left: as many as give each key a value of its
-// own, if they are spread evenly. Where that takes too large a table, two steps have half of the bits each.
+// --- sorting by keys
+
+// Returns the bits of a key that the next pass sorts by, of those that are left. Enough to give each of `count` keys
+// a value of its own, if they are spread evenly; where that takes too large a table, half as many, for two passes.
 static int paradt__digit_bits(size_t count, int bits) {
     int wanted = paradt__bit_length(count) - 1;
     if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
@@ -2207,7 +2411,7 @@ static int paradt__digit_bits(size_t count, int bits) {
     return wanted < bits ? wanted : bits;
 }
 
-// Sorts by insertion. to: may be the same.
+// Sorts by insertion. to: where the result goes; may be `keyed`.
 static void paradt__keyed_insert(const paradt__keyed *keyed, paradt__keyed *to, size_t count) {
     size_t i;
     for (i = 0; i < count; i++) {
@@ -2218,8 +2422,9 @@ static void paradt__keyed_insert(const paradt__keyed *keyed, paradt__keyed *to, 
     }
 }
 
-// paradt__keyed_sort with a table of digits, which all depths share: what has a digit in common is found by the keys.
-static void paradt__keyed_sort_by(paradt_index *place, paradt__keyed *keyed, paradt__keyed *other, size_t count,
+// paradt__keyed_sort with a table of digits that all depths of the recursion share: after a pass the keys themselves
+// tell which of them have a digit in common.
+static void paradt__keyed_sort_by(paradt_index *ends, paradt__keyed *keyed, paradt__keyed *other, size_t count,
                                   int bits, int across) {
     paradt_index most = 0;
     size_t digits, begin, end, i;
@@ -2230,13 +2435,13 @@ static void paradt__keyed_sort_by(paradt_index *place, paradt__keyed *keyed, par
     }
     shift = bits - paradt__digit_bits(count, bits);
     digits = (size_t)1 << (bits - shift);
-    memset(place, 0, (digits + 1) * sizeof *place);
-    for (i = 0; i < count; i++) place[(keyed[i].key >> shift & (digits - 1)) + 1]++;
+    memset(ends, 0, (digits + 1) * sizeof *ends);
+    for (i = 0; i < count; i++) ends[(keyed[i].key >> shift & (digits - 1)) + 1]++;
     for (i = 1; i <= digits; i++) {
-        most = place[i] > most ? place[i] : most;
-        place[i] += place[i - 1];
+        most = ends[i] > most ? ends[i] : most;
+        ends[i] += ends[i - 1];
     }
-    for (i = 0; i < count; i++) other[place[keyed[i].key >> shift & (digits - 1)]++] = keyed[i];
+    for (i = 0; i < count; i++) other[ends[keyed[i].key >> shift & (digits - 1)]++] = keyed[i];
     if (!shift) {
         if (!across) memcpy(keyed, other, count * sizeof *keyed);
     } else if (most <= PARADT__FEW_KEYS) {
@@ -2244,21 +2449,25 @@ static void paradt__keyed_sort_by(paradt_index *place, paradt__keyed *keyed, par
     } else {
         for (begin = 0; begin < count; begin = end) {
             for (end = begin + 1; end < count && other[end].key >> shift == other[begin].key >> shift;) end++;
-            paradt__keyed_sort_by(place, other + begin, keyed + begin, end - begin, shift, !across);
+            paradt__keyed_sort_by(ends, other + begin, keyed + begin, end - begin, shift, !across);
         }
     }
 }
 
-// Sorts by the lowest bits of the keys, which differ in no others, without changing the order of equal ones: radix from
-// the top, until few have a digit in common; then they are nearly sorted. other: room for as many; where the result
-// goes if `across`.
-static void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits, int across) {
-    paradt_index place[(1 << PARADT__MOST_DIGIT_BITS) + 1];
-    paradt__keyed_sort_by(place, keyed, other, count, bits, across);
+// Sorts by the lowest `bits` bits of the keys, which are equal above these; equal keys stay in their order. A radix
+// sort from the highest digit down, until few keys have a digit in common: they are nearly sorted then, and insertion
+// ends it. other: scratch for as many. The result is in `other` if `across`, else in `keyed`.
+PARADT__NOINLINE void paradt__keyed_sort(paradt__keyed *keyed, paradt__keyed *other, size_t count, int bits,
+                                         int across) {
+    paradt_index ends[(1 << PARADT__MOST_DIGIT_BITS) + 1];
+    PARADT_ASSERT(bits >= 0 && bits <= 64);
+    paradt__keyed_sort_by(ends, keyed, other, count, bits, across);
 }
 
-// The lattice that points are put on: 2^levels places along the longest side of their box. Its units are of one size,
-// or steps from one double to the next, so that a side has 2^64 of them at most however many scales it spans.
+// --- the lattice
+
+// The lattice that points are put on: 2^levels places along the longest side of a box. Its units are of one size; or
+// they are steps from one double to the next, so that a side has at most 2^64 of them however many scales it spans.
 typedef struct paradt__lattice {
     int dim, levels, shift;
     int by_steps;
@@ -2266,7 +2475,7 @@ typedef struct paradt__lattice {
     int64_t low[PARADT_MAX_DIM];
 } paradt__lattice;
 
-// x in units of 2^(exponent - 9), cut off. Its own exponent (paradt__split) is at most that.
+// Returns x in units of 2^(exponent - 9), cut off. The exponent of x (see paradt__split) is at most `exponent`.
 PARADT__INLINE int64_t paradt__fixed_point(double x, int exponent) {
     int own;
     uint64_t size = paradt__split(x, &own) << 9, negative = 0 - (paradt__bits(x) >> 63);
@@ -2274,26 +2483,27 @@ PARADT__INLINE int64_t paradt__fixed_point(double x, int exponent) {
     return (int64_t)((size ^ negative) - negative);
 }
 
-// So many levels, or some more that take the same steps
+// Returns so many levels, or a few more that take the same number of steps through the table for many points.
 static int paradt__whole_steps(int levels, int dim) {
     int step = PARADT__STEP_BITS / dim;
     return step > 1 ? (levels + step - 1) / step * step : levels;
 }
 
-// How many levels tell nearly all of so many points apart, if they are spread evenly
+// Number of levels that tell nearly all of `count` points apart, if they are spread evenly
 static int paradt__levels_for(size_t count, int dim) {
     int most = PARADT__CURVE_BITS / dim < 31 ? PARADT__CURVE_BITS / dim : 31;
     int levels = paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
     return levels < most ? levels : most;
 }
 
-// The coordinate of a point of the box, in the lattice's units.
+// Coordinate of a point of the box in the lattice's units
 PARADT__INLINE uint64_t paradt__lattice_place(const paradt__lattice *lattice, int axis, double x) {
     int64_t place = lattice->by_steps ? paradt__ordered_bits(x) : paradt__fixed_point(x, lattice->exponent[axis]);
     return (uint64_t)place - (uint64_t)lattice->low[axis];
 }
 
-// The units along each axis: such that all of the box fits into 62 bits. On axes without extent all places are 0.
+// Chooses the units along each axis: such that all of the box fits into 62 bits. On axes without extent all places
+// are 0.
 static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, const int64_t *high) {
     int axis, largest = -1074, own;
     for (axis = 0; axis < lattice->dim; axis++) {
@@ -2307,11 +2517,13 @@ static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, 
         lattice->exponent[axis] = low[axis] < high[axis] ? largest : PARADT__FLAT;
 }
 
-// low, high: the corners of the points' box, as ordered bits. If it has an extent, its corners get different places.
+// Lays the lattice over a box. low, high: its corners, as ordered bits. If the box has an extent, its corners get
+// different places.
 static void paradt__lattice_begin(paradt__lattice *lattice, int dim, int levels, int by_steps, const int64_t *low,
                                   const int64_t *high) {
     uint64_t longest = 0;
     int axis;
+    PARADT_ASSERT(dim > 0 && dim <= PARADT_MAX_DIM && levels <= 32 && dim * levels <= 64);
     memset(lattice, 0, sizeof *lattice);
     lattice->dim = dim;
     lattice->levels = levels;
@@ -2327,79 +2539,81 @@ static void paradt__lattice_begin(paradt__lattice *lattice, int dim, int levels,
     if (lattice->shift < 0) lattice->shift = 0;
 }
 
-// One level of Hilbert's curve in `dim` dimensions: takes one bit of each coordinate to `dim` bits of the position on
-// the curve, and the orientation of the curve (entry corner and direction) to that inside the orthant (Hamilton,
-// "Compact Hilbert indices", Dalhousie University, CS-2006-07).
+// --- the curve
+
+// One level of the curve in `dim` dimensions. Takes one bit of each coordinate to `dim` bits of the key, and the
+// orientation of the curve (entry corner and direction) to its orientation inside of the orthant.
 PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *entry, unsigned *direction) {
-    unsigned n = (unsigned)dim, all = (1u << n) - 1, turn = *direction + 1, place, start;
+    unsigned n = (unsigned)dim, all = (1u << n) - 1, rotation = *direction + 1, place, start;
     bits ^= *entry;
-    bits = (bits >> turn | bits << (n - turn)) & all;
+    bits = (bits >> rotation | bits << (n - rotation)) & all;
     place = bits;
     place ^= place >> 1;
     place ^= place >> 2;
     place ^= place >> 4;
     start = (place - (place != 0)) & ~1u;
     start ^= start >> 1;
-    *entry ^= (start << turn | start >> (n - turn)) & all;
+    *entry ^= (start << rotation | start >> (n - rotation)) & all;
     // by the ones at the end of an odd place and those of the place before an even one
-    *direction = (turn + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
+    *direction = (rotation + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
     return place;
 }
 
-// In two and three dimensions the steps come from tables: by the orientation and the bits of the coordinates, the
-// first coordinate's lowest, the bits of the position and above them the next orientation.
+// In two and three dimensions steps come from tables. An entry is found by the orientation and the coordinates' bits,
+// the first coordinate's lowest; it holds the key's bits and above them the next orientation.
 typedef struct paradt__hilbert {
     int dim;
-    int many;                                                                     // 1: there are steps
-    uint16_t step[PARADT__TURNS << 3], steps[PARADT__TURNS << PARADT__STEP_BITS]; // of one level, of 6 / dim
+    int many;                                                  // 1: `steps` is filled
+    uint16_t step[PARADT__ORIENTATIONS << 3];                  // of one level
+    uint16_t steps[PARADT__ORIENTATIONS << PARADT__STEP_BITS]; // of PARADT__STEP_BITS / dim levels
 } paradt__hilbert;
 
-// Several levels one after another.
-static uint16_t paradt__hilbert_steps(const paradt__hilbert *hilbert, unsigned turn, unsigned coordinates) {
+// Returns the entry for several levels one after another.
+static uint16_t paradt__hilbert_steps(const paradt__hilbert *hilbert, unsigned orientation, unsigned coordinates) {
     unsigned dim = (unsigned)hilbert->dim, levels = PARADT__STEP_BITS / dim, key = 0, level, j;
     for (level = levels; level-- > 0;) {
         unsigned bits = 0, step;
         for (j = 0; j < dim; j++) bits |= (coordinates >> (j * levels + level) & 1) << j;
-        step = hilbert->step[turn << dim | bits];
+        step = hilbert->step[orientation << dim | bits];
         key = key << dim | (step & ((1u << dim) - 1));
-        turn = step >> dim;
+        orientation = step >> dim;
     }
-    return (uint16_t)(turn << PARADT__STEP_BITS | key);
+    return (uint16_t)(orientation << PARADT__STEP_BITS | key);
 }
 
-// The steps of one level: in every orientation they are those of the first one, turned and mirrored. Inlined with a
-// constant.
+// Fills the table of one level: in every orientation its steps are those of the first one, rotated and mirrored.
+// Inlined with a constant.
 PARADT__INLINE void paradt__hilbert_table(paradt__hilbert *hilbert, int dim) {
-    unsigned n = (unsigned)dim, all = (1u << n) - 1, bits, corner, turn;
+    unsigned n = (unsigned)dim, all = (1u << n) - 1, bits, corner, rotation;
     for (bits = 0; bits <= all; bits++) {
         unsigned entry = 0, direction = n - 1, place = paradt__hilbert_step(dim, bits, &entry, &direction);
-        for (turn = 1; turn <= n; turn++) {
-            unsigned turned = (bits << turn | bits >> (n - turn)) & all;
-            unsigned leave = (entry << turn | entry >> (n - turn)) & all, next = (direction + turn) % n;
+        for (rotation = 1; rotation <= n; rotation++) {
+            unsigned rotated = (bits << rotation | bits >> (n - rotation)) & all;
+            unsigned leave = (entry << rotation | entry >> (n - rotation)) & all, next = (direction + rotation) % n;
             for (corner = 0; corner <= all; corner++) {
-                unsigned from = (corner * n + turn - 1) << n | (turned ^ corner);
+                unsigned from = (corner * n + rotation - 1) << n | (rotated ^ corner);
                 hilbert->step[from] = (uint16_t)(((leave ^ corner) * n + next) << n | place);
             }
         }
     }
 }
 
-// For `count` points, about
-static void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t count) {
-    unsigned turns = (unsigned)dim << dim, turn, bits;
+// Fills the tables for about `keys` keys.
+static void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t keys) {
+    unsigned orientations = (unsigned)dim << dim, orientation, bits;
     hilbert->dim = dim;
-    hilbert->many = dim > 1 && dim < 4 && count >= PARADT__MANY_KEYS;
-    if (dim == 3) paradt__hilbert_table(hilbert, 3);
+    hilbert->many = dim > 1 && dim < 4 && keys >= PARADT__MANY_KEYS;
+    if (PARADT_MAX_DIM > 2 && dim == 3) paradt__hilbert_table(hilbert, 3);
     if (dim == 2) paradt__hilbert_table(hilbert, 2);
-    for (turn = 0; hilbert->many && turn < turns; turn++) {
+    for (orientation = 0; hilbert->many && orientation < orientations; orientation++) {
         for (bits = 0; bits < 1u << PARADT__STEP_BITS; bits++)
-            hilbert->steps[turn << PARADT__STEP_BITS | bits] = paradt__hilbert_steps(hilbert, turn, bits);
+            hilbert->steps[orientation << PARADT__STEP_BITS | bits] = paradt__hilbert_steps(hilbert, orientation, bits);
     }
 }
 
-// By a table with steps of so many levels; inlined with constants.
-PARADT__INLINE uint64_t paradt__curve_key_by(const uint16_t *table, int dim, int step_levels, const uint32_t *x,
-                                             int levels) {
+// Makes a key by a table with steps of so many levels. Inlined with constants.
+PARADT__INLINE uint64_t paradt__hilbert_key_by(const uint16_t *table, int dim, int step_levels, const uint32_t *x,
+                                               int levels) {
     const unsigned mask = (1u << step_levels) - 1, places = (1u << (dim * step_levels)) - 1;
     uint64_t key = 0;
     unsigned step = 0;
@@ -2413,18 +2627,18 @@ PARADT__INLINE uint64_t paradt__curve_key_by(const uint16_t *table, int dim, int
     return key;
 }
 
-// The position on the curve of a point of the lattice's box: of dim * levels bits.
-PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const paradt__lattice *lattice,
-                                          const double *point) {
+// Returns the key of a point of the lattice's box: its position on the curve, of dim * levels bits.
+PARADT__INLINE uint64_t paradt__hilbert_key(const paradt__hilbert *hilbert, const paradt__lattice *lattice,
+                                            const double *point) {
     uint32_t x[PARADT_MAX_DIM];
     uint64_t key = 0;
     unsigned entry = 0, direction = 0;
     int levels = lattice->levels, dim = lattice->dim, level, j;
     for (j = 0; j < dim; j++) x[j] = (uint32_t)(paradt__lattice_place(lattice, j, point[j]) >> lattice->shift);
-    if (dim == 3 && hilbert->many) return paradt__curve_key_by(hilbert->steps, 3, 2, x, levels);
-    if (dim == 2 && hilbert->many) return paradt__curve_key_by(hilbert->steps, 2, 3, x, levels);
-    if (dim == 3) return paradt__curve_key_by(hilbert->step, 3, 1, x, levels);
-    if (dim == 2) return paradt__curve_key_by(hilbert->step, 2, 1, x, levels);
+    if (PARADT_MAX_DIM > 2 && dim == 3 && hilbert->many) return paradt__hilbert_key_by(hilbert->steps, 3, 2, x, levels);
+    if (dim == 2 && hilbert->many) return paradt__hilbert_key_by(hilbert->steps, 2, 3, x, levels);
+    if (PARADT_MAX_DIM > 2 && dim == 3) return paradt__hilbert_key_by(hilbert->step, 3, 1, x, levels);
+    if (dim == 2) return paradt__hilbert_key_by(hilbert->step, 2, 1, x, levels);
     for (level = levels - 1; level >= 0; level--) {
         unsigned bits = 0;
         for (j = 0; j < dim; j++) bits |= (x[j] >> level & 1) << j;
@@ -2433,128 +2647,250 @@ PARADT__INLINE uint64_t paradt__curve_key(const paradt__hilbert *hilbert, const 
     return key;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// >>cuts
-//
-// Space is divided into boxes, one for each region, by cutting a box in two again and again: at the coordinate that
-// gives each side its share of the points (bisection), or of the volume (uniform). A point on a cut belongs to the
-// upper side; the outer boxes are unbounded. The upper side's boxes come first. Where exactly the cuts are does not
-// matter but for speed, so a sample of the points tells.
-// Doors: paradt__cutter_divide, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box, paradt__cuts_end,
-// paradt__spacing.
+// --- records along the curve
 
-typedef struct paradt__cut {
-    double at;
+// The curve through a box
+typedef struct paradt__curve {
+    paradt__hilbert hilbert;
+    paradt__lattice lattice;
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // points outside of this part of the box get its nearest place
+} paradt__curve;
+
+// Begins the curve through the box with the corners low and high, as ordered bits. levels: see paradt__levels_for.
+// keys: about how many will be made.
+static void paradt__curve_begin(paradt__curve *curve, int dim, int levels, const int64_t *low, const int64_t *high,
+                                size_t keys) {
+    paradt__hilbert_begin(&curve->hilbert, dim, keys);
+    paradt__lattice_begin(&curve->lattice, dim, levels, 0, low, high);
+    memcpy(curve->low, low, (size_t)dim * sizeof *low);
+    memcpy(curve->high, high, (size_t)dim * sizeof *high);
+}
+
+// Limits the curve to a part of its box.
+static void paradt__curve_limit(paradt__curve *curve, const int64_t *low, const int64_t *high) {
     int axis;
-    size_t begin; // of the box below, in a set that is in the order of the boxes
-} paradt__cut;
-
-typedef struct paradt__cuts {
-    size_t boxes;
-    paradt_partition partition;
-    int spares;       // box 0 gets more points than others: by insertion its region is spared what the others' do
-    int opens;        // each region's own points may want others' behind them: by insertion
-    paradt__cut *cut; // [boxes] cut[i] is between the boxes before i and those from i on, none for 0
-} paradt__cuts;
-
-PARADT__INLINE int paradt__cut_is_above(const paradt__cut *cut, const double *x) {
-    return paradt__ordered_bits(cut->at) > paradt__ordered_bits(x[cut->axis]);
-}
-
-// The box of a point. Without a branch for the side: half of them would be foreseen wrongly.
-PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *x) {
-    size_t first = 0, boxes = cuts->boxes;
-    while (boxes > 1) {
-        size_t below = (size_t)paradt__cut_is_above(cuts->cut + first + boxes / 2, x);
-        first += boxes / 2 * below;
-        boxes = boxes / 2 + (boxes & below);
+    for (axis = 0; axis < curve->lattice.dim; axis++) {
+        curve->low[axis] = low[axis] > curve->low[axis] ? low[axis] : curve->low[axis];
+        curve->high[axis] = high[axis] < curve->high[axis] ? high[axis] : curve->high[axis];
     }
-    return first;
 }
 
-// The cut nearest to x of those around its box, of several the first; NULL: there is none. Distances are rounded: all
-// that counts is that they never get smaller as a point moves away from the cut.
-static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
-    const paradt__cut *nearest = NULL;
-    size_t first = 0, boxes = cuts->boxes;
-    int64_t least = 0;
-    while (boxes > 1) {
-        const paradt__cut *cut = cuts->cut + first + boxes / 2;
-        int64_t distance = paradt__ordered_bits(paradt__abs(x[cut->axis] - cut->at));
-        if (!nearest || distance < least) nearest = cut, least = distance;
-        if (paradt__cut_is_above(cut, x)) first += boxes / 2, boxes -= boxes / 2;
-        else boxes /= 2;
+// Returns the key of the curve's place that is nearest to a point.
+static uint64_t paradt__curve_key(const paradt__curve *curve, const double *point) {
+    double inside[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < curve->lattice.dim; axis++) {
+        int64_t x = paradt__ordered_bits(point[axis]);
+        x = x < curve->low[axis] ? curve->low[axis] : x > curve->high[axis] ? curve->high[axis] : x;
+        inside[axis] = paradt__from_ordered_bits(x);
     }
-    return nearest;
+    return paradt__hilbert_key(&curve->hilbert, &curve->lattice, inside);
 }
 
-// Bounds of a box, where it has any, in place of low and high.
-static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
-    size_t first = 0, boxes = cuts->boxes;
-    while (boxes > 1) {
-        const paradt__cut *cut = cuts->cut + first + boxes / 2;
-        if (box < first + boxes / 2) {
-            low[cut->axis] = cut->at;
-            boxes /= 2;
-        } else {
-            high[cut->axis] = cut->at;
-            first += boxes / 2;
-            boxes -= boxes / 2;
+// Sorts records along the curve. On entry keyed[i].item are the positions of the records; the keys are made here.
+// other: scratch for as many.
+static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
+                               paradt__keyed *other, size_t count) {
+    size_t i;
+    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>points
+//
+// The set: the caller's points as records, which everything below works on. A record holds the coordinates of one
+// point and, where there is one, its grade: the weight, or the sagitta of >>reference sphere. Records are finite and
+// distinct, -0.0 is 0.0 in them, and the first `dim` coordinates orient (dim: the affine dimension of the set).
+// A point has two numbers. Its *index* is where the caller has it; its *position* is where the set has its record;
+// origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
+// sections >>reading, >>sorting and >>scale and axes.
+// Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
+// paradt__read_record, paradt__coordinates, paradt__fetch_point.
+
+enum {
+    PARADT__UNGRADED,
+    PARADT__WEIGHT,
+    PARADT__SAGITTA // weight and lift in one: r^2 - |x - o|^2 for the reference sphere of the set
+};
+
+typedef struct paradt__set {
+    paradt__space space;
+    size_t count;                  // distinct points
+    int grade;                     // what follows the coordinates in a record: nothing, a weight or a sagitta
+    double grade_error;            // sagittas: bound on the error of each,
+    double grade_limit;            // ... bound on their size,
+    double centre[PARADT_MAX_DIM]; // ... centre of the reference sphere
+    int exponent;                  // the largest of a coordinate as the caller has it, with IEEE's bias
+    size_t width;                  // doubles a record
+    double *records;               // [capacity][width] by position
+    paradt_index *origin;          // [capacity] by position: the caller's index
+    size_t capacity;               // number of points that the arrays have memory for
+    int axes[PARADT_MAX_DIM];      // the caller's axis that each coordinate of a record is along
+} paradt__set;
+
+PARADT__INLINE const double *paradt__record(const paradt__set *set, paradt_index position) {
+    PARADT_ASSERT(position >= 0);
+    return set->records + (size_t)position * set->width;
+}
+
+PARADT__INLINE void paradt__copy_record(double *to, const double *from, size_t width) {
+    size_t i;
+    if (width == 3) {
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = from[2];
+        return;
+    }
+    for (i = 0; i < width; i++) to[i] = from[i];
+}
+
+static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
+    paradt__release(memory, set->records);
+    paradt__release(memory, set->origin);
+    set->records = NULL;
+    set->origin = NULL;
+}
+
+// Returns a hash of a point's coordinates. Equal points have equal hashes.
+static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
+    uint64_t h = 0, bits;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) {
+        memcpy(&bits, record + axis, sizeof bits);
+        h = paradt__mix(h + bits) + UINT64_C(0x9e3779b97f4a7c15);
+    }
+    return h;
+}
+
+// --- reading one point
+
+// Where points are read from: the caller's arrays, or other arrays in which a weight stands with each point
+typedef struct paradt__source {
+    paradt_points points;
+    size_t weight_stride; // bytes from one weight to the next
+    size_t reserve;       // number of further points that the set's arrays are to have memory for
+} paradt__source;
+
+static paradt__source paradt__source_of(const paradt_points *points) {
+    paradt__source source;
+    source.points = *points;
+    source.weight_stride = sizeof(double);
+    source.reserve = 0;
+    return source;
+}
+
+// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
+// conversion.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
+}
+
+PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t index) {
+    size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
+}
+
+// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
+enum { PARADT__POINTS_AHEAD = 64 };
+
+// Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
+// lines.
+PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t index) {
+    size_t size = (points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double)) * (size_t)points->dim;
+    size_t begin = index * (points->stride ? points->stride : size);
+    PARADT__FETCH((const char *)points->data, begin);
+    PARADT__FETCH((const char *)points->data, begin + size - 1);
+}
+
+// Makes a double of its bits, 0.0 of those of -0.0.
+PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
+    return paradt__from_bits(bits << 1 ? bits : 0);
+}
+
+// Reads the coordinates of a point, -0.0 as 0.0. There are two loops, so that compilers unroll the short one.
+PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t index, double *x) {
+    const char *address = paradt__address(points, index);
+    int axis;
+    if (points->scalar == PARADT_F32) {
+        for (axis = 0; axis < points->dim; axis++) {
+            uint32_t bits;
+            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
+            x[axis] = paradt__signless_zero(paradt__bits(paradt__widen(bits)));
+        }
+    } else {
+        for (axis = 0; axis < points->dim; axis++) {
+            uint64_t bits;
+            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
+            x[axis] = paradt__signless_zero(bits);
         }
     }
 }
 
-// Where a box ends in a set of `count` points in the order of the boxes.
-static size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
-    return box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : count;
+// Reads the weight of a point, -0.0 as 0.0.
+static double paradt__weight(const paradt__source *source, size_t index) {
+    uint64_t bits;
+    memcpy(&bits, (const char *)source->points.weights + index * source->weight_stride, sizeof bits);
+    return paradt__signless_zero(bits);
 }
 
-// A key near the nth smallest: that of a sample.
-static int64_t paradt__pivot_key(const int64_t *keys, size_t count, size_t nth) {
-    enum { SAMPLE = 31 };
-    int64_t sample[SAMPLE];
-    size_t i, j, some = count < SAMPLE ? 1 : SAMPLE;
-    for (i = 0; i < some; i++) {
-        int64_t key = keys[count / some * i + count / some / 2];
-        for (j = i; j > 0 && sample[j - 1] > key; j--) sample[j] = sample[j - 1];
-        sample[j] = key;
+// Reads a point into a record. Returns the largest exponent of its coordinates, with IEEE's bias: 2047 when a
+// coordinate or the weight is no finite number.
+PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t index, double *record) {
+    const paradt_points *points = &source->points;
+    int axis, dim = points->dim, largest = 0;
+    paradt__coordinates(points, index, record);
+    for (axis = 0; axis < dim; axis++) {
+        int exponent = paradt__biased_exponent(record[axis]);
+        largest = exponent > largest ? exponent : largest;
     }
-    return sample[(size_t)((double)nth / (double)count * (double)some)];
+    if (!points->weights) return largest;
+    record[dim] = paradt__weight(source, index);
+    return paradt__is_finite(record[dim]) ? largest : 2047;
 }
 
-// The nth smallest key (quickselect).
-static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
-    size_t begin = 0, end = count;
-    while (end - begin > 1) {
-        int64_t pivot = paradt__pivot_key(keys + begin, end - begin, nth - begin);
-        size_t i = begin, j = end - 1;
-        for (;;) {
-            int64_t t;
-            while (keys[i] < pivot) i++;
-            while (pivot < keys[j]) j--;
-            if (i >= j) break;
-            t = keys[i];
-            keys[i++] = keys[j];
-            keys[j--] = t;
-        }
-        if (i == j && nth == i) return pivot;
-        if (nth < i) end = i;
-        else begin = i == j ? i + 1 : i;
-    }
-    return keys[begin];
-}
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures
+//
+// What several sections ask about a set or a part of it: along which axis it is longest, how far its points are from
+// their neighbours, and which of its points span it. The first two steer the work and are estimates in floating-point
+// arithmetic; the last is exact.
+// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis.
 
-// The axis along which a box is longest, the first of several.
-static int paradt__longest_axis(const double *low, const double *high, int dim) {
+// Returns the axis along which a box is longest, the first of several. by_steps: lengths are numbers of steps from one
+// double to the next; else they are differences of coordinates, halved as a difference may overflow.
+PARADT__INLINE int paradt__longest_axis(const double *low, const double *high, int dim, int by_steps) {
+    double length = -1.0;
     int axis, longest = 0;
-    for (axis = 1; axis < dim; axis++) {
-        if (high[axis] * 0.5 - low[axis] * 0.5 > high[longest] * 0.5 - low[longest] * 0.5) longest = axis;
+    PARADT_ASSERT(dim > 0);
+    for (axis = 0; axis < dim; axis++) {
+        double side =
+            by_steps ? (double)paradt__ordered_bits(high[axis]) * 0.5 - (double)paradt__ordered_bits(low[axis]) * 0.5
+                     : high[axis] * 0.5 - low[axis] * 0.5;
+        if (side > length) length = side, longest = axis;
     }
     return longest;
 }
 
-// How far neighbours are from each other where points are dense: the median of the longest sides of some boxes of eight
-// neighbours along a curve. order: that of the points (NULL: as they are)
+// --- the density of the points
+
+// Estimates how far apart points are that stand beside each other along a curve: the median, over a sample of groups
+// of eight points in a row, of the longest side of the group's bounding box. That is about two distances between
+// neighbours. order: the positions along the curve; NULL: the records are along it.
 static double paradt__spacing(const double *records, size_t width, int dim, const paradt_index *order, size_t count) {
     enum { SAMPLE = 63, TOGETHER = 8 };
     double sides[SAMPLE];
@@ -2579,34 +2915,268 @@ static double paradt__spacing(const double *records, size_t width, int dim, cons
     return sides[SAMPLE / 2];
 }
 
-// More points that a set in the order of the boxes has room for
-static size_t paradt__cuts_spare(const paradt__cuts *cuts, size_t count) {
-    return cuts && cuts->opens && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
+#define PARADT__MARGIN_PART 0.7 // of paradt__spacing
+
+// Returns the width of the margin beside a cut: points of the other side within it are taken to be neighbours of this
+// side's. It is about one and a half distances between neighbours. spacing: by paradt__spacing.
+static double paradt__margin_for(double spacing) {
+    return PARADT__MARGIN_PART * spacing;
 }
 
-// A sample of points that is divided
+// --- points that span a set
+
+// Is x outside of the affine hull of the taken + 1 points, seen in the axes taken and one more?
+static int paradt__extends(paradt__counters *counters, int taken, const double *const *points, const int *axes,
+                           const double *x) {
+    double copies[PARADT_MAX_DIM + 1][PARADT_MAX_DIM + 1];
+    const double *pointers[PARADT_MAX_DIM + 1];
+    paradt__space view; // its own: bounds hold for one dimension, and for coordinates at their places
+    int i, j, independent;
+    memset(copies, 0, sizeof copies);
+    paradt__space_begin(&view, taken + 1, taken + 1, 0);
+    for (i = 0; i <= taken + 1; i++) {
+        const double *from = i <= taken ? points[i] : x;
+        for (j = 0; j <= taken; j++) copies[i][j] = from[axes[j]];
+        pointers[i] = copies[i];
+        paradt__space_add(&view, copies[i]);
+    }
+    paradt__space_end(&view);
+    view.counters = *counters;
+    independent = paradt__orient(&view, pointers) != 0;
+    *counters = view.counters;
+    return independent;
+}
+
+static int paradt__is_among(int number, const int *numbers, int count) {
+    while (count > 0 && numbers[count - 1] != number) count--;
+    return count > 0;
+}
+
+// Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
+// affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
+static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+    const double *points[PARADT_MAX_DIM + 1];
+    size_t step;
+    int i;
+    for (i = 0; i <= taken; i++) points[i] = paradt__record(set, basis[i]);
+    for (step = 0; step < set->count; step++) {
+        size_t at = (from + step) % set->count;
+        const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
+        if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
+    }
+    return set->count;
+}
+
+// Finds points that span the set. Returns their number: one more than the affine dimension of the set, 0 if it is
+// empty. Axes are taken greedily, from the first to the last; each comes with the first point that extends the basis.
+//   order     positions, in the order in which points are tried; NULL: the order of the set, from basis[0] on
+//   given     number of points that are already in the basis: none, one, or two different ones
+//   basis     positions of the points; [dim + 1], with axes [ambient + 1]
+//   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
+//             return the axes in which the points are independent come first, one less than points, then the others
+//   counters  of predicates
+static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
+                             int *axes, paradt__counters *counters) {
+    int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
+    size_t from = given && !order ? (size_t)basis[0] : 0;
+    PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
+    PARADT_ASSERT(from < set->count || !set->count);
+    if (!axes) axes = unasked;
+    if (!given && set->count) basis[0] = order ? order[0] : 0;
+    if (given == 2) {
+        const double *a = paradt__record(set, basis[0]), *b = paradt__record(set, basis[1]);
+        for (axis = 0; paradt__bits(a[axis]) == paradt__bits(b[axis]);) axis++;
+        axes[taken++] = axis;
+    }
+    for (axis = 0; axis < all && set->count; axis++) {
+        size_t at;
+        if (paradt__is_among(axis, axes, taken)) continue;
+        axes[taken] = axis;
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
+    }
+    dim = taken;
+    for (axis = 0; axis < all; axis++) {
+        if (!paradt__is_among(axis, axes, taken)) axes[taken++] = axis;
+    }
+    return set->count ? dim + 1 : 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>cuts
+//
+// Space is divided into boxes, one for each region, by cutting a box in two again and again: where each side gets its
+// part of the points (bisection), or of the volume (uniform); the thesis, chapters 4 and 6. A point on a cut belongs to
+// the upper side; the outer boxes are unbounded. The boxes of the upper side come first. Where exactly the cuts are
+// matters for speed only, so they are found by a sample of the points.
+// Doors: paradt__cut_is_above, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box, paradt__cuts_end,
+// paradt__cuts_reserve, paradt__cuts_mark, paradt__cuts_follow, paradt__select_key, paradt__cutter_divide.
+
+typedef struct paradt__cut {
+    double at;
+    int axis;
+    size_t begin; // position of the first point of the box below, in a set in the order of the boxes
+} paradt__cut;
+
+typedef struct paradt__cuts {
+    size_t boxes;
+    paradt_partition partition;
+    int larger_first; // 1: box 0 gets more points than others. By insertion its region looks for no points of others
+    int gaps;         // 1: the set is to have memory for gaps between the boxes' points, where a region adds others'
+    paradt__cut *cut; // [boxes] cut[i] is between boxes before i and those from i on; cut[0] is not used
+} paradt__cuts;
+
+PARADT__INLINE int paradt__cut_is_above(const paradt__cut *cut, const double *x) {
+    return paradt__ordered_bits(cut->at) > paradt__ordered_bits(x[cut->axis]);
+}
+
+// Returns the box of a point. Without a branch for the side: processors would predict half of them wrongly.
+PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *x) {
+    size_t first = 0, boxes = cuts->boxes;
+    PARADT_ASSERT(boxes > 0);
+    while (boxes > 1) {
+        size_t below = (size_t)paradt__cut_is_above(cuts->cut + first + boxes / 2, x);
+        first += boxes / 2 * below;
+        boxes = boxes / 2 + (boxes & below);
+    }
+    return first;
+}
+
+// Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
+// rounded: all that matters is that they never get smaller as a point moves away from the cut.
+static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
+    const paradt__cut *nearest = NULL;
+    size_t first = 0, boxes = cuts->boxes;
+    int64_t least = 0;
+    while (boxes > 1) {
+        const paradt__cut *cut = cuts->cut + first + boxes / 2;
+        int64_t distance = paradt__ordered_bits(paradt__abs(x[cut->axis] - cut->at));
+        if (!nearest || distance < least) nearest = cut, least = distance;
+        if (paradt__cut_is_above(cut, x)) first += boxes / 2, boxes -= boxes / 2;
+        else boxes /= 2;
+    }
+    return nearest;
+}
+
+// Writes the bounds of a box into low and high; those that it does not have stay as they are.
+static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
+    size_t first = 0, boxes = cuts->boxes;
+    PARADT_ASSERT(box < boxes);
+    while (boxes > 1) {
+        const paradt__cut *cut = cuts->cut + first + boxes / 2;
+        if (box < first + boxes / 2) {
+            low[cut->axis] = cut->at;
+            boxes /= 2;
+        } else {
+            high[cut->axis] = cut->at;
+            first += boxes / 2;
+            boxes -= boxes / 2;
+        }
+    }
+}
+
+// Position after the last point of a box, in a set of `count` points in the order of the boxes
+static size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
+    return box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : count;
+}
+
+// Number of points that a set of `count` points needs memory for besides, to have gaps between the boxes' points
+static size_t paradt__cuts_reserve(const paradt__cuts *cuts, size_t count) {
+    return cuts && cuts->gaps && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
+}
+
+// Notes where each box begins in a set in the order of the boxes. Its records are as they were read.
+static void paradt__cuts_mark(paradt__cuts *cuts, const paradt__set *set) {
+    size_t box;
+    for (box = 1; box < cuts->boxes; box++) {
+        size_t begin = box > 1 ? cuts->cut[box - 1].begin : 0, end = set->count;
+        while (begin < end) {
+            size_t middle = begin + (end - begin) / 2;
+            if (paradt__cuts_find(cuts, paradt__record(set, (paradt_index)middle)) < box) begin = middle + 1;
+            else end = middle;
+        }
+        cuts->cut[box].begin = begin;
+    }
+}
+
+// Adapts cuts to a set whose axes have been permuted and, if `scaled`, whose coordinates have been scaled. A cut that
+// is no point's coordinate may lose bits, which are cut off; it becomes larger then instead of smaller, so that each
+// point stays on its side.
+static void paradt__cuts_follow(paradt__cuts *cuts, const paradt__set *set, int scaled) {
+    size_t box;
+    for (box = 1; box < cuts->boxes; box++) {
+        paradt__cut *cut = cuts->cut + box;
+        int axis = 0, exact = 1;
+        if (scaled) cut->at = paradt__scale(cut->at, 1023 - set->exponent, &exact);
+        if (!exact && !(paradt__bits(cut->at) >> 63)) cut->at = paradt__from_bits(paradt__bits(cut->at) + 1);
+        while (set->axes[axis] != cut->axis) axis++;
+        cut->axis = axis;
+    }
+}
+
+// --- finding the cuts
+
+// Returns a key that is likely to be near the nth smallest: the corresponding one of a sample.
+static int64_t paradt__pivot_key(const int64_t *keys, size_t count, size_t nth) {
+    enum { SAMPLE = 31 };
+    int64_t sample[SAMPLE];
+    size_t i, j, some = count < SAMPLE ? 1 : SAMPLE;
+    for (i = 0; i < some; i++) {
+        int64_t key = keys[count / some * i + count / some / 2];
+        for (j = i; j > 0 && sample[j - 1] > key; j--) sample[j] = sample[j - 1];
+        sample[j] = key;
+    }
+    return sample[(size_t)((double)nth / (double)count * (double)some)];
+}
+
+// Returns the nth smallest key and permutes the keys (quickselect).
+static int64_t paradt__select_key(int64_t *keys, size_t count, size_t nth) {
+    size_t begin = 0, end = count;
+    PARADT_ASSERT(nth < count);
+    while (end - begin > 1) {
+        int64_t pivot = paradt__pivot_key(keys + begin, end - begin, nth - begin);
+        size_t i = begin, j = end - 1;
+        for (;;) {
+            int64_t t;
+            while (keys[i] < pivot) i++;
+            while (pivot < keys[j]) j--;
+            if (i >= j) break;
+            t = keys[i];
+            keys[i++] = keys[j];
+            keys[j--] = t;
+        }
+        if (i == j && nth == i) return pivot;
+        if (nth < i) end = i;
+        else begin = i == j ? i + 1 : i;
+    }
+    return keys[begin];
+}
+
+// A sample of points by which space is divided
 typedef struct paradt__cutter {
     paradt__cuts *cuts;
     int dim;
     const double *sample; // [count][dim]
-    paradt_index *points; // [count] permuted, so that a box is a range
-    int64_t *keys;        // [count] room for the coordinates of a box along one axis, as ordered bits
+    paradt_index *order;  // [count] positions in the sample, permuted so that those of a box are a range
+    int64_t *keys;        // [count] scratch for the coordinates of a box along one axis, as ordered bits
     size_t count;
-    size_t extra; // points that box 0 gets more than the others
+    size_t extra; // points of the sample that box 0 gets more than the others
 } paradt__cutter;
 
-PARADT__INLINE int64_t paradt__cutter_key(const paradt__cutter *c, paradt_index point, int axis) {
-    return paradt__ordered_bits(c->sample[(size_t)point * (size_t)c->dim + (size_t)axis]);
+PARADT__INLINE int64_t paradt__cutter_key(const paradt__cutter *c, paradt_index position, int axis) {
+    return paradt__ordered_bits(c->sample[(size_t)position * (size_t)c->dim + (size_t)axis]);
 }
 
-// Bounding box of the points of a range, which are some.
+// Finds the bounding box of the points [begin, end) of the order, of which there are some.
 static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t end, double *low, double *high) {
     int axis;
     size_t i;
     for (axis = 0; axis < c->dim; axis++) {
         int64_t least = INT64_MAX, most = INT64_MIN;
         for (i = begin; i < end; i++) {
-            int64_t key = paradt__cutter_key(c, c->points[i], axis);
+            int64_t key = paradt__cutter_key(c, c->order[i], axis);
             least = key < least ? key : least;
             most = key > most ? key : most;
         }
@@ -2615,34 +3185,36 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
+// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
 static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
                                    int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
-    for (i = begin; i < end; i++) c->keys[i - begin] = paradt__cutter_key(c, c->points[i], axis);
+    for (i = begin; i < end; i++) c->keys[i - begin] = paradt__cutter_key(c, c->order[i], axis);
     return paradt__from_ordered_bits(paradt__select_key(c->keys, count, (size_t)((double)even * (1.0 - above))));
 }
 
-// Cuts the boxes from `first` on out of one, which has the points of a range. low, high: its bounds, or those of all.
+// Divides one box, which has the points [begin, end) of the order, into `boxes`, and writes the cuts between these
+// boxes, which are numbered from `first` on. low, high: bounds of the box, or of all points.
 static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, const double *low, const double *high,
                                   size_t first, size_t boxes) {
     double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut_low[PARADT_MAX_DIM], cut_high[PARADT_MAX_DIM];
     size_t i, middle = begin, bytes = sizeof(double) * (size_t)c->dim;
     paradt__cut *cut = c->cuts->cut + first + boxes / 2;
+    PARADT_ASSERT(begin <= end && end <= c->count && boxes > 0 && first + boxes <= c->cuts->boxes);
     if (boxes == 1) return;
     memcpy(below, low, bytes);
     memcpy(above, high, bytes);
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
-    cut->axis = paradt__longest_axis(below, above, c->dim);
+    cut->axis = paradt__longest_axis(below, above, c->dim, 0);
     cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
-        paradt_index point = c->points[i];
-        c->points[i] = c->points[middle];
-        c->points[middle] = point;
-        middle += (size_t)(paradt__cutter_key(c, point, cut->axis) >= paradt__ordered_bits(cut->at));
+        paradt_index position = c->order[i];
+        c->order[i] = c->order[middle];
+        c->order[middle] = position;
+        middle += (size_t)(paradt__cutter_key(c, position, cut->axis) >= paradt__ordered_bits(cut->at));
     }
     memcpy(cut_low, below, bytes);
     memcpy(cut_high, above, bytes);
@@ -2652,298 +3224,226 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>points
+// >>reading
 //
-// The caller's points become a set of records: finite, distinct, -0.0 made 0.0, scaled by a power of two where that
-// loses no bit, and with the coordinates permuted so that the first `dim` of them orient (dim: the affine dimension).
-// The axes are taken greedily from the first to the last, so the lexicographic order over them equals that over all
-// coordinates: a coordinate passed over is an affine function of those taken before it. The records are in the order of
-// a curve, in which equal points are neighbours; where space is divided, box after box.
-// What looks at all points is shared out to tasks. Doors: paradt__set_load, paradt__set_gather, paradt__set_free,
-// paradt__span, paradt__record.
+// The first pass over the caller's points, shared between the tasks of a team: finds the first point that is not
+// finite, measures the set for the predicates, takes a sample, and makes the pages of the memory that is filled from
+// then on. The loader is what this pass and those of >>sorting work on. Each pass looks in on the caller every few
+// thousand points, so that a call can be cancelled meanwhile.
+// Doors: paradt__loader_begin, paradt__loader_allocate, paradt__loader_free, paradt__loader_range,
+// paradt__loader_cancels, paradt__loader_survey.
 
 enum {
-    PARADT__UNGRADED,
-    PARADT__WEIGHT,
-    PARADT__SAGITTA // weight and lift in one: r^2 - |x - o|^2 for the reference sphere of the set
+    PARADT__MOST_FIRST_BITS = 8,  // bits of a key that all points are scattered by first, at most
+    PARADT__FEW_SAMPLED = 1 << 9, // sampled points that tell whether points are crowded
+    PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-typedef struct paradt__set {
-    paradt__space space;
-    size_t count;       // distinct points
-    int grade;          // what follows a record's coordinates: nothing, its weight, or its sagitta (see below)
-    double grade_error; // sagittas: bound on the error of each
-    double grade_limit; // ... and on their size
-    double centre[PARADT_MAX_DIM]; // ... and the reference sphere's centre
-    int exponent;                  // the largest of a coordinate, with IEEE's bias, when it was read
-    size_t width;                  // doubles a record
-    double *records;               // [count][width]
-    paradt_index *origin;          // [count] the caller's index of the point
-    size_t capacity;               // points that there is room for
-    int axes[PARADT_MAX_DIM];      // the caller's coordinate that stands at each place
-} paradt__set;
+// Points between two looks at whether the call is cancelled
+enum { PARADT__LOADER_PACE = 1 << 15 };
 
-PARADT__INLINE const double *paradt__record(const paradt__set *set, paradt_index point) {
-    return set->records + (size_t)point * set->width;
-}
-
-PARADT__INLINE void paradt__copy_record(double *to, const double *from, size_t width) {
-    size_t i;
-    if (width == 3) {
-        to[0] = from[0];
-        to[1] = from[1];
-        to[2] = from[2];
-        return;
-    }
-    for (i = 0; i < width; i++) to[i] = from[i];
-}
-
-static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
-    paradt__release(memory, set->records);
-    paradt__release(memory, set->origin);
-    set->records = NULL;
-    set->origin = NULL;
-}
-
-// A float as a double, through the bits: a processor told to treat subnormal floats as zero would lose them.
-static double paradt__widen(uint32_t bits) {
-    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
-    double x;
-    if (exponent == 255) {
-        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
-    } else if (exponent) {
-        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
-    } else if (!fraction) {
-        wide = sign;
-    } else {
-        int shift = 0;
-        while (!(fraction >> 23)) fraction <<= 1, shift++;
-        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
-    }
-    memcpy(&x, &wide, sizeof x);
-    return x;
-}
-
-// Where the caller has a point.
-PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t point) {
-    size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
-    return (const char *)points->data + point * (points->stride ? points->stride : size * (size_t)points->dim);
-}
-
-// Passes over all points ask for them so far ahead of their use: processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
-
-// Fetches a point, if there is one of that number. It may lie across the border of two of the cache's lines.
-PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t point) {
-    size_t size = (points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double)) * (size_t)points->dim;
-    size_t begin = point * (points->stride ? points->stride : size);
-    PARADT__FETCH((const char *)points->data, begin);
-    PARADT__FETCH((const char *)points->data, begin + size - 1);
-}
-
-// -0.0 as 0.0
-PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
-    return paradt__from_bits(bits << 1 ? bits : 0);
-}
-
-// The coordinates of a point, -0.0 as 0.0. Two loops, so that compilers unroll the short one.
-PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t point, double *x) {
-    const char *address = paradt__address(points, point);
-    int axis;
-    if (points->scalar == PARADT_F32) {
-        for (axis = 0; axis < points->dim; axis++) {
-            uint32_t bits;
-            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
-            x[axis] = paradt__signless_zero(paradt__bits(paradt__widen(bits)));
-        }
-    } else {
-        for (axis = 0; axis < points->dim; axis++) {
-            uint64_t bits;
-            memcpy(&bits, address + (size_t)axis * sizeof bits, sizeof bits);
-            x[axis] = paradt__signless_zero(bits);
-        }
-    }
-}
-
-static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
-    uint64_t h = 0, bits;
-    int axis;
-    for (axis = 0; axis < ambient; axis++) {
-        memcpy(&bits, record + axis, sizeof bits);
-        h = paradt__mix(h + bits) + UINT64_C(0x9e3779b97f4a7c15);
-    }
-    return h;
-}
-
-// The caller's points, or points with weights among them
-typedef struct paradt__source {
-    paradt_points points;
-    size_t weight_stride; // bytes from one weight to the next
-    size_t spare;         // more points that the records are to have room for
-} paradt__source;
-
-static paradt__source paradt__source_of(const paradt_points *points) {
-    paradt__source source;
-    source.points = *points;
-    source.weight_stride = sizeof(double);
-    source.spare = 0;
-    return source;
-}
-
-// The weight of a point, -0.0 as 0.0
-static double paradt__weight(const paradt__source *source, size_t point) {
-    uint64_t bits;
-    memcpy(&bits, (const char *)source->points.weights + point * source->weight_stride, sizeof bits);
-    return paradt__signless_zero(bits);
-}
-
-// Reads a record. Returns the largest exponent of a coordinate, biased: 2047 when it or the weight is no number.
-PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t point, double *record) {
-    const paradt_points *points = &source->points;
-    int axis, dim = points->dim, largest = 0;
-    paradt__coordinates(points, point, record);
-    for (axis = 0; axis < dim; axis++) {
-        int exponent = paradt__biased_exponent(record[axis]);
-        largest = exponent > largest ? exponent : largest;
-    }
-    if (!points->weights) return largest;
-    record[dim] = paradt__weight(source, point);
-    return paradt__is_finite(record[dim]) ? largest : 2047;
-}
-
+// The passes over the points, and where each begins in the progress of them all
 enum {
-    PARADT__FIRST_DIGITS = 2 * PARADT__DIGITS,
-    PARADT__FEW_SAMPLED = 1 << 9 // enough to tell whether points are crowded
+    PARADT__SURVEY = 0,
+    PARADT__KEYS = 20,
+    PARADT__SCATTER = 45,
+    PARADT__SORT = 50,
+    PARADT__GATHER = 80,
+    PARADT__LOADED = 100
 };
 
 typedef struct paradt__loader {
     const paradt__team *team;
     const paradt__source *source;
     paradt__set *set;
-    paradt_index *representative;         // [points.count]
-    size_t bad[PARADT__MOST_TASKS];       // first point with a coordinate or weight that is no number; SIZE_MAX: none
-    size_t repeating[PARADT__MOST_TASKS]; // points that are not the first at their place
+    paradt_index *representative;         // [points.count] by index
+    paradt__cuts *cuts;                   // NULL: there is one box
+    size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
+    size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    paradt__cuts *cuts; // where there is more than one box; or NULL
-    double *sample;     // [sampled][dim] points that tell how they are spread, in the set's records
-    size_t sampled;
-    int shift; // of a key's first digit, which has a bit more where there are boxes: that is a key's upper part then
-    size_t digits; // values that it may have
-    paradt__hilbert hilbert;
+    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
+    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;               // bits of a key's first digit, at most
+    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;                // values that the first digit may have
     paradt__lattice lattice;
-    paradt__keyed *keyed, *other; // [points.count], the other in the set's records
-    // By a key's first digit, where the task's next such point goes
-    size_t place[PARADT__MOST_TASKS][PARADT__FIRST_DIGITS];
+    paradt__hilbert hilbert;
 } paradt__loader;
 
-static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__team *team) {
+static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__source *source,
+                                 paradt__cuts *cuts, const paradt__team *team, paradt_index *representative) {
     memset(loader, 0, offsetof(paradt__loader, hilbert));
     loader->set = set;
+    loader->source = source;
+    loader->cuts = cuts && cuts->boxes > 1 ? cuts : NULL;
     loader->team = team;
+    loader->representative = representative;
+    set->grade = source->points.weights ? PARADT__WEIGHT : PARADT__UNGRADED;
+    set->width = (size_t)source->points.dim + (source->points.weights != NULL);
+    paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// The positions of `count` that are a task's: [*begin, its result).
-static size_t paradt__loader_share(const paradt__loader *loader, size_t count, size_t index, size_t *begin) {
-    size_t tasks = loader->team->tasks;
-    *begin = count / tasks * index;
-    return index + 1 == tasks ? count : count / tasks * (index + 1);
+// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
+// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
+// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
+    paradt__set *set = loader->set;
+    size_t count = loader->source->points.count;
+    loader->first_bits = paradt__min(paradt__bit_length(count), PARADT__MOST_FIRST_BITS) + (loader->cuts != NULL);
+    set->capacity = count + loader->source->reserve;
+    loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
+    loader->next = (size_t *)paradt__alloc(memory, loader->team->tasks << loader->first_bits, sizeof *loader->next);
+    set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
+    set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
+    loader->sample = set->records;
+    loader->sampled = loader->cuts                ? (size_t)PARADT__CUT_SAMPLED
+                      : count < PARADT__MANY_KEYS ? 0
+                                                  : (size_t)PARADT__FEW_SAMPLED;
+    if (loader->sampled > count) loader->sampled = count;
+    if (loader->cuts) {
+        loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
+        if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
+    }
+    if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
+    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
+    // that fill them has as many new pages to touch.
+    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    return PARADT_OK;
 }
 
-// Looks at all coordinates of a task's points [i, end).
-PARADT__INLINE void paradt__survey(paradt__loader *loader, size_t index, size_t i, size_t end, int dim) {
+static void paradt__loader_free(paradt__loader *loader, paradt__memory *memory) {
+    paradt__release(memory, loader->keyed);
+    paradt__release(memory, loader->next);
+    loader->keyed = NULL;
+    loader->next = NULL;
+}
+
+// Divides `count` elements between the tasks of a team: those of `task` are [*begin, the result).
+static size_t paradt__loader_range(const paradt__team *team, size_t count, size_t task, size_t *begin) {
+    *begin = count / team->tasks * task;
+    return task + 1 == team->tasks ? count : count / team->tasks * (task + 1);
+}
+
+// Looks in on the caller after `done` of a task's `count` elements, in the pass that takes the progress from `begin` to
+// `end`. Returns 1 when the call is to end.
+static int paradt__loader_cancels(const paradt__loader *loader, size_t task, int begin, int end, size_t done,
+                                  size_t count) {
+    double part = (double)done / (double)count;
+    return paradt__team_cancels(loader->team, task, (begin + (end - begin) * part) / (double)PARADT__LOADED);
+}
+
+// Reads the points [index, end) for a task.
+PARADT__INLINE void paradt__survey_points(paradt__loader *loader, size_t task, size_t index, size_t end, int dim) {
     paradt__source source = *loader->source; // copies, that no store through a pointer can change
-    paradt__space space = loader->space[index];
+    paradt__space space = loader->space[task];
     double record[PARADT_MAX_DIM + 1];
     source.points.dim = space.ambient = dim;
-    for (; i < end; i++) {
-        paradt__read_record(&source, i, record);
-        paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
+    for (; index < end; index++) {
+        paradt__read_record(&source, index, record);
+        paradt__fetch_point(&source.points, index + PARADT__POINTS_AHEAD);
         paradt__space_add(&space, record);
-        loader->representative[i] = (paradt_index)i;
+        loader->representative[index] = (paradt_index)index;
     }
-    loader->space[index] = space;
+    loader->space[task] = space;
 }
 
-// The first point from i on that has a coordinate or weight that is no number. There is one.
-static size_t paradt__first_bad(const paradt__source *source, size_t i) {
+// Returns the index of the first point from `index` on that is not finite. There is one.
+static size_t paradt__first_bad(const paradt__source *source, size_t index) {
     double record[PARADT_MAX_DIM + 1];
-    while (paradt__read_record(source, i, record) < 2047) i++;
-    return i;
+    while (paradt__read_record(source, index, record) < 2047) index++;
+    return index;
 }
 
-// All points make loader->sampled equal shares. Samples a point of each of the shares [i, end), at random: a regular
-// choice might meet a pattern of the points.
+// All points are divided into loader->sampled intervals. Samples a point of each of the intervals [i, end), at random:
+// a regular choice might meet a pattern of the points.
 static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     const paradt_points *points = &loader->source->points;
     double step = i < end ? (double)points->count / (double)loader->sampled : 0.0;
     for (; i < end; i++) {
         size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
-        size_t point = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
-        paradt__coordinates(points, point, loader->sample + i * (size_t)points->dim);
+        size_t index = from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0);
+        paradt__coordinates(points, index, loader->sample + i * (size_t)points->dim);
     }
 }
 
-// Makes the pages of a task's part of the arrays that are filled from now on.
-static void paradt__loader_pages(const paradt__loader *loader, size_t index) {
-    size_t record = loader->set->width * sizeof(double), first;
-    size_t end = paradt__loader_share(loader, loader->source->points.count, index, &first);
-    paradt__make_pages(loader->keyed, first * sizeof *loader->keyed, end * sizeof *loader->keyed);
-    paradt__make_pages(loader->set->records, first * record, end * record);
-    paradt__make_pages(loader->set->origin, first * sizeof(paradt_index), end * sizeof(paradt_index));
-    paradt__make_pages(loader->representative, first * sizeof(paradt_index), end * sizeof(paradt_index));
+// Number of the sample's intervals that end up to a point. In integers: where a task ends the next one begins.
+static size_t paradt__intervals_until(const paradt__loader *loader, size_t index) {
+    return (size_t)((uint64_t)index * loader->sampled / loader->source->points.count);
 }
 
-// How many of the sample's shares end up to a point. In integers: where a task ends the next one begins.
-static size_t paradt__shares_until(const paradt__loader *loader, size_t point) {
-    return (size_t)((uint64_t)point * loader->sampled / loader->source->points.count);
+// Makes the pages of a task's part of the arrays that are filled from now on. Returns 1 when the call is to end.
+static int paradt__loader_pages(const paradt__loader *loader, size_t task) {
+    enum { TOGETHER = 1 << 17 }; // points
+    size_t record = loader->set->width * sizeof(double), i, next;
+    size_t end = paradt__loader_range(loader->team, loader->source->points.count, task, &i);
+    for (; i < end; i = next) {
+        if (paradt__loader_cancels(loader, task, PARADT__SURVEY, PARADT__KEYS, 0, 1)) return 1;
+        next = end - i < 2 * TOGETHER ? end : i + TOGETHER;
+        paradt__make_pages(loader->keyed, i * sizeof *loader->keyed, next * sizeof *loader->keyed);
+        paradt__make_pages(loader->set->records, i * record, next * record);
+        paradt__make_pages(loader->set->origin, i * sizeof(paradt_index), next * sizeof(paradt_index));
+        paradt__make_pages(loader->representative, i * sizeof(paradt_index), next * sizeof(paradt_index));
+    }
+    return 0;
 }
 
-// The points are sampled while they are in the cache.
-static void paradt__survey_task(void *context, size_t index) {
+// Reads the points of a task. Points are sampled while they are in the cache.
+static void paradt__survey_task(void *context, size_t task) {
     enum { TOGETHER = 1 << 12 };
     paradt__loader *loader = (paradt__loader *)context;
     int dim = loader->source->points.dim;
-    size_t i, next, end = paradt__loader_share(loader, loader->source->points.count, index, &i);
-    paradt__loader_pages(loader, index);
-    loader->space[index] = loader->set->space;
-    loader->bad[index] = SIZE_MAX;
-    for (; i < end && loader->bad[index] == SIZE_MAX; i = next) {
+    size_t i, next, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
+    loader->space[task] = loader->set->space;
+    loader->bad[task] = SIZE_MAX;
+    if (paradt__loader_pages(loader, task)) return;
+    for (; i < end && loader->bad[task] == SIZE_MAX; i = next) {
+        if (paradt__loader_cancels(loader, task, PARADT__SURVEY, PARADT__KEYS, i - first, end - first)) return;
         next = end - i < TOGETHER ? end : i + TOGETHER;
-        if (dim == 3) paradt__survey(loader, index, i, next, 3);
-        else paradt__survey(loader, index, i, next, dim);
-        if (!paradt__space_is_finite(&loader->space[index])) loader->bad[index] = paradt__first_bad(loader->source, i);
-        paradt__sample(loader, paradt__shares_until(loader, i), paradt__shares_until(loader, next));
+        if (PARADT_MAX_DIM > 2 && dim == 3) paradt__survey_points(loader, task, i, next, 3);
+        else paradt__survey_points(loader, task, i, next, dim);
+        if (!paradt__space_is_finite(&loader->space[task])) loader->bad[task] = paradt__first_bad(loader->source, i);
+        paradt__sample(loader, paradt__intervals_until(loader, i), paradt__intervals_until(loader, next));
     }
 }
 
-// Measures the set. *bad is the first point with a coordinate or weight that is no number.
-static paradt_status paradt__set_survey(paradt__loader *loader, size_t *bad) {
+// Reads all points. On return the set is measured; or *bad is the index of the first point that is not finite.
+static paradt_status paradt__loader_survey(paradt__loader *loader, size_t *bad) {
     paradt__set *set = loader->set;
-    size_t i;
+    size_t task;
     paradt__team_run(loader->team, paradt__survey_task, loader);
-    for (i = 0; i < loader->team->tasks; i++) {
-        if (loader->bad[i] == SIZE_MAX) continue;
-        *bad = loader->bad[i];
+    if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < loader->team->tasks; task++) {
+        if (loader->bad[task] == SIZE_MAX) continue;
+        *bad = loader->bad[task];
         return PARADT_ERROR_NOT_FINITE;
     }
-    for (i = 0; i < loader->team->tasks; i++) paradt__space_join(&set->space, &loader->space[i]);
+    for (task = 0; task < loader->team->tasks; task++) paradt__space_join(&set->space, &loader->space[task]);
     set->exponent = paradt__max(set->space.coordinates.top + 1022, 0);
     return PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>order
+// >>sorting
 //
-// Doors: to be listed.
+// Sorts the points along the curve, box after box where space is divided, and makes their records. Each point gets a
+// key, above which stands the number of its box; keys are scattered by their first digits and then sorted digit by
+// digit, each digit by one task. Points with the same key are sorted anew along the curve through their own bounding
+// box, until they differ or are known to be equal. So equal points come one after another, in the order of their
+// indices, and are merged.
+// Doors: paradt__set_gather.
 
-PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t point) {
+// --- points with equal keys
+
+PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const paradt__lattice *lattice, size_t index) {
     double x[PARADT_MAX_DIM];
-    paradt__coordinates(&loader->source->points, point, x);
-    return paradt__curve_key(&loader->hilbert, lattice, x);
+    paradt__coordinates(&loader->source->points, index, x);
+    return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
-// Sorts points with the same key by a lattice of their own box. Returns 0 if they are equal: their keys say so then.
-// other: room for as many.
+// Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
+// becomes 0 then, and the others' 1. other: scratch for as many.
 static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
                              int by_steps) {
     paradt__lattice lattice;
@@ -2952,7 +3452,7 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        paradt__coordinates(&loader->source->points, (size_t)run[i].point, record);
+        paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
             low[axis] = i && low[axis] < x ? low[axis] : x;
@@ -2965,21 +3465,24 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].point);
+    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
 // Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. The keys then tell whether a point equals the one before. The longest run is left to the loop,
-// so the recursion is no deeper than the logarithm of count. Where most points remain together, a few far away are the
-// reason, and others behind them, on scale after scale: after many passes by units, steps leave no more than 64 /
-// levels of them.
-static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, paradt__keyed *other, size_t count) {
+// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
+// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
+// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
+// 64 / levels passes.
+static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
+                           size_t count) {
     enum { PASSES = 20 };
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
+        if (count > PARADT__LOADER_PACE && paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1))
+            return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -2989,7 +3492,7 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
                 keyed[begin].key = 0;
                 continue;
             }
-            if (size > length) { // the one that was the longest is dealt with instead
+            if (size > length) { // the run that was the longest is dealt with instead
                 size_t was = length;
                 run = longest;
                 longest = begin;
@@ -2997,7 +3500,7 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
                 size = was;
             }
             if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
-                paradt__refine(loader, keyed + run, other + run, size);
+                paradt__refine(loader, task, keyed + run, other + run, size);
         }
         looked_at += length;
         if (length == 1 ||
@@ -3009,55 +3512,53 @@ static void paradt__refine(const paradt__loader *loader, paradt__keyed *keyed, p
     }
 }
 
-// --- cuts by a sample
+// --- what a sample tells
 
-// Puts a few points of the sample along a curve: the first of loader->keyed, which has room for twice as many.
-static void paradt__sort_few(const paradt__loader *loader, const paradt__hilbert *hilbert, size_t few, int levels) {
-    int dim = loader->source->points.dim;
-    paradt__keyed *keyed = loader->keyed;
-    paradt__lattice lattice;
+// Sorts a few points of the sample, evenly chosen, along a curve of so many levels: in loader->keyed, which has memory
+// for twice as many.
+static void paradt__sort_few(const paradt__loader *loader, size_t few, int levels) {
+    const paradt__space *space = &loader->set->space;
+    paradt__curve curve;
     size_t i;
-    paradt__lattice_begin(&lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
-    for (i = 0; i < few; i++) {
-        keyed[i].point = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-        keyed[i].key = paradt__curve_key(hilbert, &lattice, loader->sample + (size_t)keyed[i].point * (size_t)dim);
-    }
-    paradt__keyed_sort(keyed, keyed + few, few, dim * levels, 0);
+    PARADT_ASSERT(2 * few <= loader->source->points.count);
+    paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
+    for (i = 0; i < few; i++) loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
 }
 
-// How far points of the set are from their neighbours: 2^k times as far are those of one in 2^(k dim) points, such as
-// are put along a curve here, where they are spread in all dimensions.
+// Estimates the spacing of the set (see paradt__spacing) by that of few points: one in 2^(k dim) points is 2^k times as
+// far from its neighbours, where points are spread in all dimensions.
 static double paradt__sample_spacing(const paradt__loader *loader) {
     enum { FEW = 1 << 12 };
     size_t count = loader->source->points.count, few = count, i;
     int dim = loader->source->points.dim;
     double nearer = 1.0;
-    paradt__hilbert hilbert;
     paradt_index *order;
     do {
         few >>= dim;
         nearer *= 0.5;
     } while (few > FEW);
-    paradt__hilbert_begin(&hilbert, dim, few);
-    paradt__sort_few(loader, &hilbert, few, paradt__levels_for(few, dim));
+    paradt__sort_few(loader, few, paradt__levels_for(few, dim));
     order = (paradt_index *)(void *)(loader->keyed + 2 * few);
-    for (i = 0; i < few; i++) order[i] = loader->keyed[i].point;
+    for (i = 0; i < few; i++) order[i] = loader->keyed[i].item;
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Points of the sample that box 0 gets more than others, since by insertion its region takes in none of theirs and asks
-// about no cell: so many times what there is in a margin beside a cut through all. Measured on uniform points.
+// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
+// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
+// all: measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
-    enum { SOME = 1 << 11, WIDTH = 4 }; // of the part looked at, in margins
-    int64_t keys[SOME];
-    double margin = 0.7 * paradt__sample_spacing(loader), middle, extra, most;
+    enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
+    int64_t *keys = (int64_t *)(void *)loader->keyed;
+    double margin = paradt__margin_for(paradt__sample_spacing(loader)), middle, extra, most;
     size_t dim = (size_t)loader->source->points.dim, count = loader->sampled, i, beside = 0;
+    size_t some = count < SOME ? count : (size_t)SOME;
     const double *x = loader->sample + axis;
-    for (i = 0; i < SOME; i++) {
-        size_t point = (size_t)((double)count * (double)i / (double)SOME);
-        keys[i] = paradt__ordered_bits(x[point * dim]);
+    for (i = 0; i < some; i++) {
+        size_t position = (size_t)((double)count * (double)i / (double)some);
+        keys[i] = paradt__ordered_bits(x[position * dim]);
     }
-    middle = paradt__from_ordered_bits(paradt__select_key(keys, SOME, SOME / 2));
+    middle = paradt__from_ordered_bits(paradt__select_key(keys, some, some / 2));
     for (i = 0; i < count && margin > 0.0; i++)
         beside += paradt__abs(x[i * dim] - middle) < margin * 0.5 * (double)WIDTH;
     extra = 2.2 * (double)beside / (double)WIDTH;
@@ -3065,7 +3566,7 @@ static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     return (size_t)(extra < most ? extra : most);
 }
 
-// Finds the cuts by the sample, in memory that is filled later.
+// Finds the cuts by the sample, with loader->keyed as scratch.
 static void paradt__loader_cut(paradt__loader *loader) {
     const paradt__set *set = loader->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -3080,143 +3581,157 @@ static void paradt__loader_cut(paradt__loader *loader) {
     cutter.dim = dim;
     cutter.sample = loader->sample;
     cutter.count = loader->sampled;
-    cutter.extra = loader->cuts->spares ? paradt__sample_extra(loader, paradt__longest_axis(low, high, dim)) : 0;
+    cutter.extra =
+        loader->cuts->larger_first ? paradt__sample_extra(loader, paradt__longest_axis(low, high, dim, 0)) : 0;
     cutter.keys = (int64_t *)(void *)loader->keyed;
-    cutter.points = (paradt_index *)(void *)(cutter.keys + cutter.count);
-    for (i = 0; i < cutter.count; i++) cutter.points[i] = (paradt_index)i;
+    cutter.order = (paradt_index *)(void *)(cutter.keys + cutter.count);
+    for (i = 0; i < cutter.count; i++) cutter.order[i] = (paradt_index)i;
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Notes where each box begins in the set, whose records are as they were read.
-static void paradt__loader_bound(paradt__loader *loader) {
-    const paradt__set *set = loader->set;
-    paradt__cuts *cuts = loader->cuts;
-    size_t box;
-    for (box = 1; box < cuts->boxes; box++) {
-        size_t begin = box > 1 ? cuts->cut[box - 1].begin : 0, end = set->count;
-        while (begin < end) {
-            size_t middle = begin + (end - begin) / 2;
-            if (paradt__cuts_find(cuts, paradt__record(set, (paradt_index)middle)) < box) begin = middle + 1;
-            else end = middle;
-        }
-        cuts->cut[box].begin = begin;
-    }
-}
-
-// --- sorted by keys
-
-PARADT__INLINE size_t paradt__first_digit(const paradt__loader *loader, uint64_t key) {
-    return (size_t)(key >> loader->shift);
-}
-
-// Makes the keys of a task's points.
-PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t index, int dim) {
-    paradt_points points = loader->source->points; // copies, that no store through a pointer can change
-    paradt__lattice lattice = loader->lattice;
-    paradt__keyed *keyed = loader->keyed;
-    size_t i, end = paradt__loader_share(loader, points.count, index, &i), *count = loader->place[index];
-    int bits = dim * lattice.levels;
-    points.dim = lattice.dim = dim;
-    memset(count, 0, loader->digits * sizeof *count);
-    for (; i < end; i++) {
-        double x[PARADT_MAX_DIM];
-        uint64_t key;
-        paradt__coordinates(&points, i, x);
-        paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
-        key = paradt__curve_key(&loader->hilbert, &lattice, x);
-        if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
-        keyed[i].key = key;
-        keyed[i].point = (paradt_index)i;
-        count[paradt__first_digit(loader, key)]++;
-    }
-}
-
-static void paradt__key_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    if (loader->lattice.dim == 3) paradt__make_keys(loader, index, 3);
-    else paradt__make_keys(loader, index, loader->lattice.dim);
-}
-
-static void paradt__scatter_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i),
-              *place = loader->place[index];
-    for (; i < end; i++) {
-        PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
-        loader->other[place[paradt__first_digit(loader, loader->keyed[i].key)]++] = loader->keyed[i];
-    }
-}
-
-// Sorts the points with the first digits that end in the task's share.
-static void paradt__sort_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    const size_t *ends = loader->place[loader->team->tasks - 1]; // scattered, the last task's next places are the ends
-    size_t share, last = paradt__loader_share(loader, loader->source->points.count, index, &share), begin = 0, digit;
-    for (digit = 0; digit < loader->digits; begin = ends[digit++]) {
-        size_t count = ends[digit] - begin;
-        if (!count || ends[digit] <= share || ends[digit] > last) continue;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, loader->keyed + begin, loader->other + begin, count);
-    }
-}
-
 // Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few tell, on a lattice with so many levels less that they share as many places if
-// they lie on surfaces. Where they fill space they share more, but few still.
+// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
+// places if they lie on surfaces. Where they fill space they share more, but still few.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
-    enum { SHARE = 32 }; // one in so many is many
+    enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
     if (few > count / 2) few = count / 2;
     if (!few || !loader->sampled) return 0;
     levels -= (paradt__bit_length(count / few) - 1) / 2;
     levels = paradt__whole_steps(paradt__max(levels, 1), loader->source->points.dim);
-    paradt__sort_few(loader, &loader->hilbert, few, levels);
+    paradt__sort_few(loader, few, levels);
     for (i = 1; i < few; i++) shared += loader->keyed[i].key == loader->keyed[i - 1].key;
-    return shared > few / SHARE;
+    return shared > few / MANY;
 }
 
-// The order of the points along the curve, box after box, in loader->keyed.
-static void paradt__loader_sort(paradt__loader *loader) {
-    size_t count = loader->source->points.count, tasks = loader->team->tasks, before = 0, digit, i;
+// --- all points
+
+PARADT__INLINE size_t *paradt__loader_next(const paradt__loader *loader, size_t task) {
+    return loader->next + (task << loader->first_bits);
+}
+
+// Makes the keys of a task's points and counts their first digits.
+PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int dim) {
+    paradt_points points = loader->source->points; // copies, that no store through a pointer can change
+    paradt__lattice lattice = loader->lattice;
+    paradt__keyed *keyed = loader->keyed;
+    size_t i, end = paradt__loader_range(loader->team, points.count, task, &i), first = i;
+    size_t *count = paradt__loader_next(loader, task);
+    int bits = dim * lattice.levels, shift = loader->shift;
+    points.dim = lattice.dim = dim;
+    memset(count, 0, loader->digits * sizeof *count);
+    for (; i < end; i++) {
+        double x[PARADT_MAX_DIM];
+        uint64_t key;
+        if (i % PARADT__LOADER_PACE == 0 &&
+            paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
+            return;
+        paradt__coordinates(&points, i, x);
+        paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
+        key = paradt__hilbert_key(&loader->hilbert, &lattice, x);
+        if (loader->cuts) key |= (uint64_t)paradt__cuts_find(loader->cuts, x) << bits;
+        keyed[i].key = key;
+        keyed[i].item = (paradt_index)i;
+        count[(size_t)(key >> shift)]++;
+    }
+}
+
+static void paradt__key_task(void *context, size_t task) {
+    paradt__loader *loader = (paradt__loader *)context;
+    if (PARADT_MAX_DIM > 2 && loader->lattice.dim == 3) paradt__make_keys(loader, task, 3);
+    else paradt__make_keys(loader, task, loader->lattice.dim);
+}
+
+// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+static void paradt__place_digits(const paradt__loader *loader) {
+    size_t digit, task, before = 0;
+    for (digit = 0; digit < loader->digits; digit++) {
+        for (task = 0; task < loader->team->tasks; task++) {
+            size_t *next = paradt__loader_next(loader, task) + digit, count = *next;
+            *next = before;
+            before += count;
+        }
+    }
+    PARADT_ASSERT(before == loader->source->points.count);
+}
+
+static void paradt__scatter_task(void *context, size_t task) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt__keyed *keyed = loader->keyed;
+    paradt__keyed *other = loader->other;
+    size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
+    size_t *next = paradt__loader_next(loader, task);
+    int shift = loader->shift;
+    for (; i < end; i++) {
+        if (i % PARADT__LOADER_PACE == 0 &&
+            paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
+            return;
+        PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
+        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+    }
+}
+
+// Sorts the points with the first digits that end in the task's range.
+static void paradt__sort_task(void *context, size_t task) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const size_t *ends = paradt__loader_next(loader, loader->team->tasks - 1); // after scattering: of all tasks
+    size_t first, last = paradt__loader_range(loader->team, loader->source->points.count, task, &first), begin = 0,
+                  digit;
+    for (digit = 0; digit < loader->digits; begin = ends[digit++]) {
+        size_t count = ends[digit] - begin;
+        if (!count || ends[digit] <= first || ends[digit] > last) continue;
+        if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
+            return;
+        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+    }
+}
+
+// Sorts the points along the curve, box after box, in loader->keyed; where a point equals the one before, its key is 1,
+// else 0.
+static paradt_status paradt__loader_sort(paradt__loader *loader) {
+    size_t count = loader->source->points.count;
     int dim = loader->set->space.ambient, levels = paradt__levels_for(count, dim), step = PARADT__STEP_BITS / dim;
     int box_bits = loader->cuts ? paradt__bit_length(loader->cuts->boxes - 1) : 0;
-    int digit_bits = paradt__min(paradt__bit_length(count), PARADT__DIGIT_BITS) + (box_bits > 0);
     paradt__hilbert_begin(&loader->hilbert, dim, count);
     if (paradt__loader_crowded(loader, levels)) levels = paradt__levels_for(SIZE_MAX, dim);
     while (dim * levels + box_bits > 64) levels -= step > 1 ? step : 1;
-    loader->shift = paradt__max(dim * levels + box_bits - digit_bits, 0);
+    loader->shift = paradt__max(dim * levels + box_bits - loader->first_bits, 0);
     loader->digits = (size_t)1 << (dim * levels + box_bits - loader->shift);
     paradt__lattice_begin(&loader->lattice, dim, levels, 0, loader->set->space.low, loader->set->space.high);
     paradt__team_run(loader->team, paradt__key_task, loader);
-    for (digit = 0; digit < loader->digits; digit++) {
-        for (i = 0; i < tasks; i++) {
-            size_t here = loader->place[i][digit];
-            loader->place[i][digit] = before;
-            before += here;
-        }
-    }
+    if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
+    paradt__place_digits(loader);
     paradt__team_run(loader->team, paradt__scatter_task, loader);
+    if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
     paradt__team_run(loader->team, paradt__sort_task, loader);
+    return paradt__team_cancelled(loader->team) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
-static void paradt__gather_task(void *context, size_t index) {
+// --- records
+
+static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
     paradt__set *set = loader->set;
-    size_t i, end = paradt__loader_share(loader, loader->source->points.count, index, &i), repeating = 0;
+    size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), repeating = 0,
+              first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
+        if (i % PARADT__LOADER_PACE == 0 &&
+            paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
+            return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
-        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].point);
-        paradt__read_record(loader->source, (size_t)loader->keyed[i].point, set->records + i * set->width);
-        set->origin[i] = loader->keyed[i].point;
+        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].item);
+        paradt__read_record(loader->source, (size_t)loader->keyed[i].item, set->records + i * set->width);
+        set->origin[i] = loader->keyed[i].item;
         repeating += (size_t)loader->keyed[i].key;
     }
-    loader->repeating[index] = repeating;
+    loader->repeating[task] = repeating;
 }
 
-// Keeps one record a place. representative[i] becomes the caller's index of the point that stands for point i: the
-// smallest index, with weights the largest weight first. Equal points are neighbours, in the order of their indices.
+// Keeps one record of equal points. representative[index] becomes the index of the point that stands for the point:
+// the smallest, with weights that of the largest weight. Equal points are neighbours, in the order of their indices.
 static void paradt__loader_merge(paradt__loader *loader) {
     paradt__set *set = loader->set;
     size_t kept = 0, i, width = set->width, ambient = (size_t)set->space.ambient;
@@ -3224,80 +3739,63 @@ static void paradt__loader_merge(paradt__loader *loader) {
         const double *record = set->records + i * width;
         if (!loader->keyed[i].key) {
             if (kept < i) memcpy(set->records + kept * width, record, width * sizeof *record);
-            set->origin[kept++] = loader->keyed[i].point;
+            set->origin[kept++] = loader->keyed[i].item;
         } else if (set->space.weighted) {
             double *weight = set->records + (kept - 1) * width + ambient;
             if (paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(*weight)) {
                 *weight = record[ambient];
-                set->origin[kept - 1] = loader->keyed[i].point;
+                set->origin[kept - 1] = loader->keyed[i].item;
             }
         }
-        loader->representative[loader->keyed[i].point] = (paradt_index)(kept - 1);
+        loader->representative[loader->keyed[i].item] = (paradt_index)(kept - 1);
     }
     for (i = 0; i < set->count; i++) loader->representative[i] = set->origin[loader->representative[i]];
     set->count = kept;
 }
 
-// The records, of two doubles at least, are what the keys are sorted by way of, until they are filled: new pages take
-// time.
-static paradt_status paradt__loader_room(paradt__loader *loader, paradt__memory *memory) {
-    enum { SAMPLE = 1 << 16 };
-    paradt__set *set = loader->set;
-    size_t count = loader->source->points.count;
-    set->capacity = count + loader->source->spare;
-    loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
-    set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
-    set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
-    loader->sample = set->records;
-    loader->sampled = loader->cuts ? (size_t)SAMPLE : count < PARADT__MANY_KEYS ? 0 : (size_t)PARADT__FEW_SAMPLED;
-    if (loader->sampled > count) loader->sampled = count;
-    if (loader->cuts) {
-        loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
-        if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
-    }
-    if (!loader->keyed || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+// Makes the records of the sorted points, one a place, and notes where the boxes begin.
+static paradt_status paradt__loader_gather(paradt__loader *loader) {
+    size_t repeating = 0, task;
+    loader->set->count = loader->source->points.count;
+    paradt__team_run(loader->team, paradt__gather_task, loader);
+    if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < loader->team->tasks; task++) repeating += loader->repeating[task];
+    if (repeating) paradt__loader_merge(loader);
+    if (loader->cuts) paradt__cuts_mark(loader->cuts, loader->set);
     return PARADT_OK;
 }
 
-// The points of the source, each place once, along a curve, as they are: neither scaled nor with their axes in order,
-// but measured. cuts: NULL, or space is divided, and the points are in the order of the boxes. *bad: see
-// paradt__set_survey. representative: [points.count].
+// Makes the set of the source's points: each place once, along a curve, measured, but neither scaled nor with its axes
+// permuted. set: zeroed. cuts: NULL, or how space is to be divided: the cuts are found then, and the points are in the
+// order of the boxes. representative: [points.count] see paradt__loader_merge. *bad: see paradt__loader_survey. After
+// an error the caller frees the set and the cuts.
 static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
                                         const paradt__team *team, paradt__memory *memory, paradt_index *representative,
                                         size_t *bad) {
     paradt__loader loader;
-    const paradt_points *points = &source->points;
-    size_t repeating = 0, i;
     paradt_status status;
-    paradt__loader_begin(&loader, set, team);
-    loader.source = source;
-    loader.cuts = cuts && cuts->boxes > 1 ? cuts : NULL;
-    loader.representative = representative;
-    set->grade = points->weights ? PARADT__WEIGHT : PARADT__UNGRADED;
-    set->width = (size_t)points->dim + (points->weights != NULL);
-    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    status = paradt__loader_room(&loader, memory);
-    if (!status) status = paradt__set_survey(&loader, bad);
+    PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
+    paradt__loader_begin(&loader, set, source, cuts, team, representative);
+    status = paradt__loader_allocate(&loader, memory);
+    if (!status) status = paradt__loader_survey(&loader, bad);
     if (!status) {
         if (loader.cuts) paradt__loader_cut(&loader);
-        paradt__loader_sort(&loader);
-        set->count = points->count;
-        paradt__team_run(team, paradt__gather_task, &loader);
-        for (i = 0; i < team->tasks; i++) repeating += loader.repeating[i];
-        if (repeating) paradt__loader_merge(&loader);
-        if (loader.cuts) paradt__loader_bound(&loader);
+        status = paradt__loader_sort(&loader);
     }
-    paradt__release(memory, loader.keyed);
+    if (!status) status = paradt__loader_gather(&loader);
+    paradt__loader_free(&loader, memory);
     return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>measures
+// >>scale and axes
 //
-// Doors: to be listed.
+// The last steps that make a set: its coordinates are scaled by a power of two where that loses no bit, and permuted so
+// that the first `dim` of them orient. The axes are taken greedily from the first to the last, so the lexicographic
+// order over those taken is the one over all coordinates: a coordinate passed over is an affine function of those taken
+// before it.
+// Doors: paradt__set_load; paradt__set_scale, paradt__set_permute, paradt__set_measure, paradt__set_measured for sets
+// that are parts of one.
 
 // Brings the largest coordinate near 1, if no bit of any coordinate or weight is lost by that: T(P) does not change,
 // and sets far from 1 get the floating-point filter. Weights are squares of lengths. Returns whether it has.
@@ -3317,53 +3815,8 @@ static int paradt__set_scale(paradt__set *set) {
     return exact;
 }
 
-// Is x outside the affine hull of the basis, seen in the axes taken and one more?
-static int paradt__extends(paradt__space *space, int taken, const double *const *basis, const int *axes,
-                           const double *x) {
-    double copies[PARADT_MAX_DIM + 1][PARADT_MAX_DIM + 1];
-    const double *pointers[PARADT_MAX_DIM + 1];
-    paradt__space view; // bounds hold for one dimension, and for coordinates at their places
-    int i, j, independent;
-    memset(copies, 0, sizeof copies);
-    paradt__space_begin(&view, taken + 1, taken + 1, 0);
-    for (i = 0; i <= taken + 1; i++) {
-        const double *from = i <= taken ? basis[i] : x;
-        for (j = 0; j <= taken; j++) copies[i][j] = from[axes[j]];
-        pointers[i] = copies[i];
-        paradt__space_add(&view, copies[i]);
-    }
-    paradt__space_end(&view);
-    view.counters = space->counters;
-    independent = paradt__orient(&view, pointers) != 0;
-    space->counters = view.counters;
-    return independent;
-}
-
-// Adds points to the basis and axes to the axes until they span the set: the simplex stays independent in just the axes
-// taken. Points are searched for in the order (NULL: that of the set), `from` on. Returns the number of axes taken.
-static int paradt__span(paradt__set *set, const paradt_index *order, const double **basis, int *axes, int taken,
-                        size_t from) {
-    int candidate, i, ambient = set->space.ambient;
-    for (candidate = 0; candidate < ambient; candidate++) {
-        size_t step;
-        int known = 0;
-        for (i = 0; i < taken; i++) known |= axes[i] == candidate;
-        if (known) continue;
-        axes[taken] = candidate;
-        for (step = 0; step < set->count; step++) {
-            size_t at = (from + step) % set->count;
-            const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-            for (i = 0; i <= taken && basis[i] != x;) i++; // a point of the basis does not extend it
-            if (i > taken && paradt__extends(&set->space, taken, basis, axes, x)) {
-                basis[++taken] = x;
-                break;
-            }
-        }
-    }
-    return taken;
-}
-
-// Puts the axes that orient first. Returns whether they were not.
+// Permutes the coordinates of all records: set->axes[j], of the axes that they are along, comes to place j. Returns 0
+// if that changes nothing.
 static int paradt__set_permute(paradt__set *set) {
     size_t i;
     int axis, ambient = set->space.ambient, identity = 1;
@@ -3377,83 +3830,62 @@ static int paradt__set_permute(paradt__set *set) {
     return 1;
 }
 
-static void paradt__measure_task(void *context, size_t index) {
-    paradt__loader *loader = (paradt__loader *)context;
-    const paradt__set *set = loader->set;
-    size_t i, end = paradt__loader_share(loader, set->count, index, &i);
-    loader->space[index] = set->space;
-    for (; i < end; i++) paradt__space_add(&loader->space[index], set->records + i * set->width);
+typedef struct paradt__measuring {
+    const paradt__set *set;
+    const paradt__team *team;
+    paradt__space space[PARADT__MOST_TASKS];
+} paradt__measuring;
+
+static void paradt__measure_task(void *context, size_t task) {
+    paradt__measuring *measuring = (paradt__measuring *)context;
+    const paradt__set *set = measuring->set;
+    size_t i, end = paradt__loader_range(measuring->team, set->count, task, &i);
+    measuring->space[task] = set->space;
+    for (; i < end; i++) paradt__space_add(&measuring->space[task], set->records + i * set->width);
 }
 
-// Tells the predicates what they may rely on.
+// Measures the set: tells the predicates what they may rely on.
 static void paradt__set_measure(paradt__set *set, const paradt__team *team, int dim) {
     paradt__space *space = &set->space;
-    paradt__loader loader;
-    size_t i;
-    paradt__loader_begin(&loader, set, team);
+    paradt__measuring measuring;
+    size_t task;
+    measuring.set = set;
+    measuring.team = team;
     paradt__space_begin(space, dim, space->ambient, space->weighted);
-    paradt__team_run(team, paradt__measure_task, &loader);
-    for (i = 0; i < team->tasks; i++) paradt__space_join(space, &loader.space[i]);
+    paradt__team_run(team, paradt__measure_task, &measuring);
+    for (task = 0; task < team->tasks; task++) paradt__space_join(space, &measuring.space[task]);
     if (dim > 0) paradt__space_end(space);
 }
 
-// Tells the predicates what they may rely on, where that has been measured while the points were read.
+// The same where what was measured while the points were read still holds.
 static void paradt__set_measured(paradt__set *set, int dim) {
     set->space.dim = dim;
     memset(&set->space.counters, 0, sizeof set->space.counters);
     if (dim > 0) paradt__space_end(&set->space);
 }
 
-// Finds the affine dimension and puts the axes that orient first. *as_read is cleared when that changes records.
-static int paradt__set_orient(paradt__set *set, int *as_read) {
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axis, i, dim, taken = 0, ambient = set->space.ambient;
-    if (set->count) {
-        basis[0] = set->records;
-        taken = paradt__span(set, NULL, basis, set->axes, 0, 0);
-    }
-    dim = set->count ? taken : -1;
-    for (axis = 0; axis < ambient; axis++) {
-        int known = 0;
-        for (i = 0; i < taken; i++) known |= set->axes[i] == axis;
-        if (!known) set->axes[taken++] = axis;
-    }
-    if (paradt__set_permute(set)) *as_read = 0;
-    return dim;
-}
-
-// The cuts are where they were, of the set scaled and with its axes in order. One that is no point's coordinate may
-// lose bits, which are cut off; it becomes larger instead of smaller, so that each point stays on its side.
-static void paradt__cuts_follow(paradt__cuts *cuts, const paradt__set *set, int scaled) {
-    size_t box;
-    for (box = 1; box < cuts->boxes; box++) {
-        paradt__cut *cut = cuts->cut + box;
-        int axis = 0, exact = 1;
-        if (scaled) cut->at = paradt__scale(cut->at, 1023 - set->exponent, &exact);
-        if (!exact && !(paradt__bits(cut->at) >> 63)) cut->at = paradt__from_bits(paradt__bits(cut->at) + 1);
-        while (set->axes[axis] != cut->axis) axis++;
-        cut->axis = axis;
-    }
-}
-
-// Makes the set of the caller's points. cuts: see paradt__set_gather; if they open it there is room for more points.
-// representative: [points->count].
+// Makes the set of the caller's points. Returns with it, for each index in representative, [points->count], the index
+// of the point that stands for the point. cuts: see paradt__set_gather; *bad: index of the first point that is not
+// finite. After an error the caller frees the set and the cuts.
 static paradt_status paradt__set_load(paradt__set *set, const paradt_points *points, paradt__cuts *cuts,
                                       const paradt__team *team, paradt__memory *memory, paradt_index *representative,
                                       size_t *bad) {
     paradt__source source = paradt__source_of(points);
+    paradt_index basis[PARADT_MAX_DIM + 1];
     paradt_status status;
-    int dim, scaled, as_read;
+    int dim, scaled, permuted;
     memset(set, 0, sizeof *set);
-    source.spare = paradt__cuts_spare(cuts, points->count);
+    source.reserve = paradt__cuts_reserve(cuts, points->count);
     status = paradt__set_gather(set, &source, cuts, team, memory, representative, bad);
     if (status) return status;
     scaled = paradt__set_scale(set);
-    as_read = !scaled;
-    dim = paradt__set_orient(set, &as_read);
+    if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
+    if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
+    permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
-    if (as_read) paradt__set_measured(set, dim);
-    else paradt__set_measure(set, team, dim);
+    if (scaled || permuted) paradt__set_measure(set, team, dim);
+    else paradt__set_measured(set, dim);
     return PARADT_OK;
 }
 
@@ -3461,17 +3893,18 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
 // >>reference sphere
 //
 // Points on one sphere, up to rounding or noise, are the worst case of a search: every sphere through four of them is
-// that sphere almost, all points are almost on it, and no box can be ruled out by its distance. T(P) does not change
-// when an affine function is added to the lift, so for such a set the lift is measured from a sphere that the points
-// are near to: instead of |x|^2 each record carries its sagitta r^2 - |x - o|^2, computed once in integers, with an
-// error far below the noise that decides. Lifts then are as small as the noise, so are the spheres' coefficients, and a
-// box is known by its largest sagitta. The floating-point search and the insertion's spheres in three dimensions use
-// it; the predicates go on working with the coordinates. Doors: paradt__set_grade, paradt__centre_shift, and for sets
-// that know of a part of the points each paradt__fit_sphere, paradt__set_sagittas, paradt__set_grade_bounds.
+// almost that sphere, all points are almost on it, and no box can be ruled out by its distance. T(P) does not change
+// when an affine function is added to the lift. So for such a set the lift is measured from a sphere that the points
+// are near to, the reference sphere: instead of |x|^2 each record carries its sagitta r^2 - |x - o|^2, which is
+// computed once, in integers, with an error far below the noise that decides. Then lifts are as small as the noise, so
+// are the spheres' coefficients, and the largest sagitta of a box tells whether the box matters. The floating-point
+// search and the insertion's spheres in three dimensions use sagittas; the predicates go on working with the
+// coordinates. Doors: paradt__set_grade, paradt__centre_shift; paradt__fit_sphere, paradt__set_sagittas,
+// paradt__set_grade_bounds for sets that are parts of one.
 
-// How far the centre of the smallest sphere through o and `count` - 1 more points, whose span the rows are an
-// orthonormal basis of, moves to include x too; along *row, the unit vector across the span towards x, at height
-// *height.
+// Returns how far the centre of the smallest sphere through o and `count` - 1 more points moves when x is included too.
+// rows: an orthonormal basis of the span of these points; centre: relative to o. The centre moves along *row, the unit
+// vector across the span towards x, which is at height *height above the span.
 static double paradt__centre_shift(const double *o, const double *x, double rows[][PARADT_MAX_DIM], int count,
                                    int ambient, const double *centre, double *row, double *height) {
     double lift = 0.0, length = 0.0;
@@ -3494,12 +3927,14 @@ static double paradt__centre_shift(const double *o, const double *x, double rows
 
 #define PARADT__NEAR_SPHERE 0.0009765625 // of r^2: |r^2 - |x - o|^2| for x near to it
 
-// The sphere through dim + 1 points far from each other, of a sample. 0: not found, or the sample is not so near to it.
+// Finds the sphere through points of a sample that are far from each other, one more than axes. Returns 0 if there is
+// none, or the sample is not so near to it (see PARADT__NEAR_SPHERE). The set has at least 64 points.
 static int paradt__fit_sphere(const paradt__set *set, double nearness, double *centre, double *radius2) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], row[PARADT_MAX_DIM], shift[PARADT_MAX_DIM] = {0.0}, height;
     size_t step = set->count / 64, i;
     const double *o = set->records;
     int ambient = set->space.ambient, count, j;
+    PARADT_ASSERT(set->count >= 64);
     for (count = 1; count <= ambient; count++) {
         double highest = 0.0, best = 0.0;
         for (i = 0; i < 64; i++) {
@@ -3530,7 +3965,7 @@ static int paradt__fit_sphere(const paradt__set *set, double nearness, double *c
 
 enum { PARADT__SAGITTA_DIGITS = 4 };
 
-// x / 2^(top - 108), cut off to an integer, in four digits of 27 bits, the first one the highest; |x| < 2^top.
+// Writes x / 2^(top - 108), cut off to an integer, in four digits of 27 bits, the first one the highest; |x| < 2^top.
 static void paradt__digits_of(double x, int top, int64_t *digits) {
     int exponent, shift, i;
     uint64_t mantissa = paradt__split(x, &exponent);
@@ -3542,8 +3977,9 @@ static void paradt__digits_of(double x, int top, int64_t *digits) {
     }
 }
 
-// r^2 - |x - o|^2, r^2 = squared * 2^(2 top - 54); o in digits. Every coordinate is cut off below 2^(top - 108), an
-// error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double, of at most 2^-48 of itself.
+// Returns r^2 - |x - o|^2, where r^2 = squared * 2^(2 top - 54) and o is in digits. Every coordinate is cut off below
+// 2^(top - 108), which is an error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double,
+// of at most 2^-48 of itself.
 static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared, int top,
                               int ambient) {
     enum { LAST = 2 * PARADT__SAGITTA_DIGITS - 2 };
@@ -3567,8 +4003,9 @@ static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITT
     return -sum;
 }
 
-// The exponent of a power of two that is twice the radius or more and, as should be, over four times the centre's
-// coordinates; but not so where the set is a small part of a sphere far away: that tells no more than a plane.
+// Returns the exponent of a power of two that is at least twice the radius and, as sagittas need, over four times the
+// centre's coordinates. The latter fails where the set is a small part of a sphere far away, which tells no more than a
+// plane.
 static int paradt__sphere_top(const paradt__set *set, double radius2) {
     const paradt__space *space = &set->space;
     double reach = 4.0 * radius2, distant = 0.0, extent2 = 0.0;
@@ -3584,15 +4021,16 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in new memory with room for so many. *nearby:
-// whether all points are so near to it; if not, the set remains as it is. The largest sagitta is left in
-// set->grade_limit, in set->grade_error what comes of cutting off.
-static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t room,
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
+// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
+// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
                                           paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
     size_t i, width = set->width;
+    PARADT_ASSERT(capacity >= set->count && set->grade == PARADT__UNGRADED);
     *nearby = radius2 < paradt__power(2 * top);
     for (j = 0; j < ambient; j++) {
         paradt__digits_of(set->centre[j], top, o[j]);
@@ -3600,7 +4038,7 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     }
     if (!*nearby) return PARADT_OK;
     squared = (int64_t)(radius2 * paradt__power(54 - 2 * top));
-    records = (double *)paradt__alloc(memory, room, (width + 1) * sizeof(double));
+    records = (double *)paradt__alloc(memory, capacity, (width + 1) * sizeof(double));
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
@@ -3621,13 +4059,13 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     return PARADT_OK;
 }
 
-// The bounds, if no sagitta is larger than that.
+// Sets the bounds of the set's sagittas, of which `largest` is the largest.
 static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_limit = largest * 1.0000001;
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere.
+// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
 static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
     double radius2;
     int nearby;
@@ -4605,21 +5043,24 @@ static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>grid
 //
-// The thesis speeds InCoDe up by a uniform grid. This one adapts: the set is halved again and again across the longest
-// side of its bounding box, down to grid cells of eight points, which stand side by side in memory. Eight grid cells
-// make a group, eight groups one of the next level, and so on: cell i of a level covers the points from 8^(level+1) i.
-// On uniform points that is a uniform grid; in clusters it is as fine as they are, and in any dimension it has n/8
-// cells. The halves are cut at multiples of 8, so positions need no pointers: the left half of a range is the smallest
-// 8 * 2^j points that are at least half of it. Ties on the cut are broken by the other axes (a symbolically tilted
-// plane), so a cut separates the vertices on its two sides in the sense DeWall needs.
+// A hierarchy of boxes over the set, by which searches rule out most of its points. The thesis speeds InCoDe up by a
+// uniform grid. This grid adapts: the set is halved again and again across the longest side of its bounding box, down
+// to grid cells of eight points, which stand side by side in the record array. Eight grid cells make a group, eight
+// groups one of the next level, and so on: cell i of a level covers the positions from 8^(level + 1) i on. On uniform
+// points that is a uniform grid; in clusters it is as fine as they are, and in any dimension it has n / 8 cells. The
+// halves are cut at multiples of 8, so positions need no pointers: the left half of a range is the smallest 8 * 2^j
+// points that are at least half of it. Ties on a cut are broken by the other axes (a symbolically tilted plane), so a
+// cut separates the vertices on its two sides in the sense that DeWall needs.
 // Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
 // over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
-// Doors: paradt__grid_build, paradt__grid_free, paradt__grid_cut, paradt__grid_axis, paradt__before; the lanes.
+// Doors: paradt__grid_build, paradt__grid_lay, paradt__grid_free, paradt__grid_lanes; for DeWall paradt__grid_cut,
+// paradt__grid_axis, paradt__before; paradt__exchange.
 
 enum {
     PARADT__LANES = 8,       // points a grid cell, grid cells a group
     PARADT__MAX_LEVELS = 21, // 8^21 > 2^62
-    PARADT__GRID_ROOM = (PARADT_MAX_DIM + 1) * PARADT__LANES
+    // doubles of the scratch that paradt__grid_lanes needs
+    PARADT__LANES_SCRATCH = (PARADT_MAX_DIM + 1) * PARADT__LANES
 };
 
 #define PARADT__FAR 1e300 // farther than any point of a set that the floating-point filter is used on
@@ -4629,13 +5070,14 @@ typedef struct paradt__grid {
     size_t cell_count;  // grid cells at level 0
     size_t group_width; // doubles a group of boxes: low and high of each axis, the largest grade, in lanes
     double *lanes;      // [cell_count][set.width][8] the records again, coordinate by coordinate; NULL: not kept
-    double *boxes[PARADT__MAX_LEVELS];    // [level] groups of eight bounding boxes
-    size_t box_count[PARADT__MAX_LEVELS]; // [level] boxes
-    double *rooms[PARADT__MAX_LEVELS];    // [level][group] low and high of each axis: the points inside are the group's
-    double heaviest;                      // largest weight, or 0
+    double *boxes[PARADT__MAX_LEVELS];      // [level] groups of eight bounding boxes
+    size_t box_count[PARADT__MAX_LEVELS];   // [level] boxes
+    double *cut_bounds[PARADT__MAX_LEVELS]; // [level][group] low and high of each axis, by the cuts around the group:
+                                            // the set's points inside are the group's. NULL: not kept
+    double heaviest;                        // largest weight, or 0
 } paradt__grid;
 
-// Is a before b along the axis? A total order on distinct points.
+// Is a before b along the axis? Ties are broken by the next axes: a total order on distinct points.
 PARADT__INLINE int paradt__before(const paradt__space *space, const double *a, const double *b, int axis) {
     int i, dim = space->dim;
     for (i = 0; i < dim; i++) {
@@ -4650,6 +5092,7 @@ PARADT__INLINE int paradt__before(const paradt__space *space, const double *a, c
     return 0;
 }
 
+// Exchanges the points at two positions.
 PARADT__INLINE void paradt__exchange(paradt__set *set, size_t width, size_t a, size_t b) {
     double *x = set->records + a * width, *y = set->records + b * width;
     paradt_index origin = set->origin[a];
@@ -4663,14 +5106,14 @@ PARADT__INLINE void paradt__exchange(paradt__set *set, size_t width, size_t a, s
     set->origin[b] = origin;
 }
 
-// A place in [begin, end) whose point is likely to come a little after the nth one along the axis, or a little before
-// it: whichever leaves the smaller part to go on with. It is found in a sample of `size` points, which are brought to
-// the front of the range.
-PARADT__INLINE size_t paradt__pivot_place(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth,
-                                          int axis, size_t size) {
+// Returns a position in [begin, end) whose point is likely to come a little after the nth one along the axis, or a
+// little before it: whichever leaves the smaller part to go on with. The point is found in a sample of `size` points,
+// which are brought to the front of the range.
+PARADT__INLINE size_t paradt__pivot_position(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth,
+                                             int axis, size_t size) {
     size_t i, j, count = end - begin, beyond = size / 16, target = (nth - begin) * size / count;
     uint64_t state = count;
-#define PARADT__AT(place) (set->records + (place)*width)
+#define PARADT__AT(position) (set->records + (position)*width)
     for (i = 0; i < size; i++) {
         state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
         paradt__exchange(set, width, begin + i, begin + i + (size_t)((state >> 32) % (count - i)));
@@ -4695,9 +5138,9 @@ PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begi
                       : count > 256 ? 15
                       : count > 8   ? 3
                                     : 1;
-        size_t place = paradt__pivot_place(set, width, begin, end, nth, axis, size);
-        memcpy(pivot, set->records + place * width, width * sizeof(double));
-#define PARADT__AT(place) (set->records + (place)*width)
+        size_t position = paradt__pivot_position(set, width, begin, end, nth, axis, size);
+        memcpy(pivot, set->records + position * width, width * sizeof(double));
+#define PARADT__AT(position) (set->records + (position)*width)
         for (;;) {
             while (paradt__before(space, PARADT__AT(i), pivot, axis)) i++;
             while (paradt__before(space, pivot, PARADT__AT(j), axis)) j--;
@@ -4713,19 +5156,20 @@ PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begi
     return set->records[nth * width + (size_t)axis];
 }
 
-// The first point of the right half of a range of more than eight points.
+// Position of the first point of the right half of a range of more than eight points
 static size_t paradt__grid_cut(size_t begin, size_t end) {
     size_t left = PARADT__LANES;
+    PARADT_ASSERT(end - begin > PARADT__LANES);
     while (left * 2 < end - begin) left *= 2;
     return begin + left;
 }
 
-// The axis across which a range is cut: the longest side of its bounding box. Where differences of coordinates may
-// overflow, lengths are counted in representable numbers.
-PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
-    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length = -1.0;
+// Returns the axis along which the bounding box of the points [begin, end) is longest. Where differences of coordinates
+// may overflow, lengths are numbers of steps from one double to the next. Inlined with constants.
+PARADT__INLINE int paradt__longest_axis_of(const paradt__set *set, size_t begin, size_t end, size_t width, int dim) {
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     const double *x = set->records + begin * width, *last = set->records + end * width;
-    int axis, longest = 0;
+    int axis;
     for (axis = 0; axis < dim; axis++) low[axis] = high[axis] = x[axis];
     for (; x < last; x += width) {
         for (axis = 0; axis < dim; axis++) {
@@ -4733,42 +5177,39 @@ PARADT__INLINE int paradt__longest_side(const paradt__set *set, size_t begin, si
             high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
         }
     }
-    for (axis = 0; axis < dim; axis++) {
-        double side = set->space.filtered ? high[axis] - low[axis]
-                                          : (double)paradt__ordered_bits(high[axis]) * 0.5 -
-                                                (double)paradt__ordered_bits(low[axis]) * 0.5;
-        if (side > length) length = side, longest = axis;
-    }
-    return longest;
+    return paradt__longest_axis(low, high, dim, !set->space.filtered);
 }
 
+// Returns the axis across which a range is cut.
 static int paradt__grid_axis(const paradt__set *set, size_t begin, size_t end) {
-    if (set->width == 3 && set->space.dim == 3) return paradt__longest_side(set, begin, end, 3, 3);
-    return paradt__longest_side(set, begin, end, set->width, set->space.dim);
+    PARADT_ASSERT(begin < end);
+    if (PARADT_MAX_DIM > 2 && set->width == 3 && set->space.dim == 3)
+        return paradt__longest_axis_of(set, begin, end, 3, 3);
+    return paradt__longest_axis_of(set, begin, end, set->width, set->space.dim);
 }
 
-// Keeps the room of a range that is a whole group, on every level where it is one.
-static void paradt__grid_keep_room(paradt__grid *grid, const paradt__set *set, size_t begin, size_t end,
-                                   const double *room) {
+// Keeps the bounds by cuts of a range that is a whole group, on every level where it is one.
+static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set, size_t begin, size_t end,
+                                     const double *bounds) {
     int level;
     size_t span = PARADT__LANES * PARADT__LANES, width = 2 * (size_t)set->space.dim;
     for (level = 0; level < grid->levels; level++, span *= PARADT__LANES) {
         if (begin % span == 0 && (end - begin == span || (end == set->count && end - begin < span))) {
-            memcpy(grid->rooms[level] + begin / span * width, room, width * sizeof(double));
+            memcpy(grid->cut_bounds[level] + begin / span * width, bounds, width * sizeof(double));
         }
     }
 }
 
-// Halves the range down to grid cells. room: low and high of each axis between the cuts around the range.
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
 static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
-    double room[2 * PARADT_MAX_DIM];
-    memcpy(room, around, sizeof room);
+    double bounds[2 * PARADT_MAX_DIM];
+    memcpy(bounds, around, sizeof bounds);
     for (;;) {
         size_t cut;
         double at, high;
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
-            paradt__grid_keep_room(grid, set, begin, end, room);
+            paradt__grid_keep_bounds(grid, set, begin, end, bounds);
         if (end - begin <= PARADT__LANES) return;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
@@ -4777,22 +5218,22 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         case 3: at = paradt__select(set, 3, begin, end, cut, axis); break;
         default: at = paradt__select(set, set->width, begin, end, cut, axis);
         }
-        high = room[2 * axis + 1];
-        room[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, room);
-        room[2 * axis + 1] = high;
-        room[2 * axis] = at;
+        high = bounds[2 * axis + 1];
+        bounds[2 * axis + 1] = at;
+        paradt__grid_sort(grid, set, begin, cut, bounds);
+        bounds[2 * axis + 1] = high;
+        bounds[2 * axis] = at;
         begin = cut;
     }
 }
 
-// The points of a grid cell, coordinate by coordinate. Behind the last point of the set it is repeated. Inlined with a
-// constant width.
+// Writes the points of a grid cell coordinate by coordinate. Where the set ends, its last point is repeated. Inlined
+// with a constant width.
 PARADT__INLINE void paradt__lay_lanes_of(const paradt__set *set, size_t width, size_t cell, double *lanes) {
     size_t lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
-        size_t place = cell * PARADT__LANES + lane;
-        const double *record = set->records + (place < set->count ? place : set->count - 1) * width;
+        size_t position = cell * PARADT__LANES + lane;
+        const double *record = set->records + (position < set->count ? position : set->count - 1) * width;
         for (j = 0; j < width; j++) lanes[j * PARADT__LANES + lane] = record[j];
     }
 }
@@ -4802,17 +5243,18 @@ static void paradt__lay_lanes(const paradt__set *set, size_t cell, double *lanes
     else paradt__lay_lanes_of(set, set->width, cell, lanes);
 }
 
-// The same, kept or in `room`, which has PARADT__GRID_ROOM doubles.
+// Returns the points of a grid cell coordinate by coordinate. scratch: [PARADT__LANES_SCRATCH], where they are written
+// if the grid does not keep lanes.
 PARADT__INLINE const double *paradt__grid_lanes(const paradt__grid *grid, const paradt__set *set, size_t cell,
-                                                double *room) {
+                                                double *scratch) {
+    PARADT_ASSERT(cell < grid->cell_count);
     if (PARADT__LIKELY(grid->lanes != NULL)) return grid->lanes + cell * set->width * PARADT__LANES;
-    paradt__lay_lanes(set, cell, room);
-    return room;
+    paradt__lay_lanes(set, cell, scratch);
+    return scratch;
 }
 
-// One box, around `count` points or boxes, with the largest weight where they are graded. From one of these to the next
-// it is `step` doubles, from axis to axis `stride`, and from the lower bound to the upper `rise`. Inlined with
-// constants.
+// Makes one box, around `count` points or boxes, with their largest grade where they are graded. In doubles, these are
+// `step` apart, the axes of one `stride`, and its lower and upper bound `rise`. Inlined with constants.
 PARADT__INLINE void paradt__grid_bound(double *box, const double *below, size_t count, size_t step, size_t stride,
                                        size_t rise, size_t ambient, int graded) {
     size_t axis, i;
@@ -4839,13 +5281,13 @@ static void paradt__grid_fill_level(paradt__grid *grid, const paradt__set *set, 
             level ? grid->boxes[level - 1] + i * grid->group_width : set->records + i * PARADT__LANES * width;
         size_t left = below - i * PARADT__LANES, count = left < PARADT__LANES ? left : (size_t)PARADT__LANES;
         if (level) paradt__grid_bound(box, from, count, 1, ROWS, PARADT__LANES, ambient, graded);
-        else if (width == 3 && ambient == 3 && count == PARADT__LANES)
+        else if (PARADT_MAX_DIM > 2 && width == 3 && ambient == 3 && count == PARADT__LANES)
             paradt__grid_bound(box, from, PARADT__LANES, 3, 1, 0, 3, 0);
         else paradt__grid_bound(box, from, count, width, 1, 0, ambient, graded);
     }
 }
 
-// Fills the grid cells and boxes of a set in its present order.
+// Fills the lanes and boxes by the set in its present order.
 static void paradt__grid_fill(paradt__grid *grid, const paradt__set *set) {
     int level;
     size_t i;
@@ -4863,12 +5305,12 @@ static void paradt__grid_free(paradt__grid *grid, paradt__memory *memory) {
     paradt__release(memory, grid->lanes);
     for (level = 0; level < grid->levels; level++) {
         paradt__release(memory, grid->boxes[level]);
-        paradt__release(memory, grid->rooms[level]);
+        paradt__release(memory, grid->cut_bounds[level]);
     }
     memset(grid, 0, sizeof *grid);
 }
 
-// front: for a method that searches for every facet; it keeps lanes and rooms.
+// front: for a method that searches for every facet: the grid keeps lanes and bounds by cuts.
 static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set *set, int front,
                                            paradt__memory *memory) {
     size_t count;
@@ -4883,27 +5325,30 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
         grid->box_count[level] = count;
         grid->boxes[level] = (double *)paradt__alloc_filled(memory, groups * grid->group_width, sizeof(double));
         if (front)
-            grid->rooms[level] = (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
-        if (!grid->boxes[level] || (front && !grid->rooms[level])) return PARADT_ERROR_MEMORY;
+            grid->cut_bounds[level] =
+                (double *)paradt__alloc(memory, groups * 2 * (size_t)set->space.dim, sizeof(double));
+        if (!grid->boxes[level] || (front && !grid->cut_bounds[level])) return PARADT_ERROR_MEMORY;
         memset(grid->boxes[level] + (groups - 1) * grid->group_width, 0, grid->group_width * sizeof(double));
         count = groups;
     } while (count > 1);
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point.
+// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
 static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
-    double room[2 * PARADT_MAX_DIM];
+    double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
+    PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
-    for (i = 0; i < 2 * PARADT_MAX_DIM; i++) room[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, room);
+    for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
+    paradt__grid_sort(grid, set, 0, set->count, bounds);
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
 
-// Lays a grid over the set in the order that it has, for few searches, from the top. It has no lanes and no rooms.
+// Lays a grid over the set in the order that it has, for few searches, which begin at the top. The grid has no lanes
+// and no bounds by cuts.
 static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
     paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
     if (!status) paradt__grid_fill(grid, set);
@@ -5721,7 +6166,7 @@ PARADT__INLINE int paradt__lane_of(double packed) {
 
 // The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
-    double room[PARADT__GRID_ROOM];
+    double room[PARADT__LANES_SCRATCH];
     const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, room);
     unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
     int i;
@@ -5786,7 +6231,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
 // A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
 static void paradt__search_near(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
-    double least = 0.5 * PARADT__FAR, room[PARADT__GRID_ROOM];
+    double least = 0.5 * PARADT__FAR, room[PARADT__LANES_SCRATCH];
     int i, count = 0;
     for (i = 0; i < s->space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
@@ -5829,7 +6274,7 @@ static int paradt__search_within(const paradt__search *s, const double *room) {
 
 // The same for the room of a group.
 static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
-    return paradt__search_within(s, s->grid->rooms[level] + group * 2 * (size_t)s->space.dim);
+    return paradt__search_within(s, s->grid->cut_bounds[level] + group * 2 * (size_t)s->space.dim);
 }
 
 // All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
@@ -6064,30 +6509,12 @@ static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int g
     return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
 }
 
-// Any simplex with the first `given` (1 or 2) vertices; those exist, as the set spans its dimension.
-static void paradt__any_simplex(paradt__search *s, paradt_index *simplex, int given) {
-    paradt__set *set = (paradt__set *)(uintptr_t)s->set;
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], i, taken = 0;
-    paradt__set view = *set;
-    view.space = s->space;
-    view.space.ambient = s->space.dim; // only the axes that orient
-    for (i = 0; i < given; i++) basis[i] = paradt__record(s->set, simplex[i]);
-    if (given == 2) {
-        while (paradt__bits(basis[0][taken]) == paradt__bits(basis[1][taken])) taken++;
-        axes[0] = taken;
-        taken = 1;
-    }
-    paradt__span(&view, NULL, basis, axes, taken, (size_t)simplex[0]);
-    for (i = 0; i <= s->space.dim; i++) simplex[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
-    s->space.counters = view.space.counters;
-}
-
 // The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
 // positively oriented. It does not contain simplex[0] just when that is hidden.
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
-    if (!paradt__guess_simplex(s, simplex, given)) paradt__any_simplex(s, simplex, given);
+    if (!paradt__guess_simplex(s, simplex, given))
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters);
     memcpy(goal, simplex, sizeof goal);
     paradt__turn_positive(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
@@ -6831,53 +7258,26 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// A curve, by the box of its lattice and how many points are along it
-typedef struct paradt__curve {
-    const int64_t *low, *high; // ordered bits
-    size_t along;
-} paradt__curve;
-
-// The key of that place in a box which is nearest to a point. low, high: the box's corners as ordered bits
-static uint64_t paradt__key_near(const paradt__hilbert *hilbert, const paradt__lattice *lattice, const double *x,
-                                 const int64_t *low, const int64_t *high) {
-    double inside[PARADT_MAX_DIM];
-    int axis;
-    for (axis = 0; axis < lattice->dim; axis++) {
-        int64_t bits = paradt__ordered_bits(x[axis]);
-        bits = bits < low[axis] ? low[axis] : bits > high[axis] ? high[axis] : bits;
-        inside[axis] = paradt__from_ordered_bits(bits);
-    }
-    return paradt__curve_key(hilbert, lattice, inside);
-}
-
-// Deals all points of the set. Its first `own` points are along a curve, in the box of low and high; the others are
-// dealt where the curve passes them, within a few own ones. sorted, other: room for set->count - own.
-static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, const int64_t *low,
-                                 const int64_t *high, paradt__keyed *sorted, paradt__keyed *other, paradt__rounds *r) {
+// Deals all points of the set. Its first `own` points are along a curve; the others are dealt where the curve passes
+// them, within a few own ones. sorted, other: scratch for set->count - own.
+static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
+                                 paradt__keyed *other, paradt__rounds *r) {
     enum { FEW = 16 };
-    paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    int ambient = set->space.ambient, levels = paradt__levels_for(curve->along, ambient);
     size_t others = set->count - own, i, few, end, next = 0;
-    paradt__hilbert_begin(&hilbert, ambient, others + own / FEW);
-    paradt__lattice_begin(&lattice, ambient, levels, 0, curve->low, curve->high);
-    for (i = 0; i < others; i++) {
-        sorted[i].point = (paradt_index)(own + i);
-        sorted[i].key = paradt__key_near(&hilbert, &lattice, set->records + (own + i) * set->width, low, high);
-    }
-    paradt__keyed_sort(sorted, other, others, ambient * levels, 0);
+    for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
     for (i = 0; i < own; i += FEW) {
-        uint64_t key = paradt__curve_key(&hilbert, &lattice, set->records + i * set->width);
-        while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].point);
+        uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
+        while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
         for (end = i + FEW < own ? i + FEW : own, few = i; few < end; few++) paradt__rounds_put(r, (paradt_index)few);
     }
-    while (next < others) paradt__rounds_put(r, sorted[next++].point);
+    while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
 // Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
 // memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
-                                          const int64_t *low, const int64_t *high, paradt__memory *memory) {
+                                          paradt__memory *memory) {
     size_t others = set->count - own;
     paradt__rounds r;
     paradt__keyed *sorted, *other;
@@ -6885,7 +7285,7 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     sorted = (paradt__keyed *)paradt__alloc(memory, others, sizeof *sorted);
     other = (paradt__keyed *)paradt__alloc(memory, others, sizeof *other);
     if (!sorted || !other || paradt__rounds_begin(&r, set->count, memory)) r.order = NULL;
-    else paradt__merge_others(set, own, curve, low, high, sorted, other, &r);
+    else paradt__merge_others(set, own, curve, sorted, other, &r);
     paradt__release(memory, other);
     paradt__release(memory, sorted);
     return r.order;
@@ -8673,19 +9073,13 @@ static void paradt__insertion_end(paradt__insertion *build) {
 
 // Points that span the set come first in the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], i, dim = set->space.dim;
-    paradt__set view = *set;
-    view.space.ambient = dim; // only the axes that orient
-    basis[0] = paradt__record(set, order[0]);
-    paradt__span(&view, order, basis, axes, 0, 0);
-    *counters = view.space.counters;
-    for (i = 0; i <= dim; i++) {
-        paradt_index point = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
-        while (order[at] != point) at++;
+        while (order[at] != basis[i]) at++;
         order[at] = order[i];
-        order[i] = point;
+        order[i] = basis[i];
     }
 }
 
@@ -9153,7 +9547,7 @@ static double paradt__margin(const paradt__field *field) {
     for (axis = set->space.dim; axis < set->space.ambient; axis++)
         open &= field->low[axis] == -PARADT__FAR && field->high[axis] == PARADT__FAR;
     if (!set->space.filtered || !open) return 0.0;
-    return 0.7 * paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count);
+    return paradt__margin_for(paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count));
 }
 
 // Lists the points of the others in the margin, which K has then.
@@ -9191,13 +9585,11 @@ static paradt__set paradt__patch_known(const paradt__patch *patch) {
 
 // Does a set of points span the space?
 static int paradt__spans(const paradt__set *set) {
-    paradt__set view = *set;
-    const double *points[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], dim = view.space.dim;
-    if (view.count <= (size_t)dim) return 0;
-    points[0] = view.records;
-    view.space.ambient = dim; // only the axes that orient
-    return paradt__span(&view, NULL, points, axes, 0, 0) == dim;
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__counters counters;
+    memset(&counters, 0, sizeof counters);
+    return set->count > (size_t)set->space.dim &&
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
 }
 
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
@@ -9220,17 +9612,18 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
     paradt__set known = paradt__patch_known(patch);
+    const paradt__space *space = &patch->set->space;
     paradt__curve curve;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int axis;
-    curve.low = patch->set->space.low;
-    curve.high = patch->set->space.high;
-    curve.along = patch->set->count;
-    for (axis = 0; axis < patch->set->space.ambient; axis++) {
+    paradt__curve_begin(&curve, space->ambient, paradt__levels_for(patch->set->count, space->ambient), space->low,
+                        space->high, known.count / 8);
+    for (axis = 0; axis < space->ambient; axis++) {
         low[axis] = paradt__ordered_bits(own->low[axis]);
         high[axis] = paradt__ordered_bits(own->high[axis]);
     }
-    patch->order = paradt__merged_order(&known, own->set.count, &curve, low, high, patch->memory);
+    paradt__curve_limit(&curve, low, high);
+    patch->order = paradt__merged_order(&known, own->set.count, &curve, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
     patch->build.order = patch->order;
     paradt__insertion_span_first(&known, patch->order, &patch->build.scene.space.counters);
@@ -10048,6 +10441,10 @@ static paradt__front_method paradt__choose_front(paradt_method method) {
     return methods[method];
 }
 
+PARADT_DEF int paradt_version(void) {
+    return PARADT_VERSION;
+}
+
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
 #define PARADT__TEXT(name, text) text,
     static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
@@ -10094,24 +10491,53 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     paradt__release(&memory, t->neighbors);
     paradt__release(&memory, t->representative);
     memset(t, 0, sizeof *t);
+    t->dim = -1;
 }
 
-static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options) {
+// What is wrong with the points, apart from their number; NULL: nothing.
+static const char *paradt__points_fault(const paradt_points *points) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
-    if (points->dim < 2 || points->dim > PARADT_MAX_DIM || (unsigned)points->scalar > PARADT_F32)
+    if (points->dim < 2 || points->dim > PARADT_MAX_DIM) return "points.dim is out of 2..PARADT_MAX_DIM";
+    if ((unsigned)points->scalar > PARADT_F32) return "points.scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
+    if (points->stride && points->stride < size * (size_t)points->dim)
+        return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    return NULL;
+}
+
+// What is wrong with the options; NULL: nothing.
+static const char *paradt__options_fault(const paradt_options *options) {
+    if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
+    if ((unsigned)options->partition > PARADT_UNIFORM)
+        return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
+        return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
+    if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
+        return "options.flags has PARADT_FACETS, which is about neighbours, and PARADT_NO_NEIGHBORS";
+    if (options->allocator.alloc && !options->allocator.free)
+        return "options.allocator has alloc but not free; give both or neither";
+    if (options->allocator.free && !options->allocator.alloc)
+        return "options.allocator has free but not alloc; give both or neither";
+    return NULL;
+}
+
+// *text: what is wrong, unless that is nothing.
+static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
+                                             const char **text) {
+    size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+    const char *fault = points ? paradt__points_fault(points) : "points is NULL";
+    if (!fault && options) fault = paradt__options_fault(options);
+    if (fault) {
+        *text = fault;
         return PARADT_ERROR_ARGUMENT;
-    if (points->count && !points->data) return PARADT_ERROR_ARGUMENT;
-    if (points->stride && points->stride < size * (size_t)points->dim) return PARADT_ERROR_ARGUMENT;
-    if (options) {
-        if ((unsigned)options->method >= PARADT_METHOD_COUNT || (unsigned)options->partition > PARADT_UNIFORM)
-            return PARADT_ERROR_ARGUMENT;
-        if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS)) return PARADT_ERROR_ARGUMENT;
-        if (!options->allocator.alloc != !options->allocator.free) return PARADT_ERROR_ARGUMENT;
     }
+    *text = "points.count is larger than an index can number";
     if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
         return PARADT_ERROR_TOO_LARGE;
+    *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
+    *text = NULL;
     return PARADT_OK;
 }
 
@@ -10130,10 +10556,12 @@ typedef struct paradt__work {
     paradt_options options;
     paradt_method method; // that is tried; AUTO has become one
     int impatient;        // 1: it may give up
-    double done;          // part of the work that one that gave up has reported
     size_t regions;
     int in_turn; // 1: insertion builds one after another, without neighbours
     int hollow;  // 1: the points may be on a surface or a curve
+    paradt__meter meter;
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of it, while one task does all of it
     paradt_stats *stats;
     paradt__mesh cells;
     paradt__cuts cuts;                      // between the regions
@@ -10157,11 +10585,11 @@ typedef struct paradt__region {
     paradt__patch patch; // what insertion builds,
     size_t offset;       // with the number of its first cell
     uint64_t hull_facets;
-    int built;   // it has ended the third step
-    int open;    // it waits for what others have to tell
-    size_t runs; // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;  // and what this task has done, in points inserted
-    double done; // what a front has reported of the whole work, at most
+    int built;     // it has ended the third step
+    int open;      // it waits for what others have to tell
+    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
+    size_t ran;    // and what this task has done, in points inserted
+    uint32_t told; // of its share of the work
     paradt_stats stats;
 } paradt__region;
 
@@ -10195,39 +10623,38 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
     stats->cells_recomputed += region->cells_recomputed;
 }
 
-static paradt__progress paradt__part_of_progress(const paradt__work *work, size_t index, size_t parts) {
-    paradt__progress progress;
-    progress.call = work->options.progress;
-    progress.user = work->options.user;
-    progress.length = (1.0 - work->done) / (double)parts;
-    progress.begin = work->done + (double)index * progress.length;
-    return progress;
+// A way of building begins: it has what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
+    work->told = 0;
 }
 
-static double paradt__front_done(const paradt__front *front) {
-    double part = (double)front->mesh.count / front->expected;
-    return front->progress.begin + (part < 1.0 ? part : 1.0) * front->progress.length;
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
 }
 
 static paradt_status paradt__build_undivided(paradt__work *work) {
     paradt__front front;
     paradt__region_view view = {NULL, NULL, 0};
     paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    front.progress = paradt__part_of_progress(work, 0, 1);
+    paradt__begin_way(work);
+    front.progress = paradt__whole_progress(work);
     front.impatient = work->impatient;
     if (!status) status = paradt__choose_front(work->method)(&front);
     paradt__count_front(work->stats, &front);
     paradt__front_end(&front);
     work->cells = front.mesh;
     work->stats->hull_facets = front.hull_facets;
-    work->done = paradt__front_done(&front);
     return status;
 }
 
 static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1);
+    paradt__progress progress;
     paradt__counters counters;
     paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
     memset(&counters, 0, sizeof counters);
     status = paradt__bowyer_watson(&work->set, &work->memory, &work->cells, &progress, &counters);
     paradt__count_predicates(work->stats, &counters);
@@ -10244,6 +10671,11 @@ static paradt__region_view paradt__view_of(const paradt__work *work, size_t inde
     return view;
 }
 
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
 // Points of a region
 static size_t paradt__region_count(const paradt__work *work, size_t index) {
     return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
@@ -10257,12 +10689,11 @@ static void paradt__front_task(void *context, size_t index) {
     paradt__front front;
     region->status =
         paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__part_of_progress(work, index, work->regions);
+    front.progress = paradt__region_progress(work, index);
     front.impatient = work->impatient;
     if (!region->status) region->status = paradt__choose_front(work->method)(&front);
     paradt__count_front(&region->stats, &front);
     paradt__front_end(&front);
-    region->done = paradt__front_done(&front);
     region->cells = front.mesh;
     if (!region->status)
         region->status =
@@ -10325,13 +10756,11 @@ static void paradt__patch_task(void *context, size_t index) {
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
     int hasty = paradt__asks_around(work);
-    size_t turn = work->in_turn ? work->regions - 1 - index : index;
-    paradt__progress progress = paradt__part_of_progress(work, turn, work->regions);
+    paradt__progress progress = paradt__region_progress(work, index);
     region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
     if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
     if (!region->status && paradt__patch_pauses(patch, hasty)) return;
     region->built = 1;
-    region->done = progress.begin + progress.length;
     region->open = !region->status && patch->list_count;
     paradt__count_patch(region);
     if (region->status || region->open || patch->trusts) return;
@@ -10367,10 +10796,9 @@ static void paradt__hear_task(void *context, size_t index) {
 static void paradt__complete_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1); // all regions have come to its end
+    paradt__progress progress = paradt__region_progress(work, index);
     if (!region->open) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    region->done = progress.begin + progress.length;
     paradt__count_patch(region);
     if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
 }
@@ -10668,18 +11096,13 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
 
 // Points that span the set, as positions in it once it is open.
 static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set, view = *set;
-    const double *basis[PARADT_MAX_DIM + 1];
-    int axes[PARADT_MAX_DIM + 1], k;
-    view.space.ambient = set->space.dim; // only the axes that orient
-    basis[0] = set->records;
-    paradt__span(&view, NULL, basis, axes, 0, 0);
-    set->space.counters = view.space.counters;
-    for (k = 0; k <= set->space.dim; k++) {
-        size_t point = (size_t)(basis[k] - set->records) / set->width, region = 0;
-        while (point >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) point += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[k] = (paradt_index)point;
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
     }
 }
 
@@ -10728,9 +11151,6 @@ static paradt_status paradt__build_together(paradt__work *work) {
     if (!status && open) status = paradt__complete_together(work);
     paradt__share_memory(work);
     if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    for (i = work->regions; i-- > 0 && status == PARADT__GAVE_UP;) {
-        if (work->region[i].status == PARADT__GAVE_UP) work->done = work->region[i].done;
-    }
     paradt__share_memory(work);
     if (!status) status = paradt__collect_patches(work);
     paradt__share_memory(work);
@@ -10792,10 +11212,7 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
     paradt__mesh *cells = &work->cells;
     size_t corners = (size_t)cells->corners, i;
     paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) { // the first is told by all the others
-        status = paradt__build_turn(work, i);
-        work->done = work->region[i].done;
-    }
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
     if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
         void *vertices = cells->vertices;
         size_t used = cells->count * corners;
@@ -10810,10 +11227,12 @@ static paradt_status paradt__build_in_turn(paradt__work *work) {
 // The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
 // back.
 static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress = paradt__part_of_progress(work, 0, 1);
+    paradt__progress progress;
     paradt__region *largest = NULL, *region;
     paradt__patch *patch;
     paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
     for (region = work->region; region < work->region + work->regions; region++) {
         region->patch.memory = region->patch.build.memory = &work->memory;
         if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
@@ -10875,8 +11294,6 @@ static paradt_status paradt__build_patches(paradt__work *work) {
 
 static paradt_status paradt__build_fronts(paradt__work *work) {
     paradt_status status = paradt__run_regions(work, paradt__front_task);
-    size_t i;
-    for (i = 0; i < work->regions; i++) work->done = paradt__larger(work->done, work->region[i].done);
     status = paradt__collect_regions(work, &work->cells, status);
     return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
 }
@@ -10890,6 +11307,7 @@ static paradt_status paradt__build_regions(paradt__work *work) {
     if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
     memset(work->region, 0, work->regions * sizeof *work->region);
     if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    paradt__begin_way(work);
     for (i = 0; i < work->regions; i++) {
         work->region[i].memory = paradt__memory_fork(memory, work->regions);
         work->region[i].cells.corners = work->set.space.dim + 1;
@@ -10915,13 +11333,13 @@ static paradt_status paradt__build_trivial(paradt__work *work) {
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
     const paradt__mesh *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, corners = (size_t)cells->corners, i;
+    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
-    for (i = 0; i < cells->count * corners; i++) {
+    for (i = 0; i < vertices; i++) {
         size_t point = (size_t)cells->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
@@ -10936,9 +11354,10 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
 }
 
 // Delivers the cells of the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
-static void paradt__close(paradt__work *work) {
+static paradt_status paradt__close(paradt__work *work) {
     if (!work->translated) work->stats->hull_facets += paradt__mesh_close(&work->cells, work->set.origin, work->facets);
     paradt__mesh_rest(&work->cells, &work->memory);
+    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Gives back what the building of cells needs beside the set.
@@ -11091,28 +11510,31 @@ static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
 
 static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now(), loaded, sorted;
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
     paradt__team team;
     paradt_status status;
     paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions);
+    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
     work->cuts.boxes = work->regions;
     work->cuts.partition = work->options.partition;
-    work->cuts.spares = !work->in_turn && paradt__inserts(work->options.method, points->dim);
-    work->cuts.opens = !paradt__choose_front(work->options.method);
+    work->cuts.larger_first = !work->in_turn && paradt__inserts(work->options.method, points->dim);
+    work->cuts.gaps = !paradt__choose_front(work->options.method);
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
     if (!out->representative) return PARADT_ERROR_MEMORY;
     status =
         paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    loaded = sorted = paradt__now();
+    work->stats->seconds_points = loaded - begun;
+    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
     work->stats->duplicates = points->count - work->set.count;
-    loaded = sorted = paradt__now();
+    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
     status = paradt__build_by_any(work, &sorted);
-    if (!status) paradt__close(work);
-    if (work->options.flags & PARADT_NO_NEIGHBORS && work->cells.links) {
+    if (!status) status = paradt__close(work);
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
         paradt__release(&work->memory, work->cells.links);
         work->cells.links = NULL;
     }
-    work->stats->seconds_points = loaded - begun;
     work->stats->seconds_grid = sorted - loaded;
     work->stats->seconds_build = paradt__now() - sorted;
     return status;
@@ -11127,23 +11549,42 @@ static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
     cells->vertices = cells->links = NULL;
 }
 
+// Why the points don't span their dimension.
+static const char *paradt__flat_text(int dim) {
+    if (dim < 0) return "there are no points";
+    if (dim == 0) return "all points are at one place";
+    if (dim == 1) return "all points lie on a line";
+    return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
+}
+
+// After an error: leaves nothing but what says which.
+static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
+    size_t bad = out->error_point;
+    paradt_free(out);
+    out->error_point = bad;
+    out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options) {
     paradt__work work;
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
+    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
-    if (!points) return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
+    out->dim = -1;
+    status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
     memset(&work, 0, sizeof work);
     memset(&stats, 0, sizeof stats);
     if (options) work.options = *options;
     paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
     work.stats = &stats;
     out->point_count = points->count;
+    out->allocator = work.memory.allocator;
     work.facets = (work.options.flags & PARADT_FACETS) != 0;
     work.regions = work.options.regions ? work.options.regions : 1;
     if (work.regions > points->count) work.regions = points->count ? points->count : 1;
@@ -11151,26 +11592,22 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    out->allocator = work.memory.allocator;
-    if (!status) {
-        paradt__deliver(&work, out);
-        stats.cells = out->cell_count;
-        stats.regions = work.regions;
-    }
+    work.meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) paradt__deliver(&work, out);
+    dim = work.set.space.dim;
     paradt__mesh_free(&work.cells, &work.memory);
     paradt__set_free(&work.set, &work.memory);
     paradt__release(&work.memory, work.cuts.cut);
-    if (status) {
-        size_t bad = out->error_point;
-        paradt_free(out);
-        out->error_point = bad;
-        return status;
-    }
+    if (status) paradt__withdraw(out, status, dim);
+    stats.cells = out->cell_count;
+    stats.regions = work.regions;
     stats.peak_bytes = work.memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
     stats.seconds_finish = paradt__now() - built;
     stats.seconds = paradt__now() - begun;
     out->stats = stats;
-    return PARADT_OK;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11323,10 +11760,9 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
                                                  const paradt__progress *progress) {
     paradt__curve curve;
     memset(engine, 0, sizeof *engine);
-    curve.low = low;
-    curve.high = high;
-    curve.along = own;
-    engine->order = paradt__merged_order(set, own, &curve, low, high, memory);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    engine->order = paradt__merged_order(set, own, &curve, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&engine->build, set, engine->order, memory);
     engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
@@ -11339,19 +11775,15 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
     paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
     paradt_index *order = paradt__round_order(set->count, memory);
-    paradt__hilbert hilbert;
-    paradt__lattice lattice;
-    int dim = set->space.dim, levels = paradt__levels_for(SIZE_MAX, dim);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
     size_t i;
     if (keyed && other && order) {
-        paradt__hilbert_begin(&hilbert, dim, set->count);
-        paradt__lattice_begin(&lattice, dim, levels, 0, set->space.low, set->space.high);
-        for (i = 0; i < set->count; i++) {
-            keyed[i].point = (paradt_index)i;
-            keyed[i].key = paradt__curve_key(&hilbert, &lattice, paradt__record(set, (paradt_index)i));
-        }
-        paradt__keyed_sort(keyed, other, set->count, dim * levels, 0);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].point;
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
         order = NULL;
@@ -11631,6 +12063,8 @@ typedef struct paradt__remote_part {
     paradt__cuts cuts;
     uint32_t *owner; // [set.count]
     paradt__mesh cells;
+    paradt__meter meter;
+    uint32_t told;
 } paradt__remote_part;
 
 // Builds one region of a loaded set facet by facet.
@@ -11652,9 +12086,7 @@ static paradt_status paradt__remote_front(paradt__remote_part *part, const parad
     view.cuts = &part->cuts;
     view.region = (uint32_t)region;
     status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress.call = options->progress;
-    front.progress.user = options->user;
-    front.progress.length = 1.0;
+    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
     if (!status) status = paradt__choose_front(method)(&front);
     paradt__count_front(stats, &front);
     paradt__front_end(&front);
@@ -11702,6 +12134,7 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
     memset(&part, 0, sizeof part);
     memset(&stats, 0, sizeof stats);
     paradt__memory_begin(&part.memory, options);
+    paradt__meter_begin(&part.meter, options);
     out->point_count = points->count;
     out->allocator = part.memory.allocator;
     out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
@@ -11786,10 +12219,25 @@ static paradt_status paradt__remote_region(paradt_triangulation *out, const para
 // is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
 // o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
 
-enum {
-    PARADT__CHECK_PHASES = 5, // those that report progress
-    PARADT__CHECK_PACE = 4096 // elements between two calls of it: some milliseconds
-};
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+
+// What is done, one after another, with the part of the work that is done when it begins
+#define PARADT__CHECK_PHASES(X)                                                                                        \
+    X(READ, 0.0)                                                                                                       \
+    X(LEAD, 0.02)                                                                                                      \
+    X(REPRESENT, 0.04)                                                                                                 \
+    X(CELLS, 0.06)                                                                                                     \
+    X(MATCH, 0.2)                                                                                                      \
+    X(FACETS, 0.35)                                                                                                    \
+    X(HULL, 0.8)                                                                                                       \
+    X(HIDDEN, 0.9)
+
+typedef enum paradt__check_phase {
+#define PARADT__CHECK_NAME(name, begin) PARADT__CHECK_##name,
+    PARADT__CHECK_PHASES(PARADT__CHECK_NAME)
+#undef PARADT__CHECK_NAME
+        PARADT__CHECK_END
+} paradt__check_phase;
 
 typedef struct paradt__check {
     const paradt_triangulation *t;
@@ -11799,11 +12247,12 @@ typedef struct paradt__check {
     paradt__set set;               // the records of all the caller's points, by the caller's index
     size_t corners;                // dim + 1, of a cell
     const paradt_index *neighbors; // t->neighbors or matched
+    int halves;                    // 1: they are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
     paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
     const double
         *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
-    int phase;
+    paradt__check_phase phase;
 } paradt__check;
 
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
@@ -11814,13 +12263,22 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// To be called for each element of a phase.
+// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
+#define PARADT__CHECK_BEGIN(name, begin) begin,
+    static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
+#undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
-    double fraction;
+    double fraction = begins[check->phase];
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
-    fraction = (check->phase + (double)done / (double)all) / (double)PARADT__CHECK_PHASES;
+    fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
+}
+
+// The cell across a facet (numbered cell * corners + corner); negative: none
+PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
+    paradt_index neighbor = check->neighbors[facet];
+    return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
 }
 
 PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check, size_t cell) {
@@ -11877,8 +12335,10 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
     if (!set->records) return PARADT_ERROR_MEMORY;
     for (; set->count < points->count; set->count++) {
+        paradt_status status = paradt__check_pace(check, set->count, points->count);
         int exponent = paradt__read_record(&source, set->count, set->records + set->count * set->width);
         if (exponent > set->exponent) set->exponent = exponent;
+        if (status) return status;
         if (exponent < 2047) continue;
         paradt__check_fail(check, "a coordinate or weight is NaN or infinite", -1, (paradt_index)set->count);
         return PARADT_ERROR_NOT_FINITE;
@@ -11936,23 +12396,27 @@ static size_t paradt__check_place(const paradt__check *check, const paradt_index
 }
 
 // Fills the table with the point that has to stand for its place: the heaviest, then the first.
-static void paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
+static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
+    paradt_status status = PARADT_OK;
     size_t i;
-    for (i = 0; i < check->set.count; i++) {
+    for (i = 0; i < check->set.count && !status; i++) {
         const double *record = paradt__record(&check->set, (paradt_index)i);
         paradt_index *leader = table + paradt__check_place(check, table, slots, record);
         if (*leader < 0 ||
             (space->weighted && paradt__ordered_bits(record[space->ambient]) >
                                     paradt__ordered_bits(paradt__record(&check->set, *leader)[space->ambient])))
             *leader = (paradt_index)i;
+        status = paradt__check_pace(check, i, check->set.count);
     }
+    return status;
 }
 
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
+    paradt_status status = PARADT_OK;
     size_t i;
-    for (i = 0; i < check->set.count; i++) {
+    for (i = 0; i < check->set.count && !status; i++) {
         paradt_index point = (paradt_index)i, stands = representative[i], leader;
         leader = table[paradt__check_place(check, table, slots, paradt__record(&check->set, point))];
         if ((stands < 0) != (representative[leader] < 0))
@@ -11961,8 +12425,9 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
         if (stands >= 0 && stands != leader)
             return paradt__check_fail(
                 check, "the representative is not the first of the heaviest with these coordinates", -1, point);
+        status = paradt__check_pace(check, i, check->set.count);
     }
-    return PARADT_OK;
+    return status;
 }
 
 static paradt_status paradt__check_representatives(paradt__check *check) {
@@ -11980,8 +12445,10 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
     table = (paradt_index *)paradt__alloc(&check->memory, slots, sizeof *table);
     if (!table) return PARADT_ERROR_MEMORY;
     memset(table, 0xff, slots * sizeof *table);
-    paradt__check_lead(check, table, slots);
-    status = paradt__check_against_leaders(check, table, slots);
+    check->phase = PARADT__CHECK_LEAD;
+    status = paradt__check_lead(check, table, slots);
+    check->phase = PARADT__CHECK_REPRESENT;
+    if (!status) status = paradt__check_against_leaders(check, table, slots);
     paradt__release(&check->memory, table);
     return status;
 }
@@ -12060,15 +12527,20 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
 }
 
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
-    paradt_index neighbor = check->neighbors[cell * check->corners + corner];
-    size_t place[PARADT_MAX_DIM + 1], other = (size_t)neighbor;
+    size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
+    paradt_index neighbor = paradt__check_neighbor(check, facet);
     int opposite;
     if (neighbor < 0) return PARADT_OK;
+    other = (size_t)neighbor;
     opposite = paradt__check_across(check, cell, corner, other, place);
     if (opposite < 0)
         return paradt__check_fail(check, "a cell does not share the facet with the neighbour across it",
                                   (paradt_index)cell, paradt__check_cell(check, cell)[corner]);
-    if (check->neighbors[other * check->corners + (size_t)opposite] != (paradt_index)cell)
+    twin = other * check->corners + (size_t)opposite;
+    if (check->halves && (size_t)check->neighbors[facet] != twin)
+        return paradt__check_fail(check, "a half-facet is another facet of the neighbour", (paradt_index)cell,
+                                  paradt__check_cell(check, cell)[corner]);
+    if (check->neighbors[twin] != (paradt_index)(check->halves ? facet : cell))
         return paradt__check_fail(check, "a neighbour's neighbour is another cell", (paradt_index)cell,
                                   paradt__check_cell(check, cell)[corner]);
     if (cell > other) return PARADT_OK;
@@ -12122,6 +12594,8 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
+        paradt_status status = paradt__check_pace(check, cell, check->t->cell_count);
+        if (status) return status;
         for (corner = 0; corner < corners; corner++) {
             size_t *place = table + paradt__check_facet_place(check, table, slots, cell, corner);
             size_t facet = cell * corners + corner, twin = *place - 1;
@@ -12144,10 +12618,14 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
     check->neighbors = check->t->neighbors;
+    check->halves = check->neighbors && check->options && check->options->flags & PARADT_FACETS;
     if (check->neighbors) {
+        size_t end = check->halves ? facets : check->t->cell_count;
         for (i = 0; i < facets; i++)
-            if (check->neighbors[i] < -1 || check->neighbors[i] >= (paradt_index)check->t->cell_count)
-                return paradt__check_fail(check, "a neighbour is no cell", (paradt_index)(i / check->corners), -1);
+            if (check->neighbors[i] < -1 || (check->neighbors[i] >= 0 && (size_t)check->neighbors[i] >= end))
+                return paradt__check_fail(check,
+                                          check->halves ? "a neighbour is no half-facet" : "a neighbour is no cell",
+                                          (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
     while (slots < facets + facets / 4) // most facets are there twice and take one place
@@ -12214,7 +12692,7 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
-        paradt_index next = check->neighbors[cell * check->corners + leave];
+        paradt_index next = paradt__check_neighbor(check, cell * check->corners + leave);
         int opposite;
         if (next < 0) return paradt__check_cell(check, cell)[stay];
         opposite = paradt__check_across(check, cell, leave, (size_t)next, place);
@@ -12336,7 +12814,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
         paradt__check_gather(check, (size_t)*cell, corners);
         while (corner < check->corners && paradt__check_side(check, corners, corner, x) >= 0) corner++;
         if (corner == check->corners) break;
-        *cell = check->neighbors[(size_t)*cell * check->corners + corner];
+        *cell = paradt__check_neighbor(check, (size_t)*cell * check->corners + corner);
         if (*cell < 0) return paradt__check_fail(check, "a hidden point lies outside of all cells", -1, point);
     }
     corners[check->corners] = x;
@@ -12381,17 +12859,28 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     if (!points->count)
         return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
     status = paradt__check_representatives(check);
-    check->phase = 1;
+    check->phase = PARADT__CHECK_CELLS;
     if (!status) status = paradt__check_cells(check);
     if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
     if (!status) status = paradt__check_adjacency(check);
-    check->phase = 2;
+    check->phase = PARADT__CHECK_FACETS;
     if (!status) status = paradt__check_facets(check);
-    check->phase = 3;
+    check->phase = PARADT__CHECK_HULL;
     if (!status) status = paradt__check_hull(check);
-    check->phase = 4;
+    check->phase = PARADT__CHECK_HIDDEN;
     if (!status) status = paradt__check_hidden(check);
-    return status;
+    check->phase = PARADT__CHECK_END;
+    return status ? status : paradt__check_pace(check, 0, 1);
+}
+
+// What is missing in the triangulation; NULL: nothing.
+static const char *paradt__check_triangulation(const paradt_triangulation *t) {
+    if (!t) return "triangulation is NULL";
+    if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
+    if (t->point_count && !t->representative)
+        return "triangulation.representative is NULL, but triangulation.point_count is not 0";
+    return NULL;
 }
 
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
@@ -12404,16 +12893,21 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     check.options = options;
     check.fault = fault ? fault : &unwanted;
     memset(check.fault, 0, sizeof *check.fault);
-    if (!triangulation || !points || (triangulation->cell_count && !triangulation->cells) ||
-        (triangulation->point_count && !triangulation->representative))
-        return PARADT_ERROR_ARGUMENT;
-    status = paradt__check_arguments(points, options);
-    if (status) return status;
+    status = paradt__check_arguments(points, options, &check.fault->reason);
+    if (!status) {
+        check.fault->reason = paradt__check_triangulation(triangulation);
+        if (check.fault->reason) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) {
+        check.fault->cell = check.fault->point = -1;
+        return status;
+    }
     paradt__memory_begin(&check.memory, options);
     status = paradt__check_all(&check, points);
     paradt__release(&check.memory, check.set.records);
     paradt__release(&check.memory, check.matched);
     paradt__release(&check.memory, check.cell_of);
+    if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
 #ifdef __cplusplus
@@ -12429,6 +12923,10 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
 #pragma GCC pop_options
 #elif defined(_MSC_VER)
 #pragma float_control(pop)
+#endif
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif // PARADT__IMPLEMENTED

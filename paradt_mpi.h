@@ -219,6 +219,14 @@
 
 #include <mpi.h>
 
+#ifdef PARADT_INDEX64 // see paradt.h
+#define paradt_mpi_triangulate paradt_mpi_triangulate_64
+#define paradt_mpi_free        paradt_mpi_free_64
+#define paradt_mpi_neighbor    paradt_mpi_neighbor_64
+#define paradt_mpi_hash        paradt_mpi_hash_64
+#define paradt_mpi_gather      paradt_mpi_gather_64
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -485,6 +493,8 @@ typedef struct paradt_mpi__work {
     int inserting;
     paradt_triangulation local; // made by another method, or at last taken from the engine
     size_t local_bytes;         // that it holds in an account of its own
+    paradt__meter meter;        // of the insertion on this rank,
+    uint32_t meter_told;        // all of which is one share
 } paradt_mpi__work;
 
 // The progress callback of a local triangulation: passes the caller's the fraction of the whole call.
@@ -788,8 +798,8 @@ static paradt_status paradt_mpi__list_unsent(paradt_mpi__work *w, paradt_mpi__li
 static paradt_status paradt_mpi__check_arguments(paradt_mpi__work *w, const paradt_points *local,
                                                  paradt_status status) {
     int64_t facts[5], weights;
-    if (!status && !local) status = PARADT_ERROR_ARGUMENT;
-    if (!status) status = paradt__check_arguments(local, &w->options.local);
+    const char *text;
+    if (!status) status = paradt__check_arguments(local, &w->options.local, &text);
     if (!status && w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED) status = PARADT_ERROR_ARGUMENT;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
@@ -1444,8 +1454,8 @@ static paradt_status paradt_mpi__load_set(paradt_mpi__work *w, const double *row
     source.points.dim = w->dim;
     source.points.stride = source.weight_stride = (width + 1) * sizeof *rows;
     source.points.weights = w->weighted ? rows + w->dim : NULL;
-    source.spare = paradt_mpi__expect_others(w, count);
-    w->capacity = count + source.spare;
+    source.reserve = paradt_mpi__expect_others(w, count);
+    w->capacity = count + source.reserve;
     // Of equal points the set keeps the one with the smallest index, which is the smallest id, as ids ascend.
     return paradt__set_gather(&w->set, &source, NULL, &paradt__alone, &w->memory, w->representative, &bad);
 }
@@ -1479,21 +1489,17 @@ static int paradt_mpi__scale(paradt_mpi__work *w) {
 //   counts    [ranks], overwritten
 //   origins   [dim + 1] of each spanning point: its received number on the rank that has it, -1 on the other ranks
 static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *counts, paradt_index *origins) {
-    const double *basis[PARADT_MAX_DIM + 1];
+    paradt_index basis[PARADT_MAX_DIM + 1];
     double mine[(PARADT_MAX_DIM + 1) * (PARADT_MAX_DIM + 1)];
     paradt_index own[PARADT_MAX_DIM + 1];
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
-    size_t count = 0;
-    int axes[PARADT_MAX_DIM], dim, axis, taken, r;
-    if (set->count) {
-        basis[0] = set->records;
-        count = (size_t)paradt__span(set, NULL, basis, axes, 0, 0) + 1;
-    }
+    int axes[PARADT_MAX_DIM], found, r;
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
-        memcpy(mine + i * width, basis[i], width * sizeof *mine);
-        own[i] = set->origin[(size_t)(basis[i] - set->records) / width];
+        memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
+        own[i] = set->origin[basis[i]];
     }
     MPI_Allgather(&count, (int)sizeof count, MPI_BYTE, counts, (int)sizeof count, MPI_BYTE, w->comm);
     MPI_Allgather(mine, (int)(most * width), MPI_DOUBLE, gathered, (int)(most * width), MPI_DOUBLE, w->comm);
@@ -1505,22 +1511,12 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    dim = -1;
-    if (total) {
-        basis[0] = gathered;
-        dim = paradt__span(&all, NULL, basis, set->axes, 0, 0);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    for (i = 0; i < (size_t)found; i++) {
+        size_t position = (size_t)basis[i];
+        origins[i] = position >= before && position < before + count ? own[position - before] : -1;
     }
-    for (taken = 0; taken <= dim; taken++) {
-        size_t place = (size_t)(basis[taken] - gathered) / width;
-        origins[taken] = place >= before && place < before + count ? own[place - before] : -1;
-    }
-    taken = dim > 0 ? dim : 0;
-    for (axis = 0; axis < w->dim; axis++) {
-        int known = 0, j;
-        for (j = 0; j < taken; j++) known |= set->axes[j] == axis;
-        if (!known) set->axes[taken++] = axis;
-    }
-    return dim;
+    return found - 1;
 }
 
 // Sets the measure of the set to that of all ranks' points, and w->low and w->high to the own points' box. Collective.
@@ -1825,6 +1821,7 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
     paradt__keyed *keyed, *other;
     double *sorted;
+    enum { ID_BITS = 56 }; // no id has more
     paradt_status status = PARADT_ERROR_MEMORY;
     if (count > (size_t)INT32_MAX && sizeof(paradt_index) == 4) return PARADT_ERROR_TOO_LARGE;
     keyed = (paradt__keyed *)paradt__alloc(&w->memory, count, sizeof *keyed);
@@ -1833,11 +1830,11 @@ static paradt_status paradt_mpi__sort_by_id(paradt_mpi__work *w, double **rows, 
     if (keyed && other && sorted) {
         for (i = 0; i < count; i++) {
             keyed[i].key = paradt_mpi__load_bits(*rows + (i + 1) * width - 1);
-            keyed[i].point = (paradt_index)i;
+            keyed[i].item = (paradt_index)i;
         }
-        paradt__keyed_sort(keyed, other, count, 64 - PARADT__DIGIT_BITS, 0); // no id has more bits
+        paradt__keyed_sort(keyed, other, count, ID_BITS, 0);
         for (i = 0; i < count; i++)
-            memcpy(sorted + i * width, *rows + (size_t)keyed[i].point * width, width * sizeof *sorted);
+            memcpy(sorted + i * width, *rows + (size_t)keyed[i].item * width, width * sizeof *sorted);
         paradt__release(&w->memory, *rows);
         *rows = sorted;
         sorted = NULL;
@@ -2349,13 +2346,14 @@ static paradt_status paradt_mpi__insert_new(paradt_mpi__work *w) {
 // Inserts the known points: all of them the first time, later those that are new.
 static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     paradt__set all = w->set;
+    paradt_options options;
     paradt__progress progress;
     if (w->inserting) return paradt_mpi__insert_new(w);
     all.count = w->known;
-    progress.call = w->options.local.progress ? paradt_mpi__progress : NULL;
-    progress.user = w;
-    progress.begin = 0.0;
-    progress.length = 1.0;
+    options = paradt_mpi__local_options(w);
+    paradt__meter_begin(&w->meter, &options);
+    w->meter_told = 0;
+    progress = paradt__progress_of(&w->meter, &w->meter_told, 1.0);
     w->inserting = 1;
     return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }

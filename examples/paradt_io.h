@@ -1710,8 +1710,10 @@ static void paradt_io__put_ele(paradt_io__writer *w) {
 }
 
 static void paradt_io__put_neigh(paradt_io__writer *w) {
-    paradt_io__putf(&w->out, "%zu %d\n", w->t->cell_count, w->t->dim + 1);
-    paradt_io__put_table(w, w->t->neighbors);
+    size_t rows = w->t->neighbors ? w->t->cell_count : 0; // a single point has none
+    paradt_io__putf(&w->out, "%zu %d\n", rows, w->t->dim + 1);
+    if (rows)
+        paradt_io__put_table(w, w->t->neighbors);
 }
 
 static int paradt_io__write_ele(paradt_io__writer *w) {

@@ -371,7 +371,7 @@ static void every_progress_call_can_cancel(void **state) {
                 keep_books(&options, &b);
                 options.user = &r;
                 paradt_status status = paradt_triangulate(&t, &points, &options);
-                if (!r.in_range || (!options.parallel_for && !r.ordered))
+                if (!r.in_range || !r.ordered)
                     fail_on_sample(&s, "progress goes back or leaves 0..1");
                 if (k == 0) {
                     assert_int_equal(status, PARADT_OK);
@@ -406,7 +406,7 @@ static void without_neighbors_the_cells_are_the_same(void **state) {
         assert_int_equal(paradt_triangulate(&with, &points, &c.options), PARADT_OK);
         c.options.flags = PARADT_NO_NEIGHBORS;
         assert_int_equal(paradt_triangulate(&without, &points, &c.options), PARADT_OK);
-        assert_non_null(with.neighbors);
+        assert_true((with.neighbors != NULL) == (with.dim > 0)); // a single vertex has none
         assert_null(without.neighbors);
         assert_int_equal(with.cell_count, without.cell_count);
         assert_true(paradt_hash(&with) == paradt_hash(&without));
