@@ -356,7 +356,11 @@ extern "C" {
 #endif
 
 #define PARADT_VERSION 100 // major * 10000 + minor * 100 + patch
-#define PARADT_MAX_DIM 8
+#ifndef PARADT_MAX_DIM
+#define PARADT_MAX_DIM 8 // the largest dimension, 2..8; code for larger ones is not compiled
+#elif PARADT_MAX_DIM < 2 || PARADT_MAX_DIM > 8
+#error "PARADT_MAX_DIM must be 2 to 8"
+#endif
 
 #ifdef PARADT_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
@@ -774,6 +778,23 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
 // the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
 // shifts of negative integers are taken to be arithmetic, as all compilers have them.
+
+// X(d) for each dimension that the implementation is compiled for
+#if PARADT_MAX_DIM == 2
+#define PARADT__DIMENSIONS(X) X(2)
+#elif PARADT_MAX_DIM == 3
+#define PARADT__DIMENSIONS(X) X(2) X(3)
+#elif PARADT_MAX_DIM == 4
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4)
+#elif PARADT_MAX_DIM == 5
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5)
+#elif PARADT_MAX_DIM == 6
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6)
+#elif PARADT_MAX_DIM == 7
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7)
+#else
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
+#endif
 
 // The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
