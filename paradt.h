@@ -4688,6 +4688,7 @@ typedef struct paradt__search {
     int outside;  // sign of the orientation (facet, x) for x outside
     int conflict; // both sides count, and the first point found in conflict with the sphere is the answer
     int found;    // there is one
+    int opposite; // the corner of the cell asked about that is not of the facet
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
 
@@ -4716,6 +4717,40 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
         s->q.extent[j] =
             1.0000001 * (paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]));
     }
+}
+
+// Only the positions [begin, end) are searched from now on.
+static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+    PARADT_ASSERT(begin <= end && end <= s->set->count);
+    s->begin = begin;
+    s->end = end;
+}
+
+// From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
+// boxes that have some, as they are at each search
+static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+    s->alive = unfinished;
+}
+
+// The search will be put to points of another grid, too: its heaviest point may be an answer.
+static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
+    s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
+}
+
+// Returns what the search counted of predicates.
+static const paradt__counters *paradt__search_counters(const paradt__search *s) {
+    return &s->space.counters;
+}
+
+// Returns how much work the search has done: grid cells visited and predicates evaluated.
+static uint64_t paradt__search_effort(const paradt__search *s) {
+    return s->grid_cells_visited + s->space.counters.insphere_calls + s->space.counters.orient_calls;
+}
+
+// Adds what the search counted of grid cells and distances.
+static void paradt__search_add_counts(const paradt__search *s, paradt_stats *stats) {
+    stats->distance_evaluations += s->distance_evaluations;
+    stats->grid_cells_visited += s->grid_cells_visited;
 }
 
 // One edge's share of the slacks; 0 when the facet is a needle. lift_size: the sum of the sizes of the lift's terms.
@@ -5321,6 +5356,83 @@ static void paradt__search_beyond(paradt__search *s, const double *const *facet,
     s->conflict = s->found = 0;
     s->apex = PARADT__OPEN;
     if (s->space.filtered) paradt__search_facet(s, inner);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>questions
+//
+// Is any point of a set in conflict with this cell, or strictly beyond this facet? The cell's vertices need not be
+// points of the set: regions and ranks ask each other about cells that they have built alone. A question is put to a
+// search: paradt__question_cell and paradt__question_facet state it, paradt__question_redirect puts it to another set
+// of the same space, axes and grade. paradt__question_boxes and paradt__question_is_confined answer on the safe side,
+// paradt__question_answer and paradt__question_fits exactly. Any point that fits is an answer, not the best one.
+//
+// A cell is given by the records of its vertices, laid out as those of the set and measured with it, and by their
+// positions in the set; a vertex that is not in the set has PARADT__NOWHERE or a negative number for its position.
+// Doors: these.
+
+// Asks for a point in conflict with the positively oriented cell. corners, positions: [dim + 1]
+static void paradt__question_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    paradt_index places[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i <= s->space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
+    s->opposite = s->space.dim;
+    paradt__search_sphere(s, corners, places);
+}
+
+// Asks for a point strictly beyond the facet opposite vertex `opposite` of a cell with this orientation, 1 or -1.
+// corners, positions: [dim + 1]
+static void paradt__question_facet(paradt__search *s, const double *const *corners, const paradt_index *positions,
+                                   int opposite, int orientation) {
+    int dim = s->space.dim, i, count = 0;
+    for (i = 0; i <= dim; i++) {
+        if (i == opposite) continue;
+        s->facet[count] = positions[i];
+        s->corners[count++] = corners[i];
+    }
+    s->opposite = opposite;
+    s->outside = (dim - opposite) % 2 ? orientation : -orientation;
+    s->conflict = s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
+}
+
+// Puts the question to another set. positions: [dim + 1] of the vertices in that set, none of them negative; grid: of
+// the set, or NULL where only paradt__question_fits follows
+static void paradt__question_redirect(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
+                                      const paradt_index *positions) {
+    int i, count = 0;
+    for (i = 0; i <= s->space.dim; i++) {
+        if (i != s->opposite) s->facet[count++] = positions[i];
+        else if (s->conflict) s->apex = positions[i];
+    }
+    s->set = set;
+    s->grid = grid;
+    s->begin = 0;
+    s->end = set->count;
+}
+
+// Do all answers lie in the box, wherever their points come from? box: low and high of each axis. 1: yes; 0: unknown
+static int paradt__question_is_confined(const paradt__search *s, const double *box) {
+    return s->space.filtered && paradt__search_within(s, box);
+}
+
+// Returns the mask of the boxes that may hold an answer. group: eight boxes, laid out as those of a grid
+PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const double *group) {
+    paradt__lane_bounds bounds;
+    return s->space.filtered ? s->test.group(&s->q, group, &bounds) : 255u;
+}
+
+// Is the point an answer?
+static int paradt__question_fits(paradt__search *s, size_t position) {
+    paradt__search_point(s, position);
+    return s->conflict ? s->found : s->apex >= 0;
+}
+
+// Returns a point of the set that is an answer, or PARADT__OPEN: there is none.
+static paradt_index paradt__question_answer(paradt__search *s) {
+    paradt__search_down(s);
+    return s->conflict && !s->found ? (paradt_index)PARADT__OPEN : s->apex;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
