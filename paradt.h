@@ -5445,7 +5445,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
 // inside, and the lifted simplex above z gets lower. There is no cycling, for the perturbed heights are in general
 // position, and the end is the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the
 // second, far less towards the third, and so on: so the cell contains the first vertex (if that is not hidden) and
-// begins the way from it to the second. Doors: paradt__cell_towards, paradt__walk.
+// begins the way from it to the second. Doors: paradt__cell_towards, paradt__cell_pivot.
 
 // Orders the simplex so that it is positively oriented.
 static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
@@ -5574,7 +5574,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
 
 // One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
 // is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
-static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) {
+static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
     int dim = s->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
         if (paradt__orient_with(s, cell, place, x) < 0) {
@@ -5992,7 +5992,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
 static uint64_t paradt__front_predicates(const paradt__front *front) {
-    return front->search.space.counters.orient_calls + front->search.space.counters.insphere_calls;
+    const paradt__counters *c = paradt__search_counters(&front->search);
+    return c->orient_calls + c->insphere_calls;
 }
 
 // Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with
@@ -6017,7 +6018,7 @@ static paradt_status paradt__incode(paradt__front *front) {
     paradt_index cell[PARADT_MAX_DIM + 1];
     if (!front->view.owner) {
         status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
-        front->search.alive = front->finished.alive;
+        paradt__search_skip_finished(&front->search, front->finished.alive);
     }
     while (!status && paradt__front_next_seed(front, cell)) {
         paradt_index handle = PARADT__OPEN;
@@ -6115,8 +6116,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     q = set->records + right * set->width;
     cell[0] = (paradt_index)left;
     cell[1] = (paradt_index)right;
-    front->search.begin = 0;
-    front->search.end = set->count;
+    paradt__search_limit(&front->search, 0, set->count);
     paradt__cell_towards(&front->search, cell, 2);
     do {
         int behind = 0, within = 0;
@@ -6125,7 +6125,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
             within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
         }
         if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__walk(&front->search, cell, q));
+    } while (paradt__cell_pivot(&front->search, cell, q));
     return 0;
 }
 
@@ -6149,7 +6149,7 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     }
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
+        if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
         status = paradt__wall_serve(front, &wall, &wall.alpha);
         if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
@@ -8711,7 +8711,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
 //
-// Near a sphere the questions are asked with sagittas, as in >>search.
+// The questions are those of >>questions; near a sphere they are asked with sagittas.
 //
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
@@ -8747,7 +8747,7 @@ typedef struct paradt__patch {
     paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
     size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
+    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
     paradt__memory *memory;
     paradt__bw bw;
     size_t capacity;                 // points that the arrays below have room for
@@ -9107,57 +9107,49 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     return paradt__patch_list_suspects(patch, (size_t)patch->bw.cells.corners);
 }
 
-// Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
+// States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
 static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt__bw *bw = &patch->bw;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index nowhere[PARADT_MAX_DIM + 1];
-    int dim = bw->cells.corners - 1, i, count = 0;
-    for (i = 0; i <= dim; i++) {
+    int i;
+    for (i = 0; i < bw->cells.corners; i++) {
         nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[count++] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
+        if (i != ghost) corners[i] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
     }
     if (ghost < 0) {
-        paradt__search_sphere(&patch->search, corners, nowhere);
-    } else {
-        paradt_index handle = bw->cells.neighbors[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
+        paradt__question_cell(&patch->search, corners, nowhere);
+    } else { // the vertex behind the facet takes the ghost's place, on the other side
+        paradt_index handle = bw->cells.neighbors[cell * bw->cells.corners + ghost];
         const paradt_index *inner = paradt__patch_cell(patch, paradt__bw_cell(bw, handle));
-        paradt__search_beyond(&patch->search, corners, (dim - ghost) % 2 ? -1 : 1,
-                              paradt__bw_record(bw, inner[handle % (dim + 1)]));
+        corners[ghost] = paradt__bw_record(bw, inner[handle % bw->cells.corners]);
+        paradt__question_facet(&patch->search, corners, nowhere, ghost, -1);
     }
 }
 
-// Has the search found what it is aimed at?
-PARADT__INLINE int paradt__patch_met(const paradt__search *s) {
-    return s->conflict ? s->found : s->apex >= 0;
-}
-
-// A point of the field that the search is aimed at, or -1. positions: of the cell's vertices.
+// Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
 static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
                                             const paradt_index *positions) {
-    paradt__search *s = &patch->search;
-    paradt_index places[PARADT_MAX_DIM + 1];
+    paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
     for (i = 0; i < patch->bw.cells.corners; i++) {
         size_t place = (size_t)positions[i] - field->begin;
         places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
     }
-    paradt__search_turn(s, &field->set, &field->grid, places);
-    paradt__search_down(s);
-    return paradt__patch_met(s) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
+    paradt__question_redirect(&patch->search, &field->set, &field->grid, places);
+    found = paradt__question_answer(&patch->search);
+    return found >= 0 ? found + (paradt_index)field->begin : (paradt_index)-1;
 }
 
-// The search is aimed at a cell with one of others' points, of which the neighbours are told: one of these that it is
-// aimed at, or -1.
+// The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
+// the question, or -1.
 static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    paradt__search *s = &patch->search;
     size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
     patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__search_turn(s, &patch->everyone, s->grid, positions);
+    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
     for (; i < end; i++) {
-        paradt__search_point(s, (size_t)patch->nearby[i]);
-        if (paradt__patch_met(s)) return s->apex;
+        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
     }
     return -1;
 }
@@ -9189,16 +9181,14 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
     return 0;
 }
 
-// A point of another region that the search is aimed at, or -1.
+// Returns a point of another region that answers the question, or -1.
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
     size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
-    int i, count = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (i != ghost) positions[count++] = paradt__patch_position(patch, vertices[i]);
-    }
-    if (ghost >= 0) positions[count] = PARADT__NOWHERE;
+    int i;
+    for (i = 0; i < patch->bw.cells.corners; i++)
+        positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
     return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
                                : paradt__patch_ask_near(patch, witness, positions);
 }
@@ -9243,7 +9233,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
+    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
         if (i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
@@ -9382,9 +9372,7 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
     paradt__bw_layout(&patch->bw, set);
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
-    for (i = 0; i < field_count; i++) {
-        patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
-    }
+    for (i = 0; i < field_count; i++) paradt__search_admit(&patch->search, &fields[i].grid);
 }
 
 // What is on the other side of a facet is dropped.
@@ -9485,8 +9473,7 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
 
 // Looks for answers so far
 static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    const paradt__counters *c = &patch->search.space.counters;
-    return patch->search.grid_cells_visited + patch->looked + c->insphere_calls + c->orient_calls;
+    return paradt__search_effort(&patch->search) + patch->looked;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
@@ -9979,10 +9966,9 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
 }
 
 static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    stats->distance_evaluations += front->search.distance_evaluations;
-    stats->grid_cells_visited += front->search.grid_cells_visited;
+    paradt__search_add_counts(&front->search, stats);
     if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, &front->search.space.counters);
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
 }
 
 // Adds what a region counted.
@@ -10106,9 +10092,8 @@ static void paradt__count_patch(paradt__region *region) {
     const paradt__patch *patch = &region->patch;
     memset(&region->stats, 0, sizeof region->stats);
     paradt__count_predicates(&region->stats, &patch->bw.space.counters);
-    paradt__count_predicates(&region->stats, &patch->search.space.counters);
-    region->stats.distance_evaluations = patch->search.distance_evaluations;
-    region->stats.grid_cells_visited = patch->search.grid_cells_visited;
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
 }
 
 // All cells of T(P) with a vertex of the region are there.
@@ -10980,125 +10965,16 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 // ---------------------------------------------------------------------------------------------------------------------
 // >>remote
 //
-// What paradt_mpi.h stands on, beside the doors of the sections above: the searches of >>search for cells whose
-// vertices need not be points of the set, and one region built alone. A facet or cell is given by the records of its
-// vertices, laid out as those of the set (axes permuted alike, the same grade), and measured with it. `own` names those
-// of them that are points of the set, or is PARADT__OPEN.
+// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
+// region built alone.
 //
 // It is only compiled where paradt_mpi.h is implemented.
 //
-// paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
-// hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_late_order,
-// paradt__remote_is_suspect, paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
+// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
+// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
-
-// The question is the conflict with the positively oriented cell. corners, own: [dim + 1]
-static void paradt__remote_cell(paradt__search *s, const double *const *corners, const paradt_index *own) {
-    paradt_index vertices[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i <= s->space.dim; i++) vertices[i] = own[i] >= 0 ? own[i] : (paradt_index)s->set->count;
-    paradt__search_sphere(s, corners, vertices);
-}
-
-// The question is what lies strictly beyond the facet opposite vertex `opposite` of the positively oriented cell.
-static void paradt__remote_facet(paradt__search *s, const double *const *corners, const paradt_index *own,
-                                 int opposite) {
-    int dim = s->space.dim, i, count = 0;
-    for (i = 0; i <= dim; i++) {
-        if (i == opposite) continue;
-        s->facet[count] = own[i];
-        s->corners[count++] = corners[i];
-    }
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
-}
-
-// Which of a group of eight boxes reach strictly beyond the facet? In a box N(u) + its error is at most the sum over
-// the axes of the largest of normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that is not positive, nothing
-// in the box is beyond: so the many points in the plane of a facet on a flat hull are no candidates.
-static unsigned paradt__remote_beyond(const paradt__search *s, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        double most = 0.0;
-        for (j = 0; j < s->space.dim; j++) {
-            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
-            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
-            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
-            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
-            most += a > b ? a : b;
-        }
-        mask |= (unsigned)(most > 0.0) << lane;
-    }
-    return mask;
-}
-
-// Which of a group of eight boxes, laid out as those of the grid, may hold an answer?
-static unsigned paradt__remote_boxes(const paradt__search *s, const double *group) {
-    paradt__lane_bounds bounds;
-    unsigned mask;
-    if (!s->space.filtered) return 255u;
-    mask = s->test.group(&s->q, group, &bounds);
-    return mask && !s->conflict && s->q.n_floor == 0.0 ? mask & paradt__remote_beyond(s, group) : mask;
-}
-
-// Lies the sphere of the cell in the room, so that points outside of it are no answers? room: low and high of each axis
-static int paradt__remote_confined(const paradt__search *s, const double *room) {
-    return s->space.filtered && paradt__search_within(s, room);
-}
-
-// Is the point strictly beyond the facet?
-static int paradt__remote_is_beyond(paradt__search *s, size_t point) {
-    const double *x = s->set->records + point * s->set->width;
-    double n = 0.0, n_bound = 0.0;
-    int j;
-    for (j = 0; j < s->space.dim && s->space.filtered; j++) {
-        double u = x[j] - s->q.origin[j];
-        n += s->q.normal[j] * u;
-        n_bound += s->q.reach[j] * paradt__abs(u);
-    }
-    if (s->space.filtered && n + n_bound < s->q.n_floor) return 0;
-    if (s->space.filtered && n > n_bound && n > s->q.n_floor) return 1;
-    return paradt__search_is_outside(s, x);
-}
-
-// A point beyond the facet in the boxes of a group.
-static paradt_index paradt__remote_find_beyond(paradt__search *s, int level, size_t group) {
-    unsigned mask = paradt__remote_boxes(s, s->grid->boxes[level] + group * s->grid->group_width);
-    size_t lane, i, first;
-    for (lane = 0; lane < PARADT__LANES && group * PARADT__LANES + lane < s->grid->box_count[level]; lane++) {
-        if (!(mask >> lane & 1)) continue;
-        first = group * PARADT__LANES + lane;
-        if (level) {
-            paradt_index found = paradt__remote_find_beyond(s, level - 1, first);
-            if (found >= 0) return found;
-            continue;
-        }
-        for (i = first * PARADT__LANES; i < (first + 1) * PARADT__LANES && i < s->set->count; i++) {
-            if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-        }
-    }
-    return PARADT__OPEN;
-}
-
-// A point of the set that answers the question, or PARADT__OPEN: there is none.
-static paradt_index paradt__remote_any(paradt__search *s) {
-    size_t i;
-    if (s->conflict) {
-        paradt__search_down(s);
-        return s->found ? s->apex : (paradt_index)PARADT__OPEN;
-    }
-    if (s->space.filtered) return paradt__remote_find_beyond(s, s->grid->levels - 1, 0);
-    for (i = 0; i < s->set->count; i++) {
-        if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-    }
-    return PARADT__OPEN;
-}
 
 // Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
 // the set.
