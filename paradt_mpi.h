@@ -2244,14 +2244,14 @@ static int paradt_mpi__boxes_hit(const paradt_mpi__work *w, int rank) {
     int left;
     for (left = d->count[rank]; left > 0; left -= PARADT__LANES, groups += d->width) {
         unsigned valid = left < PARADT__LANES ? (1u << left) - 1 : 255u;
-        if (paradt__remote_boxes(&w->search, groups) & valid) return 1;
+        if (paradt__question_boxes(&w->search, groups) & valid) return 1;
     }
     return 0;
 }
 
 // Which ranks of a group of eight may have an answer to the question that the search is set to?
 static unsigned paradt_mpi__ranks_hit(const paradt_mpi__work *w, int group) {
-    return paradt__remote_boxes(&w->search, w->directory.ranks + (size_t)group * w->directory.width);
+    return paradt__question_boxes(&w->search, w->directory.ranks + (size_t)group * w->directory.width);
 }
 
 // Lists the question for such a rank, if it has to be asked.
@@ -2352,14 +2352,15 @@ static paradt_status paradt_mpi__look_at_sphere(paradt_mpi__work *w, paradt_mpi_
                                                 const paradt_index *cell, const double **corners,
                                                 const paradt_index *own, int count, int *open) {
     double box[6];
-    int certain = w->search.plain3 && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box), listeners = 0, i;
+    int plain = w->set.space.dim == 3 && w->set.space.ambient == 3 && w->set.grade == PARADT__UNGRADED;
+    int certain = plain && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box), listeners = 0, i;
     paradt_status status = PARADT_OK;
     *open = !certain || !paradt_mpi__is_within(box, w->inside, 3);
     if (*open && certain) listeners = paradt_mpi__find_listeners(w, cell, box);
     if (!*open || (certain && !listeners)) return PARADT_OK;
-    paradt__remote_cell(&w->search, corners, own);
+    paradt__question_cell(&w->search, corners, own);
     // With weights a point of another rank may be heavier than all own ones; so cells with such vertices count as open.
-    *open = (w->weighted && count <= w->set.space.dim) || !paradt__remote_confined(&w->search, w->inside);
+    *open = (w->weighted && count <= w->set.space.dim) || !paradt__question_is_confined(&w->search, w->inside);
     if (*open && !certain) return paradt_mpi__ask_ranks(w, q, cell, place, -1);
     for (i = 0; i < listeners && *open && !status; i++) {
         int r = w->directory.listeners[i];
@@ -2387,7 +2388,7 @@ PARADT__INLINE paradt_status paradt_mpi__look(paradt_mpi__work *w, paradt_mpi__q
     if (topics & PARADT_MPI__SPHERE) status = paradt_mpi__look_at_sphere(w, q, place, cell, corners, own, count, open);
     for (topics &= ~(unsigned)PARADT_MPI__SPHERE, j = 0; topics >> j && !status; j++) {
         if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
-        paradt__remote_facet(&w->search, corners, own, j);
+        paradt__question_facet(&w->search, corners, own, j, 1);
         status = paradt_mpi__ask_ranks(w, q, cell, place, j);
     }
     return status;
@@ -2403,8 +2404,7 @@ static void paradt_mpi__take_patience(paradt_mpi__work *w) {
 
 // Does looking for answers take longer than building everything?
 static int paradt_mpi__answers_too_long(const paradt_mpi__work *w) {
-    const paradt__counters *c = &w->search.space.counters;
-    return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * w->patience;
+    return paradt__search_effort(&w->search) > 2 * w->patience;
 }
 
 // Does each cell ask half of all ranks? Then the ranks need nearly all points.
@@ -2693,9 +2693,9 @@ static int paradt_mpi__matters(paradt_mpi__work *w, const double *points, const 
         shared |= role >= 0;
     }
     *found = PARADT__OPEN;
-    if (cell[dim + 1] < 0) paradt__remote_cell(&w->search, corners, own);
-    else paradt__remote_facet(&w->search, corners, own, cell[dim + 1]);
-    *found = paradt__remote_any(&w->search);
+    if (cell[dim + 1] < 0) paradt__question_cell(&w->search, corners, own);
+    else paradt__question_facet(&w->search, corners, own, cell[dim + 1], 1);
+    *found = paradt__question_answer(&w->search);
     return shared || *found >= 0;
 }
 
