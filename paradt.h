@@ -4278,63 +4278,58 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>search kernels
 //
-// MakeSimplex of the thesis: given a facet, the point on its outer side with the smallest signed Delaunay distance dd,
-// and, by the same means, a point in conflict with a given cell.
+// The search's inner loops: each looks at the eight boxes of a group, or at the eight points of a grid cell, and rules
+// out those that certainly do not matter. Boxes and points stand in lanes (see >>grid), so a kernel is a few loops of
+// eight straight steps, which compilers turn into vector code. Beside each kernel stands its copy in AVX2, which is
+// chosen at run time where the processor has AVX2. There is one set of kernels for each dimension and grade.
 //
-// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
-// through f are a pencil: F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
-// A(u) = lift(u) - base . u vanishes on f. x is inside the sphere t where F_t < 0. Outside of f, x lies on the sphere
-// t(x) = A(x) / N(x); the smallest t is the smallest dd, since the centre moves outward along the normal with t.
+// A query is a facet and a sphere through it. Let o be the facet's first vertex, u = x - o, and gain the weight of x
+// less that of o. The query has two functions of x:
 //
-// Floating point only ever rules points out. Let K be a bound on the relative rounding of the sums below
-// (PARADT__ROUND). Computed `base` and `normal` miss f by the residuals r_i = lift(e_i) - base . e_i and s_i = normal .
-// e_i on the edges e_i = p_i - o. Let e*_i be the dual basis of the edges in their span. Then the true A and N differ
-// from the computed by at most sum_i |r_i| |e*_i . u| <= (sum_i |r_i| |e*_i|_max) |u|_1 = base_slack |u|_1, likewise
-// normal_slack, to which comes K sum_j |normal_j u_j| and so on for rounding, and for sagittas f_floor for their own
-// error. The dual basis is itself computed; while |e_i|_1 |e*_i|_max, the inverse sine of the facet's angles, stays
-// below 2^36, its relative error is below 2^-10 and a factor of 2 covers it. A facet more needle-like than that gets
-// slacks so large that nothing is ruled out and all is decided exactly. A point whose F is certainly positive for the
-// current sphere can't be the apex and is passed over; one whose F is certainly negative replaces the apex; all others
-// are settled by the exact perturbed predicate, which is a total order on the pencil. The same bounds, taken over a
-// box, rule out boxes: those on the inner side, and those outside the sphere. The order in which points are seen only
-// matters for speed. Doors: paradt__search_begin, paradt__search_apex, paradt__search_conflict.
+//     F(u) = sum_j u_j (u_j - centre_j) - gain    negative inside the sphere
+//     N(u) = sum_j normal_j u_j                   positive outside the facet
+//
+// With sagittas (see >>reference sphere) the lift |u|^2 - gain is the difference of the sagittas of o and x, so F(u) is
+// that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
+// of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
+// one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
+// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
 
-// u = 2^-52 holds in every rounding mode. A term of a sum passes a difference (u), at most 2 products (2u), at most d +
-// 2 additions in any order, and once more as much where the same quantity is computed for a box and for a point in it.
+// u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
+// at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
-#define PARADT__NEEDLE     68719476736.0          // 2^36
-#define PARADT__STEEP      2.0370359763344861e90  // 2^300: spheres that flat are left to the predicates
 
 typedef struct paradt__lane_query {
     double origin[PARADT_MAX_DIM];
     double normal[PARADT_MAX_DIM];
-    size_t outer[PARADT_MAX_DIM];      // where a box has N's largest value: offset of the row of low or high sides
-    double centre[PARADT_MAX_DIM];     // F(u) = sum_j u_j (u_j - centre_j): twice the centre of the current sphere
-    double slack[PARADT_MAX_DIM];      // |error of F| <= sum_j |u_j| (K |u_j| + slack_j)
-    double reach[PARADT_MAX_DIM];      // |error of N| <= sum_j |u_j| reach_j
-    double weight;                     // of the origin
-    double clear;                      // N of a point that is a good candidate is more than this
-    double f_floor;                    // error that F has everywhere
-    double n_floor;                    // N of a point outside is at least this
-    double disc[PARADT_MAX_DIM];       // with sagittas: a point outside has sum_j u_j (u_j - disc_j) of at most
-    double disc_slack[PARADT_MAX_DIM]; // disc_floor + sum_j |u_j| (K |u_j| + disc_slack_j)
-    double disc_floor;
-    double extent[PARADT_MAX_DIM];  // with sagittas: the length of the set along each axis
-    double weight_slack;            // ... and the error of a difference of two
-    double curve;                   // with sagittas, on the reference sphere: F(u) = curve |u|^2 - tangent . u
-    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (s(u) - s(0)), s the sagitta
-    double summit[PARADT_MAX_DIM];  // if curve > 0: where curve |u|^2 - tangent . u is least; else 0
-    double curve_slack;             // error of that form of F beyond F's own
-    double round;                   // K
+    size_t outer[PARADT_MAX_DIM];     // of a box's sides on the axis, where the one with the larger N starts in a group
+    double centre[PARADT_MAX_DIM];    // twice the sphere's centre
+    double slack[PARADT_MAX_DIM];     // |error of F| <= f_floor + sum_j |u_j| (K |u_j| + slack_j) + K |gain|
+    double reach[PARADT_MAX_DIM];     // |error of N| <= sum_j |u_j| reach_j
+    double weight;                    // of the origin, or its sagitta; 0 without grades
+    double clear;                     // N of a point that is worth a try as the first apex exceeds this
+    double f_floor;                   // error that F has everywhere
+    double n_floor;                   // N of a point outside is at least this
+    double cap[PARADT_MAX_DIM];       // with sagittas: of a point outside, sum_j u_j (u_j - cap_j) is at most
+    double cap_slack[PARADT_MAX_DIM]; // ... cap_floor + sum_j |u_j| (K |u_j| + cap_slack_j)
+    double cap_floor;                 // ... PARADT__NO_BOUND: nothing is known of that sum
+    double extent[PARADT_MAX_DIM];    // with sagittas: length of the set along each axis
+    double weight_slack;              // ... and the error of a difference of two sagittas
+    double curve;                     // with sagittas: on the reference sphere F(u) = curve |u|^2 - tangent . u
+    double tangent[PARADT_MAX_DIM];   // ... - (1 - curve) (s(x) - s(o)), s the sagitta
+    double summit[PARADT_MAX_DIM];    // where curve |u|^2 - tangent . u is least, if curve > 0; else 0
+    double curve_slack;               // error of this form of F beyond F's own
+    double round;                     // K
 } paradt__lane_query;
 
+// What a kernel tells of the boxes of a group
 typedef struct paradt__lane_bounds {
-    double f[PARADT__LANES]; // a box: bounds on the errors of F and N in it
-    double n[PARADT__LANES];
-    double promise[PARADT__LANES]; // how far below zero F may be
+    double f[PARADT__LANES];       // bound on the error of F in the box
+    double n[PARADT__LANES];       // bound on the error of N in the box
+    double promise[PARADT__LANES]; // how far below zero F may be in the box
 } paradt__lane_bounds;
 
 typedef unsigned (*paradt__group_kernel)(const paradt__lane_query *q, const double *group, paradt__lane_bounds *bounds);
@@ -4343,13 +4338,13 @@ typedef unsigned (*paradt__cell_kernel)(const paradt__lane_query *q, const doubl
 typedef double (*paradt__best_kernel)(const paradt__lane_query *q, const double *cell);
 
 typedef struct paradt__kernels {
-    paradt__group_kernel group;
-    paradt__cell_kernel cell;
-    paradt__best_kernel best;
+    paradt__group_kernel group; // the mask of a group's boxes that may hold a point outside the facet and in the sphere
+    paradt__cell_kernel cell;   // the mask of a grid cell's points that may be outside the facet and in the sphere
+    paradt__best_kernel best;   // the grid cell's point that gives the smallest sphere; see paradt__kernel_best_plain
 } paradt__kernels;
 
-// The lanes whose value is not negative.
-PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
+// Returns the mask of the lanes whose value is not negative.
+PARADT__INLINE unsigned paradt__kernel_mask(const double *value) {
 #if defined(__SSE2__) && !defined(PARADT_NO_SIMD)
     unsigned mask = (unsigned)_mm_movemask_pd(_mm_loadu_pd(value));
     mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 2)) << 2;
@@ -4364,8 +4359,8 @@ PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
 #endif
 }
 
-// Which of eight boxes may hold a point outside the facet and inside the sphere?
-PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, const double *group,
+// Returns the mask of the boxes that may hold a point outside the facet and inside the sphere.
+PARADT__INLINE unsigned paradt__kernel_group_plain(const paradt__lane_query *q, const double *group,
                                                  paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient, int grade) {
     double margin[PARADT__LANES], f[PARADT__LANES], n[PARADT__LANES];
     int lane, j;
@@ -4402,12 +4397,13 @@ PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, co
         bounds->promise[lane] = promise;
         margin[lane] = promise < outside ? promise : outside;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same with sagittas. The lifts are of one size in all of the set, so one bound on the errors does: that at the
-// distance of its whole extent. N is affine, so one corner of a box decides; F is taken as paradt__set_curve has it.
-PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
+// The same with sagittas. All lifts of the set are of one size, so one bound on the errors suffices: the bound at the
+// distance of the set's whole extent. N is affine, so one corner of a box decides. F is taken in the form with `curve`;
+// see paradt__pencil_set_curve.
+PARADT__INLINE unsigned paradt__kernel_group_sagittas(const paradt__lane_query *q, const double *group,
                                                   paradt__lane_bounds *bounds, int ambient) {
     const double *grades = group + ambient * 2 * PARADT__LANES, *outer[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
@@ -4452,25 +4448,25 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
         bounds->f[lane] = f_bound;
         bounds->n[lane] = n_bound;
     }
-    if (q->disc_floor < PARADT__NO_BOUND) {
+    if (q->cap_floor < PARADT__NO_BOUND) {
         for (lane = 0; lane < PARADT__LANES; lane++) {
-            double g = -q->disc_floor;
+            double g = -q->cap_floor;
             for (j = 0; j < ambient; j++) {
                 double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
                 double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
-                double x = q->disc[j] * 0.5, reach = -low > high ? -low : high;
+                double x = q->cap[j] * 0.5, reach = -low > high ? -low : high;
                 x = x > low ? x : low;
                 x = x < high ? x : high;
-                g += x * (x - q->disc[j]) - reach * (q->round * reach + q->disc_slack[j]);
+                g += x * (x - q->cap[j]) - reach * (q->round * reach + q->cap_slack[j]);
             }
             margin[lane] = -g < margin[lane] ? -g : margin[lane];
         }
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same for the eight points of a grid cell, with the bounds that hold in its box.
-PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
+// The same for the eight points of a grid cell. f_bound, n_bound: the bounds on the errors that hold in its box
+PARADT__INLINE unsigned paradt__kernel_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
                                                 double n_bound, int ambient, int grade) {
     double margin[PARADT__LANES];
     int lane, j;
@@ -4486,12 +4482,13 @@ PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, con
         n = n + n_bound;
         margin[lane] = f < n ? f : n;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The smallest parameter t of the eight points of a grid cell, less that of the current sphere (that of the base, while
-// there is no apex), among those that are clearly outside; its last three bits are the lane. PARADT__FAR or so: none.
-PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, const double *cell, int ambient,
+// Of the eight points of a grid cell that are clearly outside the facet, finds the one on the sphere with the smallest
+// parameter t in the pencil. Returns F / N, which is that t less the current sphere's; the last three bits are the lane.
+// Returns about PARADT__FAR when no point is clearly outside.
+PARADT__INLINE double paradt__kernel_best_plain(const paradt__lane_query *q, const double *cell, int ambient,
                                                  int grade) {
     double ratio[PARADT__LANES], heights[PARADT__LANES];
     uint64_t bits[PARADT__LANES];
@@ -4517,10 +4514,10 @@ PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, co
 }
 
 #if defined(PARADT__AVX2)
-// The twins of the three above for processors with AVX2, four lanes at a time.
+// The same three for processors with AVX2, four lanes at a time.
 #define PARADT__ALL(value) _mm256_set1_pd(value)
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_query *q, const double *group,
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lane_query *q, const double *group,
                                                              paradt__lane_bounds *bounds, int ambient, int grade) {
     const __m256d sign = PARADT__ALL(-0.0), round = PARADT__ALL(q->round);
     __m256d f[2], n[2], f_bound[2], n_bound[2];
@@ -4565,7 +4562,8 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
+// Computes F and N of four points.
+PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
                                                    int grade, __m256d *f, __m256d *n) {
     int j;
     *f = *n = _mm256_setzero_pd();
@@ -4582,13 +4580,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, 
     }
 }
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_query *q, const double *cell,
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane_query *q, const double *cell,
                                                             double f_bound, double n_bound, int ambient, int grade) {
     unsigned mask = 0;
     int half;
     for (half = 0; half < PARADT__LANES; half += 4) {
         __m256d f, n;
-        paradt__lift_avx2(q, cell + half, ambient, grade, &f, &n);
+        paradt__kernel_lift_avx2(q, cell + half, ambient, grade, &f, &n);
         f = _mm256_sub_pd(PARADT__ALL(f_bound), f);
         n = _mm256_add_pd(n, PARADT__ALL(n_bound));
         mask |= (unsigned)_mm256_movemask_pd(_mm256_min_pd(f, n)) << half;
@@ -4596,14 +4594,14 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_q
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_query *q, const double *cell,
+PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_query *q, const double *cell,
                                                              int ambient, int grade) {
     const __m256d beyond = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
     __m256d best[2], n;
     __m128d pair;
     int half;
     for (half = 0; half < 2; half++) {
-        paradt__lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
+        paradt__kernel_lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
         best[half] =
             _mm256_blendv_pd(beyond, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
         best[half] =
@@ -4617,50 +4615,47 @@ PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_
 #undef PARADT__ALL
 #endif
 
-// One set of kernels for each dimension, with and without weights, and each instruction set that can be chosen at run
-// time. All of them rule out by the same bounds, so all lead to the same cells.
+// The kernels of one instruction set for dimension d and grade w
 #define PARADT__KERNEL_SET(isa, attribute, d, w)                                                                       \
-    attribute static unsigned paradt__group_##isa##d##w(const paradt__lane_query *q, const double *group,              \
-                                                        paradt__lane_bounds *bounds) {                                 \
-        if (w == PARADT__SAGITTA) return paradt__test_graded_group(q, group, bounds, d);                               \
-        return paradt__test_group##isa(q, group, bounds, d, w);                                                        \
+    attribute static unsigned paradt__kernel_group_##isa##_##d##_##w(const paradt__lane_query *q, const double *group, \
+                                                                     paradt__lane_bounds *bounds) {                    \
+        if (w == PARADT__SAGITTA) return paradt__kernel_group_sagittas(q, group, bounds, d);                           \
+        return paradt__kernel_group_##isa(q, group, bounds, d, w);                                                     \
     }                                                                                                                  \
-    attribute static unsigned paradt__cell_##isa##d##w(const paradt__lane_query *q, const double *cell,                \
-                                                       double f_bound, double n_bound) {                               \
-        return paradt__test_cell##isa(q, cell, f_bound, n_bound, d, w);                                                \
+    attribute static unsigned paradt__kernel_cell_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell,   \
+                                                                    double f_bound, double n_bound) {                  \
+        return paradt__kernel_cell_##isa(q, cell, f_bound, n_bound, d, w);                                             \
     }                                                                                                                  \
-    attribute static double paradt__best_##isa##d##w(const paradt__lane_query *q, const double *cell) {                \
-        return paradt__best_of_cell##isa(q, cell, d, w);                                                               \
+    attribute static double paradt__kernel_best_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell) {   \
+        return paradt__kernel_best_##isa(q, cell, d, w);                                                               \
     }
-#define PARADT__KERNEL_PAIR(isa, attribute, d)                                                                         \
+#define PARADT__KERNEL_SETS(isa, attribute, d)                                                                         \
     PARADT__KERNEL_SET(isa, attribute, d, 0)                                                                           \
-    PARADT__KERNEL_SET(isa, attribute, d, 1) PARADT__KERNEL_SET(isa, attribute, d, 2)
-#define PARADT__KERNELS(isa, attribute)                                                                                \
-    PARADT__KERNEL_PAIR(isa, attribute, 2)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 3)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 4)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 5)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 6) PARADT__KERNEL_PAIR(isa, attribute, 7) PARADT__KERNEL_PAIR(isa, attribute, 8)
+    PARADT__KERNEL_SET(isa, attribute, d, 1)                                                                           \
+    PARADT__KERNEL_SET(isa, attribute, d, 2)
 #define PARADT__KERNEL_NAMES(isa, d, w)                                                                                \
-    { paradt__group_##isa##d##w, paradt__cell_##isa##d##w, paradt__best_##isa##d##w }
+    {paradt__kernel_group_##isa##_##d##_##w, paradt__kernel_cell_##isa##_##d##_##w,                                    \
+     paradt__kernel_best_##isa##_##d##_##w}
 #define PARADT__KERNEL_ROW(isa, d)                                                                                     \
-    { PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2) }
-#define PARADT__KERNEL_TABLE(isa)                                                                                      \
-    {                                                                                                                  \
-        PARADT__KERNEL_ROW(isa, 2), PARADT__KERNEL_ROW(isa, 3), PARADT__KERNEL_ROW(isa, 4),                            \
-            PARADT__KERNEL_ROW(isa, 5), PARADT__KERNEL_ROW(isa, 6), PARADT__KERNEL_ROW(isa, 7),                        \
-            PARADT__KERNEL_ROW(isa, 8)                                                                                 \
-    }
+    {PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2)},
 
-PARADT__KERNELS(_plain, )
+#define PARADT__KERNEL_SETS_PLAIN(d) PARADT__KERNEL_SETS(plain, , d)
+#define PARADT__KERNEL_ROW_PLAIN(d)  PARADT__KERNEL_ROW(plain, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_PLAIN)
 #if defined(PARADT__AVX2)
-PARADT__KERNELS(_avx2, PARADT__AVX2)
+#define PARADT__KERNEL_SETS_AVX2(d) PARADT__KERNEL_SETS(avx2, PARADT__AVX2, d)
+#define PARADT__KERNEL_ROW_AVX2(d)  PARADT__KERNEL_ROW(avx2, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_AVX2)
 #endif
 
-static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
-    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(_plain);
+// Returns the fastest kernels that the processor has. ambient: coordinates a point; grade: as that of a set
+static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
+    static const paradt__kernels plain[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_PLAIN)};
 #if defined(PARADT__AVX2)
-    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(_avx2);
+    static const paradt__kernels avx2[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_AVX2)};
+#endif
+    PARADT_ASSERT(ambient >= 2 && ambient <= PARADT_MAX_DIM && grade >= 0 && grade <= 2);
+#if defined(PARADT__AVX2)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2[ambient - 2][grade];
 #endif
     return plain[ambient - 2][grade];
@@ -4669,35 +4664,76 @@ static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>search
 //
-// Doors: to be listed.
+// MakeSimplex of the thesis: given a facet, finds the point on its outer side with the smallest signed Delaunay
+// distance dd. By the same means it finds a point in conflict with a given cell, or beyond a given facet.
+//
+// The pencil. Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The
+// spheres through f are the pencil F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive
+// outside, and A(u) = lift(u) - base . u vanishes on f. x is inside sphere t where F_t < 0. Outside of f, x lies on the
+// sphere t(x) = A(x) / N(x). The centre moves outward along the normal with t, so the smallest t is the smallest dd.
+//
+// The errors. Let K bound the relative rounding of the sums below (PARADT__ROUND). Let e_i = p_i - o be the edges of f
+// at o, and e*_i their dual basis in their span. The computed `base` and `normal` do not vanish on f but have residuals
+// r_i = lift(e_i) - base . e_i and s_i = normal . e_i. So the true A differs from the computed one by at most
+//
+//     sum_i |r_i| |e*_i . u| <= base_slack |u|_1,    base_slack = sum_i |r_i| |e*_i|_max
+//
+// and N likewise by normal_slack |u|_1, with s_i for r_i. To these come the rounding, K sum_j |normal_j u_j| and the
+// like, and f_floor for the error that sagittas have themselves. The dual basis is itself computed. The product |e_i|_1
+// |e*_i|_max is the inverse sine of the facet's angles: while it stays below 2^36, the relative error of the dual basis
+// is below 2^-10, and a factor of 2 in the slacks covers it. A facet more needle-like than that gets slacks so large
+// that nothing is ruled out and all is decided exactly.
+//
+// The decision. A point whose F is certainly positive for the current sphere can't be the apex and is passed over. A
+// point whose F is certainly negative replaces the apex. All others are settled by the exact perturbed predicate, which
+// is a total order on the pencil. The same bounds, taken over a box, rule out the boxes on the inner side and those
+// outside the sphere. The order in which points are seen only matters for speed.
+//
+// Nobody else writes the search's fields. Its set and space may be read; predicates that >>first simplex evaluates
+// count in this space. DOORS
+
+#define PARADT__NEEDLE 68719476736.0         // 2^36
+#define PARADT__STEEP  2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+
+// The dimension that the inner functions have copies for, where all coordinates orient and nothing follows them
+enum { PARADT__PLAIN_DIM = PARADT_MAX_DIM < 3 ? PARADT_MAX_DIM : 3 };
+
+// What the search is aimed at
+enum {
+    PARADT__AIM_APEX,     // the point outside the facet that is on the smallest sphere
+    PARADT__AIM_CONFLICT, // any point in the sphere, on both sides of the facet
+    PARADT__AIM_BEYOND    // any point strictly outside the facet
+};
 
 typedef struct paradt__search {
     const paradt__set *set;
     const paradt__grid *grid;
-    paradt__space space; // this search's own, for its counters
-    int plain3;          // three coordinates and no weights: the shape that has its own copies of the inner functions
-    paradt__kernels test;
-    size_t begin, end;     // positions that matter: the whole set, or the part that a DeWall works on
-    double heaviest;       // no point that may be found is heavier
-    uint8_t *const *alive; // [level][group] which of its boxes have points that may be an apex; NULL: all
+    paradt__space space; // the set's, but with the counters of this search
+    int plain;           // the set has PARADT__PLAIN_DIM coordinates, of which all orient, and no grades
+    paradt__kernels kernels;
+    size_t begin, end;          // only these positions are searched
+    double heaviest;            // no point that may be found is heavier
+    uint8_t *const *unfinished; // [level][group] bits of the boxes with points that may be an apex; NULL: all boxes
+    uint8_t *const *boxes;      // [level][group] bits of the boxes to be searched for the present aim; NULL: all boxes
     uint64_t distance_evaluations, grid_cells_visited;
 
     // the facet and its pencil
-    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices; room for an apex and one more
-    paradt_index facet[PARADT_MAX_DIM];
-    int outside;  // sign of the orientation (facet, x) for x outside
-    int conflict; // both sides count, and the first point found in conflict with the sphere is the answer
-    int found;    // there is one
-    int opposite; // the corner of the cell asked about that is not of the facet
+    int aim;
+    int opposite;                              // the corner of the aimed cell that is not of the facet
+    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices and the apex
+    paradt_index facet[PARADT_MAX_DIM];        // positions of the facet's vertices; any others: they are not in the set
+    int outside;                               // sign of the orientation (facet, x) for x outside
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
 
-    paradt_index apex; // best so far, or PARADT__OPEN
-    unsigned changes;  // times the sphere changed
-    unsigned growths;  // times a bound on the errors became larger by that
+    paradt_index apex; // the best point so far, or PARADT__OPEN
+    int found;         // aimed at any point: the apex is one
+    unsigned changes;  // how often the sphere changed
+    unsigned growths;  // how often that enlarged a bound on the errors
     paradt__lane_query q;
 } paradt__search;
 
+// Prepares a search in the set, of which the grid has the points.
 static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
     int j;
     memset(s, 0, sizeof *s);
@@ -4706,9 +4742,9 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
     s->heaviest = grid->heaviest;
     s->space = set->space;
     memset(&s->space.counters, 0, sizeof s->space.counters);
-    s->test = paradt__choose_kernels(set->space.ambient, set->grade);
+    s->kernels = paradt__kernels_choose(set->space.ambient, set->grade);
     s->end = set->count;
-    s->plain3 = set->space.dim == 3 && set->space.ambient == 3 && !set->grade;
+    s->plain = set->space.dim == PARADT__PLAIN_DIM && set->space.ambient == PARADT__PLAIN_DIM && !set->grade;
     s->q.round = PARADT__ROUND(set->space.ambient);
     s->q.f_floor = 4.0 * set->grade_error;
     s->q.weight_slack = 2.0 * s->q.round * set->grade_limit;
@@ -4729,7 +4765,7 @@ static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
 // From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
 // boxes that have some, as they are at each search
 static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
-    s->alive = unfinished;
+    s->unfinished = unfinished;
 }
 
 // The search will be put to points of another grid, too: its heaviest point may be an answer.
@@ -4753,8 +4789,11 @@ static void paradt__search_add_counts(const paradt__search *s, paradt_stats *sta
     stats->grid_cells_visited += s->grid_cells_visited;
 }
 
-// One edge's share of the slacks; 0 when the facet is a needle. lift_size: the sum of the sizes of the lift's terms.
-PARADT__INLINE int paradt__add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
+// --- the pencil of a facet
+
+// Adds the terms of one edge to the slacks. lift_size: sum of the sizes of the lift's terms. Returns 0 if the facet is a
+// needle.
+PARADT__INLINE int paradt__pencil_add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
                                         const double *dual, int dim) {
     double r = lift, r_size = lift_size, n = 0.0, n_size = 0.0, length = 0.0, dual_size = 0.0;
     int j;
@@ -4772,8 +4811,9 @@ PARADT__INLINE int paradt__add_residual(paradt__search *s, const double *edge, d
     return length * dual_size < PARADT__NEEDLE;
 }
 
-// A triangle in 3D: normal = e1 x e2, and the dual basis from cross products with it. 0: it is flat.
-PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
+#if PARADT_MAX_DIM >= 3
+// Computes the normal, e1 x e2, and the dual basis d of a triangle in 3D by cross products. Returns 0 if it is flat.
+PARADT__INLINE int paradt__pencil_of_triangle(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
     const double *e = edges[0], *f = edges[1];
     double *n = s->q.normal, size, inverse;
     int j;
@@ -4792,19 +4832,11 @@ PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_
     for (j = 0; j < 3 && s->outside < 0; j++) n[j] = -n[j];
     return 1;
 }
+#endif
 
-static double paradt__longest(const double *vector, int dim) {
-    double longest = 0.0;
-    int j;
-    for (j = 0; j < dim; j++) {
-        double length = paradt__abs(vector[j]);
-        longest = length > longest ? length : longest;
-    }
-    return longest;
-}
-
-// A unit vector across the span of the orthonormal rows: the axis farthest from the span, less its part in it, twice.
-static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
+// Computes a unit vector perpendicular to the orthonormal rows: takes the axis farthest from their span and subtracts,
+// twice, its projection on the span.
+static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
     int axis, best = 0, i, j, pass;
     double least = 2.0, length = 0.0;
     for (axis = 0; axis < dim; axis++) {
@@ -4825,9 +4857,10 @@ static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, in
     for (j = 0; j < dim; j++) normal[j] *= length;
 }
 
-// Any dimension: edges = L Q by modified Gram-Schmidt; the dual basis is the columns of Q^T L^-1. The ratios of the
-// edges to the diagonal of L are bounded first, so that nothing overflows on the way to finding a needle.
-static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
+// Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
+// Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
+// first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
+static int paradt__pencil_of_facet(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -4841,7 +4874,7 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
         }
         for (j = 0; j < dim; j++) length += q[i][j] * q[i][j];
         l[i][i] = sqrt(length);
-        if (!(l[i][i] * PARADT__NEEDLE > paradt__longest(edges[i], dim))) return 0;
+        if (!(l[i][i] * PARADT__NEEDLE > paradt__largest(edges[i], dim))) return 0;
         for (j = 0; j < dim; j++) q[i][j] /= l[i][i];
     }
     // Dual vector i is y Q with L y = unit i.
@@ -4855,12 +4888,12 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
             for (j = 0; j < dim; j++) dual[i][j] += y[k] * q[k][j];
         }
     }
-    paradt__normal_to((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
+    paradt__pencil_normal((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
     return 1;
 }
 
-// Turns the normal away from `inner`; where the side of that is in doubt, N rules out nothing.
-static void paradt__turn_normal(paradt__search *s, const double *inner, int dim) {
+// Makes the normal point away from `inner`. Where the side of `inner` is in doubt, N will rule out nothing.
+static void paradt__pencil_orient_normal(paradt__search *s, const double *inner, int dim) {
     double side = 0.0, size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
@@ -4872,54 +4905,57 @@ static void paradt__turn_normal(paradt__search *s, const double *inner, int dim)
     if (side >= -size && side <= size) s->normal_slack = PARADT__NO_BOUND;
 }
 
-// Nothing is known about the pencil in floating point: all is left to the predicates.
-static void paradt__pencil_unknown(paradt__search *s) {
+// Nothing is known about the pencil in floating point: leaves everything to the predicates.
+static void paradt__pencil_forget(paradt__search *s) {
     memset(s->q.normal, 0, sizeof s->q.normal);
     memset(s->base, 0, sizeof s->base);
     s->base_slack = s->normal_slack = PARADT__NO_BOUND;
 }
 
-// Where N is a determinant of the coordinates (`determinant`) and these are multiples of one power of two, as in
-// lattices, N is too; if its error is less than half of the smallest one that is not 0, its sign is known everywhere.
-PARADT__INLINE void paradt__set_floors(paradt__search *s, int determinant) {
+// Sets the least N of a point outside. If the coordinates are multiples of one power of two, as in lattices, and N is a
+// determinant of them (`determinant`), N is such a multiple, too. If, besides, its error is less than half of the
+// smallest such multiple that is not 0, the sign of N is known everywhere.
+PARADT__INLINE void paradt__pencil_set_floor(paradt__search *s, int determinant) {
     const paradt__space *space = &s->space;
     s->q.n_floor =
         determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
 }
 
-// Near a sphere with centre c, the part outside of a facet that faces away from c is a cap, which lies in the smallest
-// sphere through the facet: for G(u) = |u|^2 - disc . u with that sphere's disc = twice its centre, and all u on the
-// sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c and sagittas s, so that G(u) = -(2 w + disc) . u + s0 - s(u). 2 w
-// + disc is mu times the normal up to a rest. If mu > 0, N(u) > 0 has G(u) <= |rest| |u| + s0 - s(u). This rules out
-// boxes that the facet's plane cuts far from the facet, as it cuts boxes of every size near the hull.
-static void paradt__set_disc(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+// Finds the sphere that holds the cap of the reference sphere outside of the facet. Near a reference sphere with centre
+// c, the points outside of a facet that faces away from c are such a cap, and the cap lies in the smallest sphere
+// through the facet. Let G(u) = |u|^2 - cap . u with cap = twice the centre of that smallest sphere, w = o - c, and s
+// the sagittas. All u of the set have |u|^2 = -2 w . u + s(o) - s(u), so G(u) = -(2 w + cap) . u + s(o) - s(u). Now
+// 2 w + cap is mu times the normal, up to a rest. If mu > 0, N(u) > 0 implies G(u) <= |rest| |u| + s(o) - s(u). This
+// rules out boxes that the facet's plane cuts far from the facet; near the hull it cuts boxes of every size.
+static void paradt__pencil_set_cap(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
                              int dim) {
     double mu = 0.0, size = 0.0, two_w[PARADT_MAX_DIM];
     int i, j;
-    for (j = 0; j < dim; j++) s->q.disc[j] = 0.0;
+    for (j = 0; j < dim; j++) s->q.cap[j] = 0.0;
     for (i = 0; i < dim - 1; i++) {
         double lift = 0.0;
         for (j = 0; j < dim; j++) lift += edges[i][j] * edges[i][j];
-        for (j = 0; j < dim; j++) s->q.disc[j] += lift * dual[i][j];
+        for (j = 0; j < dim; j++) s->q.cap[j] += lift * dual[i][j];
     }
     for (j = 0; j < dim; j++) {
         two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        mu += (two_w[j] + s->q.disc[j]) * s->q.normal[j];
+        mu += (two_w[j] + s->q.cap[j]) * s->q.normal[j];
         size += s->q.normal[j] * s->q.normal[j];
     }
     if (!(mu > 0.0)) return;
     mu /= size;
     for (j = 0; j < dim; j++) {
-        double rest = two_w[j] + s->q.disc[j] - mu * s->q.normal[j];
-        s->q.disc_slack[j] =
+        double rest = two_w[j] + s->q.cap[j] - mu * s->q.normal[j];
+        s->q.cap_slack[j] =
             paradt__abs(rest) + mu * s->q.reach[j] +
-            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.disc[j]) + paradt__abs(mu * s->q.normal[j]));
+            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.cap[j]) + paradt__abs(mu * s->q.normal[j]));
     }
-    s->q.disc_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
+    s->q.cap_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
 }
 
-// Sets the pencil of the facet s->corners. inner: a point off the facet, on the inner side if there are sides.
-PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
+// Computes the pencil of the facet s->corners. inner: a point off the facet, on the inner side if the aim has sides.
+// Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
     double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], dual[PARADT_MAX_DIM][PARADT_MAX_DIM];
     double lifts[PARADT_MAX_DIM], lift_sizes[PARADT_MAX_DIM];
     int i, j, sound;
@@ -4938,17 +4974,21 @@ PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inne
         lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
     }
     s->base_slack = s->normal_slack = 0.0;
-    sound = dim == 3 ? paradt__pencil3(s, edges, dual) : paradt__pencil(s, edges, dual, dim);
+#if PARADT_MAX_DIM >= 3
+    sound = dim == 3 ? paradt__pencil_of_triangle(s, edges, dual) : paradt__pencil_of_facet(s, edges, dual, dim);
+#else
+    sound = paradt__pencil_of_facet(s, edges, dual, dim);
+#endif
     for (j = 0; j < dim && sound; j++) {
         s->base[j] = 0.0;
         for (i = 0; i < dim - 1; i++) s->base[j] += lifts[i] * dual[i][j];
     }
     for (i = 0; i < dim - 1 && sound; i++) {
-        sound = paradt__add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
+        sound = paradt__pencil_add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
     }
-    if (sound && dim != 3) paradt__turn_normal(s, inner, dim);
-    if (!sound) paradt__pencil_unknown(s);
-    paradt__set_floors(s, sound && dim == 3);
+    if (sound && dim != 3) paradt__pencil_orient_normal(s, inner, dim);
+    if (!sound) paradt__pencil_forget(s);
+    paradt__pencil_set_floor(s, sound && dim == 3);
     s->q.clear = 0.0;
     for (j = 0; j < dim; j++) s->q.clear = paradt__larger(s->q.clear, paradt__abs(s->q.normal[j]));
     if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
@@ -4960,20 +5000,22 @@ PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inne
         s->q.reach[j] =
             j < dim && s->q.n_floor == 0.0 ? s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack : 0.0;
     }
-    s->q.disc_floor = PARADT__NO_BOUND;
-    if (grade == PARADT__SAGITTA && sound && !s->conflict) paradt__set_disc(s, edges, dual, dim);
-    s->apex = PARADT__OPEN;
+    PARADT_ASSERT(s->base_slack >= 0.0 && s->normal_slack >= 0.0); // and are numbers
+    s->q.cap_floor = PARADT__NO_BOUND;
+    if (grade == PARADT__SAGITTA && sound && s->aim != PARADT__AIM_CONFLICT)
+        paradt__pencil_set_cap(s, edges, dual, dim);
 }
 
-static void paradt__search_facet(paradt__search *s, const double *inner) {
-    if (s->plain3) paradt__facet_of_shape(s, inner, 3, 3, 0);
-    else paradt__facet_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set(paradt__search *s, const double *inner) {
+    if (s->plain) paradt__pencil_set_of_shape(s, inner, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
 }
 
-// On the reference sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c, so that a multiple of the difference may be
-// added to F: the one that leaves nothing of the centre along w. Then F varies with the square of a box's size, as it
-// does on the sphere, while the box reaches off it by its size.
-static void paradt__set_curve(paradt__search *s, int dim) {
+// Chooses the form of F for boxes near the reference sphere. On that sphere |u|^2 = -2 w . u + s(o) - s(u), with w =
+// o - c, so a multiple of the difference of the two sides may be added to F: the multiple that leaves nothing of the
+// centre along w. In this form F varies in a box with the square of its size, as on the sphere, though the box reaches
+// off the sphere by its size.
+static void paradt__pencil_set_curve(paradt__search *s, int dim) {
     double dot = 0.0, square = 0.0, half, two_w[PARADT_MAX_DIM];
     int j;
     for (j = 0; j < dim; j++) {
@@ -4995,9 +5037,11 @@ static void paradt__set_curve(paradt__search *s, int dim) {
     }
 }
 
-// Makes x the apex: the sphere through the facet and it. n: N(x), n_bound: its error. The slacks are taken twice as
-// large as needed and then kept as long as they do, so that bounds computed for one sphere mostly hold for the next.
-PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
+// --- the best point
+
+// Makes x the apex and its sphere the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
+// what is needed and then kept while that suffices, so that bounds on errors in a box mostly hold for the next sphere.
+PARADT__INLINE void paradt__search_accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
                                             double n_bound, int dim, int ambient, int grade) {
     int j, grown = s->apex < 0;
     double a = 0.0, a_bound = s->q.f_floor, t, t_bound, size;
@@ -5035,16 +5079,16 @@ PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index poin
         }
     }
     s->growths += (unsigned)grown;
-    if (grade == PARADT__SAGITTA) paradt__set_curve(s, dim);
+    if (grade == PARADT__SAGITTA) paradt__pencil_set_curve(s, dim);
 }
 
 static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
-    if (s->plain3) paradt__accept_of_shape(s, point, x, n, n_bound, 3, 3, 0);
-    else paradt__accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
+    if (s->plain) paradt__search_accept_of_shape(s, point, x, n, n_bound, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__search_accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
 }
 
-// Is x in conflict with the cell of the facet and the apex? Exactly, with the perturbation.
-static int paradt__search_settle(paradt__search *s, const double *x) {
+// Is x in conflict with the cell of the facet and the apex? Decides exactly.
+static int paradt__search_is_in_conflict(paradt__search *s, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int dim = s->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = s->corners[i];
@@ -5056,6 +5100,7 @@ static int paradt__search_settle(paradt__search *s, const double *x) {
     return paradt__conflict(&s->space, p);
 }
 
+// Is x strictly outside the facet? Decides exactly.
 static int paradt__search_is_outside(paradt__search *s, const double *x) {
     const double *p[PARADT_MAX_DIM + 1];
     int dim = s->space.dim, i;
@@ -5064,8 +5109,8 @@ static int paradt__search_is_outside(paradt__search *s, const double *x) {
     return paradt__orient(&s->space, p) * s->outside > 0;
 }
 
-// Looks at one point that could not be ruled out with its neighbours.
-PARADT__INLINE void paradt__point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
+// Looks at one point that was not ruled out with its neighbours: the point becomes the apex, or is no answer.
+PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
     paradt_index point = (paradt_index)position;
     const double *x;
     double f = 0.0, f_bound = s->q.f_floor, n = 0.0, n_bound = -s->q.n_floor;
@@ -5092,61 +5137,66 @@ PARADT__INLINE void paradt__point_of_shape(paradt__search *s, size_t position, i
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
-    if (!s->conflict) {
+    if (s->aim != PARADT__AIM_CONFLICT) {
         if (n < -n_bound || (n <= n_bound && !paradt__search_is_outside(s, x))) return;
     }
     if (s->apex >= 0) {
-        if (f > f_bound || (f >= -f_bound && !paradt__search_settle(s, x))) return;
+        if (f > f_bound || (f >= -f_bound && !paradt__search_is_in_conflict(s, x))) return;
     }
-    if (s->conflict) {
+    if (s->aim == PARADT__AIM_APEX) {
+        paradt__search_accept(s, point, x, n, n_bound);
+    } else {
         s->apex = point;
         s->found = 1;
-    } else {
-        paradt__search_accept(s, point, x, n, n_bound);
     }
 }
 
 static void paradt__search_point(paradt__search *s, size_t position) {
-    if (s->plain3) paradt__point_of_shape(s, position, 3, 3, 0);
-    else paradt__point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
+    if (s->plain) paradt__search_point_of_shape(s, position, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__search_point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
 }
 
-// Clears the bit of a point, if it is in the grid cell.
-PARADT__INLINE unsigned paradt__mask_without(unsigned mask, size_t cell, paradt_index point) {
+// --- boxes
+
+// Returns the mask without the bit of a point, where that is in the grid cell.
+PARADT__INLINE unsigned paradt__lanes_without(unsigned mask, size_t cell, paradt_index point) {
     size_t lane = (size_t)point - cell * PARADT__LANES;
     return mask & ~(unsigned)((uint64_t)1 << (lane < 63 ? lane : 63));
 }
 
-PARADT__INLINE int paradt__lane_of(double packed) {
+// Returns the lane that a kernel has put into the last bits of its result.
+PARADT__INLINE int paradt__lane_unpack(double packed) {
     return (int)(paradt__bits(packed) & 7);
 }
 
-// The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
+// Looks at the points of a grid cell that are not ruled out together, the most promising first: after that one, most
+// others are ruled out. f_bound, n_bound: bounds on the errors of F and N in the grid cell's box
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
-    double room[PARADT__GRID_ROOM];
-    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, room);
-    unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
+    double scratch[PARADT__GRID_ROOM];
+    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
+    unsigned mask = s->kernels.cell(&s->q, lanes, f_bound, n_bound);
     int i;
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
-    for (i = 0; i < s->space.dim; i++) mask = paradt__mask_without(mask, cell, s->facet[i]); // they are on every sphere
-    mask = paradt__mask_without(mask, cell, s->apex);
+    for (i = 0; i < s->space.dim; i++) mask = paradt__lanes_without(mask, cell, s->facet[i]); // they are on every sphere
+    mask = paradt__lanes_without(mask, cell, s->apex);
     while (mask && !s->found) {
         int lane = paradt__trailing_zeros(mask);
         unsigned changes = s->changes, growths = s->growths;
         if (mask & (mask - 1)) {
-            int best = paradt__lane_of(s->test.best(&s->q, lanes));
+            int best = paradt__lane_unpack(s->kernels.best(&s->q, lanes));
             lane = mask >> best & 1 ? best : lane;
         }
         paradt__search_point(s, cell * PARADT__LANES + (size_t)lane);
         mask &= ~(1u << lane);
         if (mask && s->changes != changes && s->growths == growths)
-            mask &= s->test.cell(&s->q, lanes, f_bound, n_bound);
+            mask &= s->kernels.cell(&s->q, lanes, f_bound, n_bound);
     }
 }
 
-PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
+// Returns the box of the mask, which is not 0, in which F may be the smallest.
+PARADT__INLINE int paradt__lanes_most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
     int best = paradt__trailing_zeros(mask), lane;
     for (mask &= mask - 1; mask; mask &= mask - 1) {
         lane = paradt__trailing_zeros(mask);
@@ -5155,7 +5205,28 @@ PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, uns
     return best;
 }
 
-// The boxes of a group at `level`, but for one that was looked at before (skip: its number, or any other).
+// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add up
+// to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that sum is
+// not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are ruled out.
+static unsigned paradt__search_beyond(const paradt__search *s, const double *group) {
+    unsigned mask = 0;
+    int lane, j;
+    if (s->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double most = 0.0;
+        for (j = 0; j < s->space.dim; j++) {
+            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
+            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
+            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
+            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
+            most += a > b ? a : b;
+        }
+        mask |= (unsigned)(most > 0.0) << lane;
+    }
+    return mask;
+}
+
+// Looks into the boxes of a group at `level`. skip: number of a box that was looked at before, or any other number
 static void paradt__search_group(paradt__search *s, int level, size_t group, size_t skip) {
     const double *boxes = s->grid->boxes[level] + group * s->grid->group_width;
     size_t span = (size_t)PARADT__LANES << (3 * level); // points a box
@@ -5164,11 +5235,12 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     paradt__lane_bounds bounds;
     if (first * span < s->begin) remaining &= 255u << (s->begin / span - first);
     if ((first + PARADT__LANES) * span > s->end) remaining &= 255u >> (first + PARADT__LANES - 1 - (s->end - 1) / span);
-    if (s->alive && !s->conflict) remaining &= s->alive[level][group];
+    if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
-    mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+    mask = s->kernels.group(&s->q, boxes, &bounds) & remaining;
+    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__search_beyond(s, boxes);
     while (mask && !s->found) {
-        lane = level ? (size_t)paradt__most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
+        lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
         remaining &= ~(1u << lane);
         if (level) {
@@ -5180,23 +5252,23 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
         if (s->growths != growths || (level && mask && s->changes != changes)) {
             changes = s->changes;
             growths = s->growths;
-            mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+            mask = s->kernels.group(&s->q, boxes, &bounds) & remaining;
         }
     }
 }
 
-// A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
-static void paradt__search_near(paradt__search *s) {
+// Finds a first apex in the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
+static void paradt__search_start(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
-    double least = 0.5 * PARADT__FAR, room[PARADT__GRID_ROOM];
+    double least = 0.5 * PARADT__FAR, scratch[PARADT__GRID_ROOM];
     int i, count = 0;
     for (i = 0; i < s->space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
         count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
-        double t = s->test.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], room));
-        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
+        double t = s->kernels.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], scratch));
+        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_unpack(t);
         best = t < least ? position : best;
         least = t < least ? t : least;
     }
@@ -5205,20 +5277,20 @@ static void paradt__search_near(paradt__search *s) {
     if (best != SIZE_MAX) paradt__search_point(s, best);
 }
 
-// Is no point outside of the room (low and high of each axis) of use any more? The sphere's centre is m = centre / 2,
-// its radius |m|, or for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u -
-// m| is at least the distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <=
-// sqrt(d) (D + r), if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With
-// sagittas the disc of a facet that faces away from the reference sphere's centre takes the place of the sphere, even
-// while there is no apex.
-static int paradt__search_within(const paradt__search *s, const double *room) {
-    int capped = s->q.disc_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
-    const double *whole = capped ? s->q.disc : s->q.centre, *slacks = capped ? s->q.disc_slack : s->q.slack;
-    double nearest = PARADT__FAR, radius = capped ? s->q.disc_floor : 0.0, slack = 0.0;
+// Is no point outside of the box of use any more? box: low and high of each axis. The sphere's centre is m = centre / 2,
+// its radius r = |m|, or sqrt(|m|^2 + the largest gain) if there are heavier points than the origin. For u outside of
+// the box, D = |u - m| is at least the distance of m from the walls, and F(u) >= D^2 - r^2. With |u|_1 <= sqrt(d) (D +
+// r), F(u) > K |u|_1 |u|_max + slack |u|_1 if D - r > K d (D + r) + sqrt(d) slack. Both sides of this grow with D, so
+// the walls decide. With sagittas, the sphere that holds the cap outside the facet takes the place of the current
+// sphere, even while there is no apex.
+static int paradt__search_is_confined(const paradt__search *s, const double *box) {
+    int capped = s->q.cap_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
+    const double *whole = capped ? s->q.cap : s->q.centre, *slacks = capped ? s->q.cap_slack : s->q.slack;
+    double nearest = PARADT__FAR, radius = capped ? s->q.cap_floor : 0.0, slack = 0.0;
     if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
     for (j = 0; j < dim; j++) {
         double m = 0.5 * whole[j]; // the differences first: they have small relative errors
-        double low = (s->q.origin[j] - room[2 * j]) + m, high = (room[2 * j + 1] - s->q.origin[j]) - m;
+        double low = (s->q.origin[j] - box[2 * j]) + m, high = (box[2 * j + 1] - s->q.origin[j]) - m;
         nearest = low < nearest ? low : nearest;
         nearest = high < nearest ? high : nearest;
         radius += m * m;
@@ -5229,14 +5301,14 @@ static int paradt__search_within(const paradt__search *s, const double *room) {
     return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
 }
 
-// The same for the room of a group.
-static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
-    return paradt__search_within(s, s->grid->rooms[level] + group * 2 * (size_t)s->space.dim);
+// Is no point outside of the group of use any more?
+static int paradt__search_is_done(const paradt__search *s, int level, size_t group) {
+    return paradt__search_is_confined(s, s->grid->rooms[level] + group * 2 * (size_t)s->space.dim);
 }
 
-// All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
-// level.
-static void paradt__search_all(paradt__search *s, size_t position) {
+// Looks at all points that may matter, those near `position` first: at its grid cell's group, then, level by level, at
+// the groups that contain this group.
+static void paradt__search_around(paradt__search *s, size_t position) {
     size_t box = position / PARADT__LANES, skip = SIZE_MAX;
     int level;
     if (!s->space.filtered) {
@@ -5248,32 +5320,86 @@ static void paradt__search_all(paradt__search *s, size_t position) {
         if (level && skip * span <= s->begin && (skip + 1) * span >= s->end) break;
         paradt__search_group(s, level, box / PARADT__LANES, skip);
         skip = box / PARADT__LANES;
-        if (level && paradt__search_inside(s, level, skip)) break;
+        if (level && paradt__search_is_done(s, level, skip)) break;
         box = skip;
     }
 }
 
-// The apex of the cell outside the facet opposite vertex `opposite` of the positively oriented cell, or PARADT__HULL.
-// `made` gets the new cell's vertices, positively oriented, the apex at the place that is returned through *place.
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
+// Looks at all points that may matter, from the top of the grid, as no position is near to the facet.
+static void paradt__search_from_top(paradt__search *s) {
+    size_t at;
+    if (s->space.filtered) {
+        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
+    } else {
+        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
+    }
+}
+
+// --- what to search for
+
+// Aims at the facet opposite `opposite` of a cell with this orientation. corners: [dim + 1] records of the cell's
+// vertices, laid out as those of the set, or NULL: they are all points of the set; positions: theirs in the set, any
+// others for vertices that are not in it
+PARADT__INLINE void paradt__search_aim_at_facet(paradt__search *s, int aim, const double *const *corners,
+                                                const paradt_index *positions, int opposite, int orientation) {
     int dim = s->space.dim, i, count = 0;
+    PARADT_ASSERT(opposite >= 0 && opposite <= dim && (orientation == 1 || orientation == -1));
     for (i = 0; i <= dim; i++) {
         if (i == opposite) continue;
-        s->facet[count] = cell[i];
-        s->corners[count++] = paradt__record(s->set, cell[i]);
+        s->facet[count] = positions[i];
+        s->corners[count++] = corners ? corners[i] : paradt__record(s->set, positions[i]);
     }
-    // The apex in the place of `opposite` turns the orientation; dim - opposite exchanges move it to the end.
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
+    s->aim = aim;
+    s->boxes = aim == PARADT__AIM_APEX ? s->unfinished : NULL;
+    s->opposite = opposite;
+    // x in the place of `opposite` reverses the orientation; dim - opposite exchanges move x to the end.
+    s->outside = (dim - opposite) % 2 ? orientation : -orientation;
+    s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->space.filtered)
+        paradt__pencil_set(s, corners ? corners[opposite] : paradt__record(s->set, positions[opposite]));
+}
+
+// Aims at any point in conflict with a positively oriented cell: the facet is the one opposite its last vertex, which is
+// the apex and outside. corners, positions: as above, but no position is negative
+static void paradt__search_aim_at_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    int dim = s->space.dim, j;
+    const double *apex = corners[dim];
+    double n = 0.0, n_bound = 0.0;
+    PARADT_ASSERT(positions[dim] >= 0);
+    paradt__search_aim_at_facet(s, PARADT__AIM_CONFLICT, corners, positions, dim, -1);
     if (s->space.filtered) {
-        paradt__search_facet(s, paradt__record(s->set, cell[opposite]));
-        paradt__search_near(s);
-    } else {
-        s->apex = PARADT__OPEN;
+        for (j = 0; j < dim; j++) {
+            double u = apex[j] - s->q.origin[j];
+            n += s->q.normal[j] * u;
+            n_bound += paradt__abs(u) * s->q.reach[j];
+        }
     }
-    paradt__search_all(s, (size_t)s->facet[0]);
+    paradt__search_accept(s, positions[dim], apex, n, n_bound);
+    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
+    s->q.n_floor = 0.0;
+}
+
+// Are all vertices of the cell points of the set?
+PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_index *cell) {
+    int i;
+    for (i = 0; i <= s->space.dim; i++) {
+        if (cell[i] < 0 || (size_t)cell[i] >= s->set->count) return 0;
+    }
+    return 1;
+}
+
+// Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
+// PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
+static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
+                                        int *place) {
+    int dim = s->space.dim, i;
+    PARADT_ASSERT(paradt__search_has(s, cell));
+    paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
+    if (s->space.filtered) paradt__search_start(s);
+    paradt__search_around(s, (size_t)s->facet[0]);
     if (s->apex < 0) return PARADT__HULL;
+    PARADT_ASSERT(s->apex != cell[opposite]);
     for (i = 0; i < dim; i++) made[i] = s->facet[i];
     made[dim] = s->apex;
     *place = dim;
@@ -5285,77 +5411,15 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
     return s->apex;
 }
 
-// From the top: all points that may matter, when the facet is not one of the set's own.
-static void paradt__search_down(paradt__search *s) {
-    size_t at;
-    if (s->space.filtered) {
-        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
-    } else {
-        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
-    }
-}
-
-// The sphere of a positively oriented cell, for a search of points in conflict with it. corners: its vertices, of which
-// those that are in the set have the positions vertices[], the others positions that are none.
-static void paradt__search_sphere(paradt__search *s, const double *const *corners, const paradt_index *vertices) {
-    int dim = s->space.dim, i, j;
-    const double *apex = corners[dim];
-    double n = 0.0, n_bound = 0.0;
-    for (i = 0; i < dim; i++) {
-        s->facet[i] = vertices[i];
-        s->corners[i] = corners[i];
-    }
-    s->outside = 1;
-    s->conflict = 1;
-    s->found = 0;
-    if (s->space.filtered) {
-        paradt__search_facet(s, apex);
-        for (j = 0; j < dim; j++) {
-            double u = apex[j] - s->q.origin[j];
-            n += s->q.normal[j] * u;
-            n_bound += paradt__abs(u) * s->q.reach[j];
-        }
-    }
-    paradt__search_accept(s, vertices[dim], apex, n, n_bound);
-    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
-    s->q.n_floor = 0.0;
-}
-
-// A point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
+// Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
 static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
+    PARADT_ASSERT(paradt__search_has(s, cell));
     for (i = 0; i <= s->space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
-    paradt__search_sphere(s, corners, cell);
-    paradt__search_all(s, (size_t)cell[0]);
+    paradt__search_aim_at_cell(s, corners, cell);
+    paradt__search_around(s, (size_t)cell[0]);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
-}
-
-// Turns a search to another set of the same space, under its grid. vertices: of the facet and the apex, as positions
-// there, or positions that are none; that of the apex is the last one.
-static void paradt__search_turn(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
-                                const paradt_index *vertices) {
-    int i;
-    for (i = 0; i < s->space.dim; i++) s->facet[i] = vertices[i];
-    if (s->conflict) s->apex = vertices[s->space.dim];
-    s->set = set;
-    s->grid = grid;
-    s->begin = 0;
-    s->end = set->count;
-}
-
-// A facet of other points, for a search of points outside of it. outside: the sign of the orientation (facet, x) for x
-// outside; inner: a point on the other side.
-static void paradt__search_beyond(paradt__search *s, const double *const *facet, int outside, const double *inner) {
-    int i;
-    for (i = 0; i < s->space.dim; i++) {
-        s->facet[i] = PARADT__NOWHERE;
-        s->corners[i] = facet[i];
-    }
-    s->outside = outside;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, inner);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5369,32 +5433,21 @@ static void paradt__search_beyond(paradt__search *s, const double *const *facet,
 //
 // A cell is given by the records of its vertices, laid out as those of the set and measured with it, and by their
 // positions in the set; a vertex that is not in the set has PARADT__NOWHERE or a negative number for its position.
-// Doors: these.
+// DOORS
 
 // Asks for a point in conflict with the positively oriented cell. corners, positions: [dim + 1]
 static void paradt__question_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
     paradt_index places[PARADT_MAX_DIM + 1];
     int i;
     for (i = 0; i <= s->space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
-    s->opposite = s->space.dim;
-    paradt__search_sphere(s, corners, places);
+    paradt__search_aim_at_cell(s, corners, places);
 }
 
 // Asks for a point strictly beyond the facet opposite vertex `opposite` of a cell with this orientation, 1 or -1.
 // corners, positions: [dim + 1]
 static void paradt__question_facet(paradt__search *s, const double *const *corners, const paradt_index *positions,
                                    int opposite, int orientation) {
-    int dim = s->space.dim, i, count = 0;
-    for (i = 0; i <= dim; i++) {
-        if (i == opposite) continue;
-        s->facet[count] = positions[i];
-        s->corners[count++] = corners[i];
-    }
-    s->opposite = opposite;
-    s->outside = (dim - opposite) % 2 ? orientation : -orientation;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
+    paradt__search_aim_at_facet(s, PARADT__AIM_BEYOND, corners, positions, opposite, orientation);
 }
 
 // Puts the question to another set. positions: [dim + 1] of the vertices in that set, none of them negative; grid: of
@@ -5402,9 +5455,11 @@ static void paradt__question_facet(paradt__search *s, const double *const *corne
 static void paradt__question_redirect(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
                                       const paradt_index *positions) {
     int i, count = 0;
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
+    PARADT_ASSERT(set->space.dim == s->space.dim && set->grade == s->set->grade);
     for (i = 0; i <= s->space.dim; i++) {
         if (i != s->opposite) s->facet[count++] = positions[i];
-        else if (s->conflict) s->apex = positions[i];
+        else if (s->aim == PARADT__AIM_CONFLICT) s->apex = positions[i];
     }
     s->set = set;
     s->grid = grid;
@@ -5414,25 +5469,30 @@ static void paradt__question_redirect(paradt__search *s, const paradt__set *set,
 
 // Do all answers lie in the box, wherever their points come from? box: low and high of each axis. 1: yes; 0: unknown
 static int paradt__question_is_confined(const paradt__search *s, const double *box) {
-    return s->space.filtered && paradt__search_within(s, box);
+    return s->space.filtered && paradt__search_is_confined(s, box);
 }
 
 // Returns the mask of the boxes that may hold an answer. group: eight boxes, laid out as those of a grid
 PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const double *group) {
     paradt__lane_bounds bounds;
-    return s->space.filtered ? s->test.group(&s->q, group, &bounds) : 255u;
+    unsigned mask;
+    if (!s->space.filtered) return 255u;
+    mask = s->kernels.group(&s->q, group, &bounds);
+    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__search_beyond(s, group) : mask;
 }
 
 // Is the point an answer?
 static int paradt__question_fits(paradt__search *s, size_t position) {
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
     paradt__search_point(s, position);
-    return s->conflict ? s->found : s->apex >= 0;
+    return s->found;
 }
 
 // Returns a point of the set that is an answer, or PARADT__OPEN: there is none.
 static paradt_index paradt__question_answer(paradt__search *s) {
-    paradt__search_down(s);
-    return s->conflict && !s->found ? (paradt_index)PARADT__OPEN : s->apex;
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found && s->grid);
+    paradt__search_from_top(s);
+    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5440,15 +5500,15 @@ static paradt_index paradt__question_answer(paradt__search *s) {
 //
 // A cell of T(P) to begin with. MakeFirstSimplex of the thesis takes a point, its nearest neighbour, then again and
 // again the point that gives the smallest circumscribing sphere. In floating point, among the points around the first,
-// that is a good guess and no more. It is made certain by descent on the lifted points, as the simplex method does it:
-// let z be a location in the guess; while a point q conflicts with the simplex, q replaces the one vertex that keeps z
-// inside, and the lifted simplex above z gets lower. There is no cycling, for the perturbed heights are in general
-// position, and the end is the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the
-// second, far less towards the third, and so on: so the cell contains the first vertex (if that is not hidden) and
-// begins the way from it to the second. Doors: paradt__cell_towards, paradt__cell_pivot.
+// the result is a good guess and no more. Descent on the lifted points makes it certain, as in the simplex method. Let z
+// be a location in the guess. While a point q is in conflict with the simplex, q replaces the one vertex that keeps z
+// inside, and the lifted simplex above z gets lower. The perturbed heights are in general position, so this does not
+// cycle; it ends with the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the second,
+// far less towards the third, and so on. So the cell contains the first vertex, if that is not hidden, and the way from
+// there to the second begins in it. DOORS
 
-// Orders the simplex so that it is positively oriented.
-static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
+// Orders the vertices of a simplex that is not flat so that it is positively oriented.
+static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
     const double *p[PARADT_MAX_DIM + 1];
     int dim = s->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(s->set, simplex[i]);
@@ -5459,38 +5519,38 @@ static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
     }
 }
 
-// Sign of the orientation of the simplex with vertex `place` replaced by x.
-static int paradt__orient_with(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
+// Returns the sign of the orientation of the simplex with x in the place of vertex `place`.
+static int paradt__simplex_side(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
     const double *p[PARADT_MAX_DIM + 1];
     int dim = s->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = i == place ? x : paradt__record(s->set, simplex[i]);
     return paradt__orient(&s->space, p);
 }
 
-// Does the simplex contain z (see the section's head), given through `goal`, the vertices of the first guess?
-static int paradt__contains_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
+// Does the positively oriented simplex contain z (see the section's head)? goal: vertices of the guess, which give z
+static int paradt__simplex_has_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
     int dim = s->space.dim, place, i;
     for (place = 0; place <= dim; place++) {
         int side = 0;
         for (i = 0; i <= dim && !side; i++) {
-            side = paradt__orient_with(s, simplex, place, paradt__record(s->set, goal[i]));
+            side = paradt__simplex_side(s, simplex, place, paradt__record(s->set, goal[i]));
         }
         if (side < 0) return 0;
     }
     return 1;
 }
 
-// Replaces the vertex of the positively oriented simplex that lets it keep z.
-static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
+// Puts q in the place of the one vertex of the positively oriented simplex for which it still contains z.
+static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
     int dim = s->space.dim, place;
     const double *x = paradt__record(s->set, q);
     for (place = 0; place <= dim; place++) {
         paradt_index trial[PARADT_MAX_DIM + 1];
-        if (paradt__orient_with(s, simplex, place, x) == 0) continue;
+        if (paradt__simplex_side(s, simplex, place, x) == 0) continue;
         memcpy(trial, simplex, sizeof trial);
         trial[place] = q;
-        paradt__turn_positive(s, trial);
-        if (paradt__contains_goal(s, trial, goal)) {
+        paradt__simplex_orient(s, trial);
+        if (paradt__simplex_has_goal(s, trial, goal)) {
             memcpy(simplex, trial, sizeof trial);
             return;
         }
@@ -5498,10 +5558,10 @@ static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt
     PARADT_ASSERT(0);
 }
 
-// Of the points [begin, end) the one that gives the smallest circumscribing sphere with the `count` points of the
-// simplex; they span the orthonormal rows, and centre is that of their own. With one point: its nearest neighbour. -1:
-// none.
-static paradt_index paradt__smallest_sphere(const paradt__search *s, const paradt_index *simplex, int count,
+// Finds, among the points [begin, end), the one that gives the smallest circumscribing sphere with the first `count`
+// vertices of the simplex; for one vertex, its nearest neighbour. Returns -1 if no point is off their span. rows: an
+// orthonormal basis of their span; centre: that of their smallest sphere. The point found is added to both.
+static paradt_index paradt__simplex_next_vertex(const paradt__search *s, const paradt_index *simplex, int count,
                                             size_t begin, size_t end, double rows[][PARADT_MAX_DIM], double *centre) {
     int ambient = s->space.ambient, i, j;
     const double *o = paradt__record(s->set, simplex[0]);
@@ -5528,8 +5588,9 @@ static paradt_index paradt__smallest_sphere(const paradt__search *s, const parad
     return best;
 }
 
-// The thesis' first simplex from the points near simplex[0]; a second point may be given too. 0: the guess failed.
-static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int given) {
+// Guesses the thesis' first simplex from the points near simplex[0]. given: 1, or 2 if simplex[1] is given, too. Returns
+// 0 if the guess failed.
+static int paradt__simplex_guess(paradt__search *s, paradt_index *simplex, int given) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], centre[PARADT_MAX_DIM] = {0.0};
     size_t span = PARADT__LANES * PARADT__LANES, begin = (size_t)simplex[0] / span * span, end = begin + span;
     int dim = s->space.dim, count;
@@ -5537,14 +5598,15 @@ static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int g
     if (end > s->set->count) end = s->set->count;
     for (count = 1; count <= dim; count++) {
         size_t from = count < given ? (size_t)simplex[count] : begin, to = count < given ? from + 1 : end;
-        simplex[count] = paradt__smallest_sphere(s, simplex, count, from, to, rows, centre);
+        simplex[count] = paradt__simplex_next_vertex(s, simplex, count, from, to, rows, centre);
         if (simplex[count] < 0) return 0;
     }
-    return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
+    return paradt__simplex_side(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
 }
 
-// Any simplex with the first `given` (1 or 2) vertices; those exist, as the set spans its dimension.
-static void paradt__any_simplex(paradt__search *s, paradt_index *simplex, int given) {
+// Completes the first `given` (1 or 2) vertices to any simplex that is not flat. There is one, as the set spans its
+// dimension.
+static void paradt__simplex_any(paradt__search *s, paradt_index *simplex, int given) {
     paradt__set *set = (paradt__set *)(uintptr_t)s->set;
     const double *basis[PARADT_MAX_DIM + 1];
     int axes[PARADT_MAX_DIM + 1], i, taken = 0;
@@ -5562,22 +5624,24 @@ static void paradt__any_simplex(paradt__search *s, paradt_index *simplex, int gi
     s->space.counters = view.space.counters;
 }
 
-// The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
-// positively oriented. It does not contain simplex[0] just when that is hidden.
+// Finds the cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1), and
+// leaves it in `simplex`, positively oriented. The cell does not contain simplex[0] just when that point is hidden.
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
-    if (!paradt__guess_simplex(s, simplex, given)) paradt__any_simplex(s, simplex, given);
+    PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
+    if (!paradt__simplex_guess(s, simplex, given)) paradt__simplex_any(s, simplex, given);
     memcpy(goal, simplex, sizeof goal);
-    paradt__turn_positive(s, simplex);
-    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
+    paradt__simplex_orient(s, simplex);
+    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
 }
 
-// One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
-// is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
+// Replaces the cell of T(P) by its neighbour across a facet that has x outside: one step of a visibility walk, by a
+// search. Returns 0 if there is no such facet or no neighbour. Such walks end in every regular triangulation
+// (Edelsbrunner, Combinatorica 10, 1990).
 static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
     int dim = s->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
-        if (paradt__orient_with(s, cell, place, x) < 0) {
+        if (paradt__simplex_side(s, cell, place, x) < 0) {
             paradt_index made[PARADT_MAX_DIM + 1];
             if (paradt__search_apex(s, cell, place, made, &unused) < 0) return 0;
             memcpy(cell, made, sizeof made);
