@@ -4361,7 +4361,8 @@ PARADT__INLINE unsigned paradt__kernel_mask(const double *value) {
 
 // Returns the mask of the boxes that may hold a point outside the facet and inside the sphere.
 PARADT__INLINE unsigned paradt__kernel_group_plain(const paradt__lane_query *q, const double *group,
-                                                 paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient, int grade) {
+                                                   paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient,
+                                                   int grade) {
     double margin[PARADT__LANES], f[PARADT__LANES], n[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -4404,7 +4405,7 @@ PARADT__INLINE unsigned paradt__kernel_group_plain(const paradt__lane_query *q, 
 // distance of the set's whole extent. N is affine, so one corner of a box decides. F is taken in the form with `curve`;
 // see paradt__pencil_set_curve.
 PARADT__INLINE unsigned paradt__kernel_group_sagittas(const paradt__lane_query *q, const double *group,
-                                                  paradt__lane_bounds *bounds, int ambient) {
+                                                      paradt__lane_bounds *bounds, int ambient) {
     const double *grades = group + ambient * 2 * PARADT__LANES, *outer[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
     double gain = 1.0 - q->curve;
@@ -4467,7 +4468,7 @@ PARADT__INLINE unsigned paradt__kernel_group_sagittas(const paradt__lane_query *
 
 // The same for the eight points of a grid cell. f_bound, n_bound: the bounds on the errors that hold in its box
 PARADT__INLINE unsigned paradt__kernel_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
-                                                double n_bound, int ambient, int grade) {
+                                                  double n_bound, int ambient, int grade) {
     double margin[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -4486,10 +4487,10 @@ PARADT__INLINE unsigned paradt__kernel_cell_plain(const paradt__lane_query *q, c
 }
 
 // Of the eight points of a grid cell that are clearly outside the facet, finds the one on the sphere with the smallest
-// parameter t in the pencil. Returns F / N, which is that t less the current sphere's; the last three bits are the lane.
-// Returns about PARADT__FAR when no point is clearly outside.
+// parameter t in the pencil. Returns F / N, which is that t less the current sphere's; the last three bits are the
+// lane. Returns about PARADT__FAR when no point is clearly outside.
 PARADT__INLINE double paradt__kernel_best_plain(const paradt__lane_query *q, const double *cell, int ambient,
-                                                 int grade) {
+                                                int grade) {
     double ratio[PARADT__LANES], heights[PARADT__LANES];
     uint64_t bits[PARADT__LANES];
     int lane, j;
@@ -4518,7 +4519,7 @@ PARADT__INLINE double paradt__kernel_best_plain(const paradt__lane_query *q, con
 #define PARADT__ALL(value) _mm256_set1_pd(value)
 
 PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lane_query *q, const double *group,
-                                                             paradt__lane_bounds *bounds, int ambient, int grade) {
+                                                               paradt__lane_bounds *bounds, int ambient, int grade) {
     const __m256d sign = PARADT__ALL(-0.0), round = PARADT__ALL(q->round);
     __m256d f[2], n[2], f_bound[2], n_bound[2];
     unsigned mask = 0;
@@ -4564,7 +4565,7 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lan
 
 // Computes F and N of four points.
 PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
-                                                   int grade, __m256d *f, __m256d *n) {
+                                                          int grade, __m256d *f, __m256d *n) {
     int j;
     *f = *n = _mm256_setzero_pd();
     for (j = 0; j < ambient; j++) {
@@ -4581,7 +4582,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_que
 }
 
 PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane_query *q, const double *cell,
-                                                            double f_bound, double n_bound, int ambient, int grade) {
+                                                              double f_bound, double n_bound, int ambient, int grade) {
     unsigned mask = 0;
     int half;
     for (half = 0; half < PARADT__LANES; half += 4) {
@@ -4595,7 +4596,7 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane
 }
 
 PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_query *q, const double *cell,
-                                                             int ambient, int grade) {
+                                                            int ambient, int grade) {
     const __m256d beyond = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
     __m256d best[2], n;
     __m128d pair;
@@ -4634,8 +4635,10 @@ PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_q
     PARADT__KERNEL_SET(isa, attribute, d, 1)                                                                           \
     PARADT__KERNEL_SET(isa, attribute, d, 2)
 #define PARADT__KERNEL_NAMES(isa, d, w)                                                                                \
-    {paradt__kernel_group_##isa##_##d##_##w, paradt__kernel_cell_##isa##_##d##_##w,                                    \
-     paradt__kernel_best_##isa##_##d##_##w}
+    {                                                                                                                  \
+        paradt__kernel_group_##isa##_##d##_##w, paradt__kernel_cell_##isa##_##d##_##w,                                 \
+            paradt__kernel_best_##isa##_##d##_##w                                                                      \
+    }
 #define PARADT__KERNEL_ROW(isa, d)                                                                                     \
     {PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2)},
 
@@ -4662,19 +4665,19 @@ static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>pencil
 //
-// MakeSimplex of the thesis: given a facet, finds the point on its outer side with the smallest signed Delaunay
-// distance dd. By the same means it finds a point in conflict with a given cell, or beyond a given facet.
+// The spheres through a facet, and how far floating point can be trusted with them.
 //
-// The pencil. Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The
-// spheres through f are the pencil F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive
-// outside, and A(u) = lift(u) - base . u vanishes on f. x is inside sphere t where F_t < 0. Outside of f, x lies on the
-// sphere t(x) = A(x) / N(x). The centre moves outward along the normal with t, so the smallest t is the smallest dd.
+// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
+// through f are the pencil F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
+// A(u) = lift(u) - base . u vanishes on f. x is inside sphere t where F_t < 0. Outside of f, x lies on the sphere t(x)
+// = A(x) / N(x). The centre moves outward along the normal with t, so the smallest t is the smallest signed Delaunay
+// distance dd of the thesis.
 //
-// The errors. Let K bound the relative rounding of the sums below (PARADT__ROUND). Let e_i = p_i - o be the edges of f
-// at o, and e*_i their dual basis in their span. The computed `base` and `normal` do not vanish on f but have residuals
-// r_i = lift(e_i) - base . e_i and s_i = normal . e_i. So the true A differs from the computed one by at most
+// Let K bound the relative rounding of the sums below (PARADT__ROUND). Let e_i = p_i - o be the edges of f at o, and
+// e*_i their dual basis in their span. The computed `base` and `normal` do not vanish on f but have residuals r_i =
+// lift(e_i) - base . e_i and s_i = normal . e_i. So the true A differs from the computed one by at most
 //
 //     sum_i |r_i| |e*_i . u| <= base_slack |u|_1,    base_slack = sum_i |r_i| |e*_i|_max
 //
@@ -4684,13 +4687,9 @@ static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
 // is below 2^-10, and a factor of 2 in the slacks covers it. A facet more needle-like than that gets slacks so large
 // that nothing is ruled out and all is decided exactly.
 //
-// The decision. A point whose F is certainly positive for the current sphere can't be the apex and is passed over. A
-// point whose F is certainly negative replaces the apex. All others are settled by the exact perturbed predicate, which
-// is a total order on the pencil. The same bounds, taken over a box, rule out the boxes on the inner side and those
-// outside the sphere. The order in which points are seen only matters for speed.
-//
-// Nobody else writes the search's fields. Its set and space may be read; predicates that >>first simplex evaluates
-// count in this space. DOORS
+// A search keeps one pencil and sets it facet by facet. Doors: paradt__pencil_begin, paradt__pencil_set_facet,
+// paradt__pencil_set_sphere, paradt__pencil_set_whole_sphere, paradt__pencil_is_inside, paradt__pencil_is_outside,
+// paradt__pencil_boxes_beyond, paradt__pencil_is_confined.
 
 #define PARADT__NEEDLE 68719476736.0         // 2^36
 #define PARADT__STEEP  2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
@@ -4698,124 +4697,63 @@ static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
 // The dimension that the inner functions have copies for, where all coordinates orient and nothing follows them
 enum { PARADT__PLAIN_DIM = PARADT_MAX_DIM < 3 ? PARADT_MAX_DIM : 3 };
 
-// What the search is aimed at
-enum {
-    PARADT__AIM_APEX,     // the point outside the facet that is on the smallest sphere
-    PARADT__AIM_CONFLICT, // any point in the sphere, on both sides of the facet
-    PARADT__AIM_BEYOND    // any point strictly outside the facet
-};
-
-typedef struct paradt__search {
+typedef struct paradt__pencil {
     const paradt__set *set;
-    const paradt__grid *grid;
-    paradt__space space; // the set's, but with the counters of this search
+    paradt__space space; // the set's, but with the counters of this pencil
     int plain;           // the set has PARADT__PLAIN_DIM coordinates, of which all orient, and no grades
-    paradt__kernels kernels;
-    size_t begin, end;          // only these positions are searched
-    double heaviest;            // no point that may be found is heavier
-    uint8_t *const *unfinished; // [level][group] bits of the boxes with points that may be an apex; NULL: all boxes
-    uint8_t *const *boxes;      // [level][group] bits of the boxes to be searched for the present aim; NULL: all boxes
-    uint64_t distance_evaluations, grid_cells_visited;
-
-    // the facet and its pencil
-    int aim;
-    int opposite;                              // the corner of the aimed cell that is not of the facet
-    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices and the apex
-    paradt_index facet[PARADT_MAX_DIM];        // positions of the facet's vertices; any others: they are not in the set
+    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices, then the current sphere's point
     int outside;                               // sign of the orientation (facet, x) for x outside
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
-
-    paradt_index apex; // the best point so far, or PARADT__OPEN
-    int found;         // aimed at any point: the apex is one
-    unsigned changes;  // how often the sphere changed
-    unsigned growths;  // how often that enlarged a bound on the errors
+    unsigned changes; // how often the sphere was set for this facet; 0: there is none yet
+    unsigned growths; // how often a bound on the errors was enlarged by that, for all facets
     paradt__lane_query q;
-} paradt__search;
+} paradt__pencil;
 
-// Prepares a search in the set, of which the grid has the points.
-static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+// Prepares pencils for facets of the set, or of sets of the same space and grade.
+static void paradt__pencil_begin(paradt__pencil *p, const paradt__set *set) {
     int j;
-    memset(s, 0, sizeof *s);
-    s->set = set;
-    s->grid = grid;
-    s->heaviest = grid->heaviest;
-    s->space = set->space;
-    memset(&s->space.counters, 0, sizeof s->space.counters);
-    s->kernels = paradt__kernels_choose(set->space.ambient, set->grade);
-    s->end = set->count;
-    s->plain = set->space.dim == PARADT__PLAIN_DIM && set->space.ambient == PARADT__PLAIN_DIM && !set->grade;
-    s->q.round = PARADT__ROUND(set->space.ambient);
-    s->q.f_floor = 4.0 * set->grade_error;
-    s->q.weight_slack = 2.0 * s->q.round * set->grade_limit;
+    memset(p, 0, sizeof *p);
+    p->set = set;
+    p->space = set->space;
+    memset(&p->space.counters, 0, sizeof p->space.counters);
+    p->plain = set->space.dim == PARADT__PLAIN_DIM && set->space.ambient == PARADT__PLAIN_DIM && !set->grade;
+    p->q.round = PARADT__ROUND(set->space.ambient);
+    p->q.f_floor = 4.0 * set->grade_error;
+    p->q.weight_slack = 2.0 * p->q.round * set->grade_limit;
     for (j = 0; j < set->space.ambient; j++) {
         if (set->space.low[j] > set->space.high[j]) continue;
-        s->q.extent[j] =
+        p->q.extent[j] =
             1.0000001 * (paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]));
     }
 }
 
-// Only the positions [begin, end) are searched from now on.
-static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
-    PARADT_ASSERT(begin <= end && end <= s->set->count);
-    s->begin = begin;
-    s->end = end;
-}
-
-// From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
-// boxes that have some, as they are at each search
-static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
-    s->unfinished = unfinished;
-}
-
-// The search will be put to points of another grid, too: its heaviest point may be an answer.
-static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
-    s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
-}
-
-// Returns what the search counted of predicates.
-static const paradt__counters *paradt__search_counters(const paradt__search *s) {
-    return &s->space.counters;
-}
-
-// Returns how much work the search has done: grid cells visited and predicates evaluated.
-static uint64_t paradt__search_effort(const paradt__search *s) {
-    return s->grid_cells_visited + s->space.counters.insphere_calls + s->space.counters.orient_calls;
-}
-
-// Adds what the search counted of grid cells and distances.
-static void paradt__search_add_counts(const paradt__search *s, paradt_stats *stats) {
-    stats->distance_evaluations += s->distance_evaluations;
-    stats->grid_cells_visited += s->grid_cells_visited;
-}
-
-// --- the pencil of a facet
-
-// Adds the terms of one edge to the slacks. lift_size: sum of the sizes of the lift's terms. Returns 0 if the facet is a
-// needle.
-PARADT__INLINE int paradt__pencil_add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
-                                        const double *dual, int dim) {
+// Adds the terms of one edge to the slacks. lift_size: sum of the sizes of the lift's terms. Returns 0 if the facet is
+// a needle.
+PARADT__INLINE int paradt__pencil_add_residual(paradt__pencil *p, const double *edge, double lift, double lift_size,
+                                               const double *dual, int dim) {
     double r = lift, r_size = lift_size, n = 0.0, n_size = 0.0, length = 0.0, dual_size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
         double d = paradt__abs(dual[j]);
-        r -= s->base[j] * edge[j];
-        r_size += paradt__abs(s->base[j] * edge[j]);
-        n += s->q.normal[j] * edge[j];
-        n_size += paradt__abs(s->q.normal[j] * edge[j]);
+        r -= p->base[j] * edge[j];
+        r_size += paradt__abs(p->base[j] * edge[j]);
+        n += p->q.normal[j] * edge[j];
+        n_size += paradt__abs(p->q.normal[j] * edge[j]);
         length += paradt__abs(edge[j]);
         dual_size = d > dual_size ? d : dual_size;
     }
-    s->base_slack += 2.0 * dual_size * (paradt__abs(r) + s->q.round * r_size + s->q.f_floor);
-    s->normal_slack += 2.0 * dual_size * (paradt__abs(n) + s->q.round * n_size);
+    p->base_slack += 2.0 * dual_size * (paradt__abs(r) + p->q.round * r_size + p->q.f_floor);
+    p->normal_slack += 2.0 * dual_size * (paradt__abs(n) + p->q.round * n_size);
     return length * dual_size < PARADT__NEEDLE;
 }
 
 #if PARADT_MAX_DIM >= 3
 // Computes the normal, e1 x e2, and the dual basis d of a triangle in 3D by cross products. Returns 0 if it is flat.
-PARADT__INLINE int paradt__pencil_of_triangle(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
+PARADT__INLINE int paradt__pencil_of_triangle(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                              double d[][PARADT_MAX_DIM]) {
     const double *e = edges[0], *f = edges[1];
-    double *n = s->q.normal, size, inverse;
+    double *n = p->q.normal, size, inverse;
     int j;
     n[0] = e[1] * f[2] - e[2] * f[1];
     n[1] = e[2] * f[0] - e[0] * f[2];
@@ -4829,7 +4767,7 @@ PARADT__INLINE int paradt__pencil_of_triangle(paradt__search *s, double edges[][
     d[1][0] = (n[1] * e[2] - n[2] * e[1]) * inverse;
     d[1][1] = (n[2] * e[0] - n[0] * e[2]) * inverse;
     d[1][2] = (n[0] * e[1] - n[1] * e[0]) * inverse;
-    for (j = 0; j < 3 && s->outside < 0; j++) n[j] = -n[j];
+    for (j = 0; j < 3 && p->outside < 0; j++) n[j] = -n[j];
     return 1;
 }
 #endif
@@ -4860,7 +4798,8 @@ static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count
 // Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
 // Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
 // first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
-static int paradt__pencil_of_facet(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
+static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -4888,36 +4827,36 @@ static int paradt__pencil_of_facet(paradt__search *s, double edges[][PARADT_MAX_
             for (j = 0; j < dim; j++) dual[i][j] += y[k] * q[k][j];
         }
     }
-    paradt__pencil_normal((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
+    paradt__pencil_normal((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, p->q.normal);
     return 1;
 }
 
 // Makes the normal point away from `inner`. Where the side of `inner` is in doubt, N will rule out nothing.
-static void paradt__pencil_orient_normal(paradt__search *s, const double *inner, int dim) {
+static void paradt__pencil_orient_normal(paradt__pencil *p, const double *inner, int dim) {
     double side = 0.0, size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
-        double u = inner[j] - s->q.origin[j];
-        side += s->q.normal[j] * u;
-        size += paradt__abs(u) * (s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack);
+        double u = inner[j] - p->q.origin[j];
+        side += p->q.normal[j] * u;
+        size += paradt__abs(u) * (p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack);
     }
-    for (j = 0; j < dim && side > size; j++) s->q.normal[j] = -s->q.normal[j];
-    if (side >= -size && side <= size) s->normal_slack = PARADT__NO_BOUND;
+    for (j = 0; j < dim && side > size; j++) p->q.normal[j] = -p->q.normal[j];
+    if (side >= -size && side <= size) p->normal_slack = PARADT__NO_BOUND;
 }
 
 // Nothing is known about the pencil in floating point: leaves everything to the predicates.
-static void paradt__pencil_forget(paradt__search *s) {
-    memset(s->q.normal, 0, sizeof s->q.normal);
-    memset(s->base, 0, sizeof s->base);
-    s->base_slack = s->normal_slack = PARADT__NO_BOUND;
+static void paradt__pencil_forget(paradt__pencil *p) {
+    memset(p->q.normal, 0, sizeof p->q.normal);
+    memset(p->base, 0, sizeof p->base);
+    p->base_slack = p->normal_slack = PARADT__NO_BOUND;
 }
 
 // Sets the least N of a point outside. If the coordinates are multiples of one power of two, as in lattices, and N is a
 // determinant of them (`determinant`), N is such a multiple, too. If, besides, its error is less than half of the
 // smallest such multiple that is not 0, the sign of N is known everywhere.
-PARADT__INLINE void paradt__pencil_set_floor(paradt__search *s, int determinant) {
-    const paradt__space *space = &s->space;
-    s->q.n_floor =
+PARADT__INLINE void paradt__pencil_set_floor(paradt__pencil *p, int determinant) {
+    const paradt__space *space = &p->space;
+    p->q.n_floor =
         determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
 }
 
@@ -4927,233 +4866,384 @@ PARADT__INLINE void paradt__pencil_set_floor(paradt__search *s, int determinant)
 // the sagittas. All u of the set have |u|^2 = -2 w . u + s(o) - s(u), so G(u) = -(2 w + cap) . u + s(o) - s(u). Now
 // 2 w + cap is mu times the normal, up to a rest. If mu > 0, N(u) > 0 implies G(u) <= |rest| |u| + s(o) - s(u). This
 // rules out boxes that the facet's plane cuts far from the facet; near the hull it cuts boxes of every size.
-static void paradt__pencil_set_cap(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                             int dim) {
+static void paradt__pencil_set_cap(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double mu = 0.0, size = 0.0, two_w[PARADT_MAX_DIM];
     int i, j;
-    for (j = 0; j < dim; j++) s->q.cap[j] = 0.0;
+    for (j = 0; j < dim; j++) p->q.cap[j] = 0.0;
     for (i = 0; i < dim - 1; i++) {
         double lift = 0.0;
         for (j = 0; j < dim; j++) lift += edges[i][j] * edges[i][j];
-        for (j = 0; j < dim; j++) s->q.cap[j] += lift * dual[i][j];
+        for (j = 0; j < dim; j++) p->q.cap[j] += lift * dual[i][j];
     }
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        mu += (two_w[j] + s->q.cap[j]) * s->q.normal[j];
-        size += s->q.normal[j] * s->q.normal[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        mu += (two_w[j] + p->q.cap[j]) * p->q.normal[j];
+        size += p->q.normal[j] * p->q.normal[j];
     }
     if (!(mu > 0.0)) return;
     mu /= size;
     for (j = 0; j < dim; j++) {
-        double rest = two_w[j] + s->q.cap[j] - mu * s->q.normal[j];
-        s->q.cap_slack[j] =
-            paradt__abs(rest) + mu * s->q.reach[j] +
-            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.cap[j]) + paradt__abs(mu * s->q.normal[j]));
+        double rest = two_w[j] + p->q.cap[j] - mu * p->q.normal[j];
+        p->q.cap_slack[j] =
+            paradt__abs(rest) + mu * p->q.reach[j] +
+            p->q.round * (paradt__abs(two_w[j]) + paradt__abs(p->q.cap[j]) + paradt__abs(mu * p->q.normal[j]));
     }
-    s->q.cap_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
+    p->q.cap_floor = 2.0 * (p->set->grade_limit + p->set->grade_error) + mu * p->q.n_floor;
 }
 
-// Computes the pencil of the facet s->corners. inner: a point off the facet, on the inner side if the aim has sides.
-// Inlined with constants for plain sets.
-PARADT__INLINE void paradt__pencil_set_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
+// Computes the pencil of the facet p->corners[0..dim - 1]. inner: a point off the facet, on the inner side; sided: 0 if
+// both sides are outside. Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const double *inner, int sided, int dim,
+                                                      int ambient, int grade) {
     double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], dual[PARADT_MAX_DIM][PARADT_MAX_DIM];
     double lifts[PARADT_MAX_DIM], lift_sizes[PARADT_MAX_DIM];
     int i, j, sound;
-    const double *o = s->corners[0];
-    for (j = 0; j < ambient; j++) s->q.origin[j] = o[j];
-    s->q.weight = grade ? o[ambient] : 0.0;
+    const double *o = p->corners[0];
+    for (j = 0; j < ambient; j++) p->q.origin[j] = o[j];
+    p->q.weight = grade ? o[ambient] : 0.0;
     for (i = 0; i < dim - 1; i++) {
-        const double *p = s->corners[i + 1];
-        double loss = grade ? s->q.weight - p[ambient] : 0.0, square = 0.0;
+        const double *x = p->corners[i + 1];
+        double loss = grade ? p->q.weight - x[ambient] : 0.0, square = 0.0;
         for (j = 0; j < ambient; j++) {
-            double e = p[j] - o[j];
+            double e = x[j] - o[j];
             edges[i][j] = e;
             if (grade != PARADT__SAGITTA) square += e * e;
         }
         lifts[i] = square + loss;
         lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
     }
-    s->base_slack = s->normal_slack = 0.0;
+    p->base_slack = p->normal_slack = 0.0;
 #if PARADT_MAX_DIM >= 3
-    sound = dim == 3 ? paradt__pencil_of_triangle(s, edges, dual) : paradt__pencil_of_facet(s, edges, dual, dim);
+    sound = dim == 3 ? paradt__pencil_of_triangle(p, edges, dual) : paradt__pencil_of_facet(p, edges, dual, dim);
 #else
-    sound = paradt__pencil_of_facet(s, edges, dual, dim);
+    sound = paradt__pencil_of_facet(p, edges, dual, dim);
 #endif
     for (j = 0; j < dim && sound; j++) {
-        s->base[j] = 0.0;
-        for (i = 0; i < dim - 1; i++) s->base[j] += lifts[i] * dual[i][j];
+        p->base[j] = 0.0;
+        for (i = 0; i < dim - 1; i++) p->base[j] += lifts[i] * dual[i][j];
     }
     for (i = 0; i < dim - 1 && sound; i++) {
-        sound = paradt__pencil_add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
+        sound = paradt__pencil_add_residual(p, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
     }
-    if (sound && dim != 3) paradt__pencil_orient_normal(s, inner, dim);
-    if (!sound) paradt__pencil_forget(s);
-    paradt__pencil_set_floor(s, sound && dim == 3);
-    s->q.clear = 0.0;
-    for (j = 0; j < dim; j++) s->q.clear = paradt__larger(s->q.clear, paradt__abs(s->q.normal[j]));
-    if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
+    if (sound && dim != 3) paradt__pencil_orient_normal(p, inner, dim);
+    if (!sound) paradt__pencil_forget(p);
+    paradt__pencil_set_floor(p, sound && dim == 3);
+    p->q.clear = 0.0;
+    for (j = 0; j < dim; j++) p->q.clear = paradt__larger(p->q.clear, paradt__abs(p->q.normal[j]));
+    if (dim > 1) p->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
     for (j = 0; j < ambient; j++) {
-        if (j >= dim) s->q.normal[j] = s->base[j] = 0.0;
-        s->q.outer[j] = s->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
-        s->q.centre[j] = s->base[j];
-        s->q.slack[j] = PARADT__NO_BOUND;
-        s->q.reach[j] =
-            j < dim && s->q.n_floor == 0.0 ? s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack : 0.0;
+        if (j >= dim) p->q.normal[j] = p->base[j] = 0.0;
+        p->q.outer[j] = p->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
+        p->q.centre[j] = p->base[j];
+        p->q.slack[j] = PARADT__NO_BOUND;
+        p->q.reach[j] =
+            j < dim && p->q.n_floor == 0.0 ? p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack : 0.0;
     }
-    PARADT_ASSERT(s->base_slack >= 0.0 && s->normal_slack >= 0.0); // and are numbers
-    s->q.cap_floor = PARADT__NO_BOUND;
-    if (grade == PARADT__SAGITTA && sound && s->aim != PARADT__AIM_CONFLICT)
-        paradt__pencil_set_cap(s, edges, dual, dim);
+    PARADT_ASSERT(p->base_slack >= 0.0 && p->normal_slack >= 0.0); // and are numbers
+    p->q.cap_floor = PARADT__NO_BOUND;
+    if (grade == PARADT__SAGITTA && sound && sided) paradt__pencil_set_cap(p, edges, dual, dim);
+    p->changes = 0;
 }
 
-static void paradt__pencil_set(paradt__search *s, const double *inner) {
-    if (s->plain) paradt__pencil_set_of_shape(s, inner, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
-    else paradt__pencil_set_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_facet(paradt__pencil *p, const double *inner, int sided) {
+    if (p->plain) paradt__pencil_set_facet_of_shape(p, inner, sided, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_facet_of_shape(p, inner, sided, p->space.dim, p->space.ambient, p->set->grade);
 }
 
 // Chooses the form of F for boxes near the reference sphere. On that sphere |u|^2 = -2 w . u + s(o) - s(u), with w =
 // o - c, so a multiple of the difference of the two sides may be added to F: the multiple that leaves nothing of the
 // centre along w. In this form F varies in a box with the square of its size, as on the sphere, though the box reaches
 // off the sphere by its size.
-static void paradt__pencil_set_curve(paradt__search *s, int dim) {
+static void paradt__pencil_set_curve(paradt__pencil *p, int dim) {
     double dot = 0.0, square = 0.0, half, two_w[PARADT_MAX_DIM];
     int j;
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        dot += s->q.centre[j] * two_w[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        dot += p->q.centre[j] * two_w[j];
         square += two_w[j] * two_w[j];
     }
-    s->q.curve = dot / square;
-    if (!(paradt__abs(s->q.curve) < 0.5 && paradt__abs(s->q.curve) > 1.0 / PARADT__STEEP)) s->q.curve = 0.0;
-    half = s->q.curve > 0.0 ? 0.5 / s->q.curve : 0.0;
-    s->q.curve_slack = paradt__abs(s->q.curve) * (s->q.f_floor + 2.0 * s->q.weight_slack);
+    p->q.curve = dot / square;
+    if (!(paradt__abs(p->q.curve) < 0.5 && paradt__abs(p->q.curve) > 1.0 / PARADT__STEEP)) p->q.curve = 0.0;
+    half = p->q.curve > 0.0 ? 0.5 / p->q.curve : 0.0;
+    p->q.curve_slack = paradt__abs(p->q.curve) * (p->q.f_floor + 2.0 * p->q.weight_slack);
     for (j = 0; j < dim; j++) {
-        double moved = s->q.curve * two_w[j];
-        s->q.tangent[j] = s->q.centre[j] - moved;
-        s->q.summit[j] = s->q.tangent[j] * half;
-        s->q.curve_slack +=
-            2.0 * s->q.round * s->q.extent[j] *
-            (paradt__abs(s->q.curve) * s->q.extent[j] + paradt__abs(s->q.centre[j]) + 2.0 * paradt__abs(moved));
+        double moved = p->q.curve * two_w[j];
+        p->q.tangent[j] = p->q.centre[j] - moved;
+        p->q.summit[j] = p->q.tangent[j] * half;
+        p->q.curve_slack +=
+            2.0 * p->q.round * p->q.extent[j] *
+            (paradt__abs(p->q.curve) * p->q.extent[j] + paradt__abs(p->q.centre[j]) + 2.0 * paradt__abs(moved));
     }
 }
 
-// --- the best point
-
-// Makes x the apex and its sphere the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
-// what is needed and then kept while that suffices, so that bounds on errors in a box mostly hold for the next sphere.
-PARADT__INLINE void paradt__search_accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
-                                            double n_bound, int dim, int ambient, int grade) {
-    int j, grown = s->apex < 0;
-    double a = 0.0, a_bound = s->q.f_floor, t, t_bound, size;
-    if (s->q.n_floor > 0.0) n_bound = s->space.orient_certain;
+// Makes the sphere through x the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
+// what is needed and then kept while that suffices, so bounds on errors in a box mostly hold for the next sphere, too.
+// Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const double *x, double n, double n_bound,
+                                                       int dim, int ambient, int grade) {
+    int j, grown = !p->changes;
+    double a = 0.0, a_bound = p->q.f_floor, t, t_bound, size;
+    if (p->q.n_floor > 0.0) n_bound = p->space.orient_certain;
     size = paradt__abs(n) - n_bound;
-    s->apex = point;
-    s->corners[dim] = x;
-    s->changes++;
+    p->corners[dim] = x;
+    p->changes++;
     for (j = 0; j < ambient; j++) {
-        double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-        a += grade == PARADT__SAGITTA ? -u * s->base[j] : u * (u - s->base[j]);
-        a_bound += reach * (s->q.round * paradt__abs(s->base[j]) + s->base_slack);
-        if (grade != PARADT__SAGITTA) a_bound += s->q.round * reach * reach;
+        double u = x[j] - p->q.origin[j], reach = paradt__abs(u);
+        a += grade == PARADT__SAGITTA ? -u * p->base[j] : u * (u - p->base[j]);
+        a_bound += reach * (p->q.round * paradt__abs(p->base[j]) + p->base_slack);
+        if (grade != PARADT__SAGITTA) a_bound += p->q.round * reach * reach;
     }
     if (grade) {
-        double gain = x[ambient] - s->q.weight;
+        double gain = x[ambient] - p->q.weight;
         a -= gain;
-        a_bound += s->q.round * paradt__abs(gain);
+        a_bound += p->q.round * paradt__abs(gain);
     }
     t = size > 0.0 ? a / n : PARADT__STEEP;
-    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + s->q.round * paradt__abs(t) : PARADT__STEEP;
+    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + p->q.round * paradt__abs(t) : PARADT__STEEP;
     if (!(paradt__abs(t) < PARADT__STEEP && t_bound < PARADT__STEEP)) {
-        for (j = 0; j < ambient; j++) s->q.slack[j] = PARADT__NO_BOUND;
-        s->growths++;
+        for (j = 0; j < ambient; j++) p->q.slack[j] = PARADT__NO_BOUND;
+        p->growths++;
         return;
     }
     for (j = 0; j < ambient; j++) {
-        double normal = s->q.normal[j], slack;
-        s->q.centre[j] = s->base[j] + t * normal;
-        slack = s->q.round * (paradt__abs(s->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
-        if (j < dim) slack += s->base_slack + (paradt__abs(t) + t_bound) * s->normal_slack;
-        if (grown || slack > s->q.slack[j]) {
-            s->q.slack[j] = 2.0 * slack;
+        double normal = p->q.normal[j], slack;
+        p->q.centre[j] = p->base[j] + t * normal;
+        slack = p->q.round * (paradt__abs(p->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
+        if (j < dim) slack += p->base_slack + (paradt__abs(t) + t_bound) * p->normal_slack;
+        if (grown || slack > p->q.slack[j]) {
+            p->q.slack[j] = 2.0 * slack;
             grown = 1;
         }
     }
-    s->growths += (unsigned)grown;
-    if (grade == PARADT__SAGITTA) paradt__pencil_set_curve(s, dim);
+    p->growths += (unsigned)grown;
+    if (grade == PARADT__SAGITTA) paradt__pencil_set_curve(p, dim);
 }
 
-static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
-    if (s->plain) paradt__search_accept_of_shape(s, point, x, n, n_bound, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
-    else paradt__search_accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_sphere(paradt__pencil *p, const double *x, double n, double n_bound) {
+    if (p->plain) paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, p->space.dim, p->space.ambient, p->set->grade);
 }
 
-// Is x in conflict with the cell of the facet and the apex? Decides exactly.
-static int paradt__search_is_in_conflict(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    int dim = s->space.dim, i;
-    for (i = 0; i <= dim; i++) p[i] = s->corners[i];
-    if (s->outside < 0) {
-        p[dim - 1] = s->corners[dim];
-        p[dim] = s->corners[dim - 1];
+// Makes the sphere through x the current one and lets both sides of the facet be outside.
+static void paradt__pencil_set_whole_sphere(paradt__pencil *p, const double *x) {
+    double n = 0.0, n_bound = 0.0;
+    int j;
+    for (j = 0; j < p->space.dim && p->space.filtered; j++) {
+        double u = x[j] - p->q.origin[j];
+        n += p->q.normal[j] * u;
+        n_bound += paradt__abs(u) * p->q.reach[j];
     }
-    p[dim + 1] = x;
-    return paradt__conflict(&s->space, p);
+    paradt__pencil_set_sphere(p, x, n, n_bound);
+    for (j = 0; j < p->space.ambient; j++) p->q.reach[j] = PARADT__NO_BOUND;
+    p->q.n_floor = 0.0;
+}
+
+// Is x in conflict with the cell of the facet and the current sphere's point? Decides exactly.
+static int paradt__pencil_is_inside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 2];
+    int dim = p->space.dim, i;
+    for (i = 0; i <= dim; i++) points[i] = p->corners[i];
+    if (p->outside < 0) {
+        points[dim - 1] = p->corners[dim];
+        points[dim] = p->corners[dim - 1];
+    }
+    points[dim + 1] = x;
+    return paradt__conflict(&p->space, points);
 }
 
 // Is x strictly outside the facet? Decides exactly.
-static int paradt__search_is_outside(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
-    for (i = 0; i < dim; i++) p[i] = s->corners[i];
-    p[dim] = x;
-    return paradt__orient(&s->space, p) * s->outside > 0;
+static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 1];
+    int dim = p->space.dim, i;
+    for (i = 0; i < dim; i++) points[i] = p->corners[i];
+    points[dim] = x;
+    return paradt__orient(&p->space, points) * p->outside > 0;
 }
+
+// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
+// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
+// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
+// ruled out.
+static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
+    unsigned mask = 0;
+    int lane, j;
+    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double most = 0.0;
+        for (j = 0; j < p->space.dim; j++) {
+            double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
+            double high = group[(2 * j + 1) * PARADT__LANES + lane] - p->q.origin[j];
+            double a = p->q.normal[j] * low + p->q.reach[j] * paradt__abs(low);
+            double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
+            most += a > b ? a : b;
+        }
+        mask |= (unsigned)(most > 0.0) << lane;
+    }
+    return mask;
+}
+
+// Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
+// be a current sphere. Its centre is m = centre / 2, its radius r = |m|, or sqrt(|m|^2 + the largest gain) if there are
+// heavier points than the origin. For u outside of the box, D = |u - m| is at least the distance of m from the walls,
+// and F(u) >= D^2 - r^2. With |u|_1 <= sqrt(d) (D + r), F(u) > K |u|_1 |u|_max + slack |u|_1 if D - r > K d (D + r) +
+// sqrt(d) slack. Both sides of this grow with D, so the walls decide. With sagittas, the sphere that holds the cap
+// outside the facet takes the place of the current sphere, even while there is none.
+static int paradt__pencil_is_confined(const paradt__pencil *p, const double *box, double heaviest) {
+    int capped = p->q.cap_floor < PARADT__NO_BOUND, j, dim = p->space.dim;
+    const double *whole = capped ? p->q.cap : p->q.centre, *slacks = capped ? p->q.cap_slack : p->q.slack;
+    double nearest = PARADT__FAR, radius = capped ? p->q.cap_floor : 0.0, slack = 0.0;
+    if (!capped && (!p->changes || p->set->grade == PARADT__SAGITTA)) return 0;
+    for (j = 0; j < dim; j++) {
+        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
+        double low = (p->q.origin[j] - box[2 * j]) + m, high = (box[2 * j + 1] - p->q.origin[j]) - m;
+        nearest = low < nearest ? low : nearest;
+        nearest = high < nearest ? high : nearest;
+        radius += m * m;
+        slack = slacks[j] > slack ? slacks[j] : slack;
+    }
+    if (p->space.weighted && heaviest > p->q.weight) radius += heaviest - p->q.weight;
+    radius = sqrt(radius);
+    return nearest - radius > p->q.round * dim * (nearest + radius) + 3.0 * slack;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>search
+//
+// MakeSimplex of the thesis: given a facet, finds the point on its outer side with the smallest signed Delaunay
+// distance dd. By the same means it finds a point in conflict with a given cell, or beyond a given facet.
+//
+// A point whose F is certainly positive for the current sphere can't be the apex and is passed over. A point whose F is
+// certainly negative replaces the apex. All others are settled by the exact perturbed predicate, which is a total order
+// on the pencil. The same bounds, taken over a box, rule out the boxes on the inner side and those outside the sphere
+// (see >>pencil and >>search kernels). The order in which points are seen only matters for speed.
+//
+// Nobody else writes the search's fields; its set may be read. Doors: paradt__search_begin, paradt__search_limit,
+// paradt__search_skip_finished, paradt__search_admit, paradt__search_space, paradt__search_counters,
+// paradt__search_effort, paradt__search_add_counts, paradt__search_point, paradt__search_from_top,
+// paradt__search_aim_at_facet, paradt__search_aim_at_cell, paradt__search_apex, paradt__search_conflict.
+
+// What the search is aimed at
+enum {
+    PARADT__AIM_APEX,     // the point outside the facet that is on the smallest sphere
+    PARADT__AIM_CONFLICT, // any point in the sphere, on both sides of the facet
+    PARADT__AIM_BEYOND    // any point strictly outside the facet
+};
+
+typedef struct paradt__search {
+    const paradt__set *set;
+    const paradt__grid *grid;
+    paradt__kernels kernels;
+    size_t begin, end;          // only these positions are searched
+    double heaviest;            // no point that may be found is heavier
+    uint8_t *const *unfinished; // [level][group] bits of the boxes with points that may be an apex; NULL: all boxes
+    uint64_t distance_evaluations, grid_cells_visited;
+    int aim;
+    int opposite;                       // the vertex of the cell aimed at that is not of the facet
+    uint8_t *const *boxes;              // as `unfinished`, for the present aim
+    paradt_index facet[PARADT_MAX_DIM]; // positions of the facet's vertices; others than the set's: they are not in it
+    paradt_index apex;                  // the best point so far, or PARADT__OPEN
+    int found;                          // aimed at any point: the apex is one
+    paradt__pencil pencil;              // of the facet
+} paradt__search;
+
+// Prepares a search in the set, of which the grid has the points.
+static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+    memset(s, 0, sizeof *s);
+    s->set = set;
+    s->grid = grid;
+    s->heaviest = grid->heaviest;
+    s->kernels = paradt__kernels_choose(set->space.ambient, set->grade);
+    s->end = set->count;
+    paradt__pencil_begin(&s->pencil, set);
+}
+
+// Only the positions [begin, end) are searched from now on.
+static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+    PARADT_ASSERT(begin <= end && end <= s->set->count);
+    s->begin = begin;
+    s->end = end;
+}
+
+// From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
+// boxes that have some, as they are at each search
+static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+    s->unfinished = unfinished;
+}
+
+// The search will be put to points of another grid, too: its heaviest point may be an answer.
+static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
+    s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
+}
+
+// Returns the space of the search's set, in which its predicates are counted.
+PARADT__INLINE paradt__space *paradt__search_space(paradt__search *s) {
+    return &s->pencil.space;
+}
+
+// Returns what the search counted of predicates.
+static const paradt__counters *paradt__search_counters(const paradt__search *s) {
+    return &s->pencil.space.counters;
+}
+
+// Returns how much work the search has done: grid cells visited and predicates evaluated.
+static uint64_t paradt__search_effort(const paradt__search *s) {
+    return s->grid_cells_visited + s->pencil.space.counters.insphere_calls + s->pencil.space.counters.orient_calls;
+}
+
+// Adds what the search counted of grid cells and distances.
+static void paradt__search_add_counts(const paradt__search *s, paradt_stats *stats) {
+    stats->distance_evaluations += s->distance_evaluations;
+    stats->grid_cells_visited += s->grid_cells_visited;
+}
+
+// --- points
 
 // Looks at one point that was not ruled out with its neighbours: the point becomes the apex, or is no answer.
 PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
     paradt_index point = (paradt_index)position;
     const double *x;
-    double f = 0.0, f_bound = s->q.f_floor, n = 0.0, n_bound = -s->q.n_floor;
+    double f = 0.0, f_bound = s->pencil.q.f_floor, n = 0.0, n_bound = -s->pencil.q.n_floor;
     int i, j;
     if (position >= s->set->count || point == s->apex) return;
     for (i = 0; i < dim; i++) {
         if (point == s->facet[i]) return;
     }
     x = paradt__record(s->set, point);
-    if (s->space.filtered) {
+    if (s->pencil.space.filtered) {
         for (j = 0; j < ambient; j++) {
-            double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-            f += grade == PARADT__SAGITTA ? -u * s->q.centre[j] : u * (u - s->q.centre[j]);
-            f_bound += reach * s->q.slack[j];
-            if (grade != PARADT__SAGITTA) f_bound += reach * s->q.round * reach;
-            n += s->q.normal[j] * u;
-            n_bound += reach * s->q.reach[j];
+            double u = x[j] - s->pencil.q.origin[j], reach = paradt__abs(u);
+            f += grade == PARADT__SAGITTA ? -u * s->pencil.q.centre[j] : u * (u - s->pencil.q.centre[j]);
+            f_bound += reach * s->pencil.q.slack[j];
+            if (grade != PARADT__SAGITTA) f_bound += reach * s->pencil.q.round * reach;
+            n += s->pencil.q.normal[j] * u;
+            n_bound += reach * s->pencil.q.reach[j];
         }
         if (grade) {
-            double gain = x[ambient] - s->q.weight;
+            double gain = x[ambient] - s->pencil.q.weight;
             f -= gain;
-            f_bound += s->q.round * paradt__abs(gain);
+            f_bound += s->pencil.q.round * paradt__abs(gain);
         }
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
     if (s->aim != PARADT__AIM_CONFLICT) {
-        if (n < -n_bound || (n <= n_bound && !paradt__search_is_outside(s, x))) return;
+        if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
     if (s->apex >= 0) {
-        if (f > f_bound || (f >= -f_bound && !paradt__search_is_in_conflict(s, x))) return;
+        if (f > f_bound || (f >= -f_bound && !paradt__pencil_is_inside(&s->pencil, x))) return;
     }
     if (s->aim == PARADT__AIM_APEX) {
-        paradt__search_accept(s, point, x, n, n_bound);
+        paradt__pencil_set_sphere(&s->pencil, x, n, n_bound);
     } else {
-        s->apex = point;
         s->found = 1;
     }
+    s->apex = point;
 }
 
 static void paradt__search_point(paradt__search *s, size_t position) {
-    if (s->plain) paradt__search_point_of_shape(s, position, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
-    else paradt__search_point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
+    if (s->pencil.plain) paradt__search_point_of_shape(s, position, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__search_point_of_shape(s, position, s->pencil.space.dim, s->pencil.space.ambient, s->set->grade);
 }
 
 // --- boxes
@@ -5174,24 +5264,25 @@ PARADT__INLINE int paradt__lane_unpack(double packed) {
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
     double scratch[PARADT__GRID_ROOM];
     const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
-    unsigned mask = s->kernels.cell(&s->q, lanes, f_bound, n_bound);
+    unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
-    for (i = 0; i < s->space.dim; i++) mask = paradt__lanes_without(mask, cell, s->facet[i]); // they are on every sphere
+    for (i = 0; i < s->pencil.space.dim; i++)
+        mask = paradt__lanes_without(mask, cell, s->facet[i]); // they are on every sphere
     mask = paradt__lanes_without(mask, cell, s->apex);
     while (mask && !s->found) {
         int lane = paradt__trailing_zeros(mask);
-        unsigned changes = s->changes, growths = s->growths;
+        unsigned changes = s->pencil.changes, growths = s->pencil.growths;
         if (mask & (mask - 1)) {
-            int best = paradt__lane_unpack(s->kernels.best(&s->q, lanes));
+            int best = paradt__lane_unpack(s->kernels.best(&s->pencil.q, lanes));
             lane = mask >> best & 1 ? best : lane;
         }
         paradt__search_point(s, cell * PARADT__LANES + (size_t)lane);
         mask &= ~(1u << lane);
-        if (mask && s->changes != changes && s->growths == growths)
-            mask &= s->kernels.cell(&s->q, lanes, f_bound, n_bound);
+        if (mask && s->pencil.changes != changes && s->pencil.growths == growths)
+            mask &= s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     }
 }
 
@@ -5205,40 +5296,19 @@ PARADT__INLINE int paradt__lanes_most_promising(const paradt__lane_bounds *bound
     return best;
 }
 
-// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add up
-// to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that sum is
-// not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are ruled out.
-static unsigned paradt__search_beyond(const paradt__search *s, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    if (s->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        double most = 0.0;
-        for (j = 0; j < s->space.dim; j++) {
-            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
-            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
-            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
-            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
-            most += a > b ? a : b;
-        }
-        mask |= (unsigned)(most > 0.0) << lane;
-    }
-    return mask;
-}
-
 // Looks into the boxes of a group at `level`. skip: number of a box that was looked at before, or any other number
 static void paradt__search_group(paradt__search *s, int level, size_t group, size_t skip) {
     const double *boxes = s->grid->boxes[level] + group * s->grid->group_width;
     size_t span = (size_t)PARADT__LANES << (3 * level); // points a box
     size_t first = group * PARADT__LANES, lane;
-    unsigned remaining = 255, mask, changes = s->changes, growths = s->growths;
+    unsigned remaining = 255, mask, changes = s->pencil.changes, growths = s->pencil.growths;
     paradt__lane_bounds bounds;
     if (first * span < s->begin) remaining &= 255u << (s->begin / span - first);
     if ((first + PARADT__LANES) * span > s->end) remaining &= 255u >> (first + PARADT__LANES - 1 - (s->end - 1) / span);
     if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
-    mask = s->kernels.group(&s->q, boxes, &bounds) & remaining;
-    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__search_beyond(s, boxes);
+    mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -5249,10 +5319,10 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             paradt__search_cell(s, first + lane, bounds.f[lane], bounds.n[lane]);
         }
         // A smaller sphere rules out more boxes: worth another test where boxes are groups. Larger bounds need one.
-        if (s->growths != growths || (level && mask && s->changes != changes)) {
-            changes = s->changes;
-            growths = s->growths;
-            mask = s->kernels.group(&s->q, boxes, &bounds) & remaining;
+        if (s->pencil.growths != growths || (level && mask && s->pencil.changes != changes)) {
+            changes = s->pencil.changes;
+            growths = s->pencil.growths;
+            mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
         }
     }
 }
@@ -5262,12 +5332,12 @@ static void paradt__search_start(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
     double least = 0.5 * PARADT__FAR, scratch[PARADT__GRID_ROOM];
     int i, count = 0;
-    for (i = 0; i < s->space.dim && i < 3; i++) {
+    for (i = 0; i < s->pencil.space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
         count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
-        double t = s->kernels.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], scratch));
+        double t = s->kernels.best(&s->pencil.q, paradt__grid_lanes(s->grid, s->set, cells[i], scratch));
         size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_unpack(t);
         best = t < least ? position : best;
         least = t < least ? t : least;
@@ -5277,33 +5347,10 @@ static void paradt__search_start(paradt__search *s) {
     if (best != SIZE_MAX) paradt__search_point(s, best);
 }
 
-// Is no point outside of the box of use any more? box: low and high of each axis. The sphere's centre is m = centre / 2,
-// its radius r = |m|, or sqrt(|m|^2 + the largest gain) if there are heavier points than the origin. For u outside of
-// the box, D = |u - m| is at least the distance of m from the walls, and F(u) >= D^2 - r^2. With |u|_1 <= sqrt(d) (D +
-// r), F(u) > K |u|_1 |u|_max + slack |u|_1 if D - r > K d (D + r) + sqrt(d) slack. Both sides of this grow with D, so
-// the walls decide. With sagittas, the sphere that holds the cap outside the facet takes the place of the current
-// sphere, even while there is no apex.
-static int paradt__search_is_confined(const paradt__search *s, const double *box) {
-    int capped = s->q.cap_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
-    const double *whole = capped ? s->q.cap : s->q.centre, *slacks = capped ? s->q.cap_slack : s->q.slack;
-    double nearest = PARADT__FAR, radius = capped ? s->q.cap_floor : 0.0, slack = 0.0;
-    if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
-    for (j = 0; j < dim; j++) {
-        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
-        double low = (s->q.origin[j] - box[2 * j]) + m, high = (box[2 * j + 1] - s->q.origin[j]) - m;
-        nearest = low < nearest ? low : nearest;
-        nearest = high < nearest ? high : nearest;
-        radius += m * m;
-        slack = slacks[j] > slack ? slacks[j] : slack;
-    }
-    if (s->space.weighted && s->heaviest > s->q.weight) radius += s->heaviest - s->q.weight;
-    radius = sqrt(radius);
-    return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
-}
-
 // Is no point outside of the group of use any more?
 static int paradt__search_is_done(const paradt__search *s, int level, size_t group) {
-    return paradt__search_is_confined(s, s->grid->rooms[level] + group * 2 * (size_t)s->space.dim);
+    const double *room = s->grid->rooms[level] + group * 2 * (size_t)s->pencil.space.dim;
+    return paradt__pencil_is_confined(&s->pencil, room, s->heaviest);
 }
 
 // Looks at all points that may matter, those near `position` first: at its grid cell's group, then, level by level, at
@@ -5311,7 +5358,7 @@ static int paradt__search_is_done(const paradt__search *s, int level, size_t gro
 static void paradt__search_around(paradt__search *s, size_t position) {
     size_t box = position / PARADT__LANES, skip = SIZE_MAX;
     int level;
-    if (!s->space.filtered) {
+    if (!s->pencil.space.filtered) {
         for (box = s->begin; box < s->end && !s->found; box++) paradt__search_point(s, box);
         return;
     }
@@ -5328,7 +5375,7 @@ static void paradt__search_around(paradt__search *s, size_t position) {
 // Looks at all points that may matter, from the top of the grid, as no position is near to the facet.
 static void paradt__search_from_top(paradt__search *s) {
     size_t at;
-    if (s->space.filtered) {
+    if (s->pencil.space.filtered) {
         paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
     } else {
         for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
@@ -5342,48 +5389,39 @@ static void paradt__search_from_top(paradt__search *s) {
 // others for vertices that are not in it
 PARADT__INLINE void paradt__search_aim_at_facet(paradt__search *s, int aim, const double *const *corners,
                                                 const paradt_index *positions, int opposite, int orientation) {
-    int dim = s->space.dim, i, count = 0;
+    int dim = s->pencil.space.dim, i, count = 0;
     PARADT_ASSERT(opposite >= 0 && opposite <= dim && (orientation == 1 || orientation == -1));
     for (i = 0; i <= dim; i++) {
         if (i == opposite) continue;
         s->facet[count] = positions[i];
-        s->corners[count++] = corners ? corners[i] : paradt__record(s->set, positions[i]);
+        s->pencil.corners[count++] = corners ? corners[i] : paradt__record(s->set, positions[i]);
     }
     s->aim = aim;
     s->boxes = aim == PARADT__AIM_APEX ? s->unfinished : NULL;
     s->opposite = opposite;
     // x in the place of `opposite` reverses the orientation; dim - opposite exchanges move x to the end.
-    s->outside = (dim - opposite) % 2 ? orientation : -orientation;
+    s->pencil.outside = (dim - opposite) % 2 ? orientation : -orientation;
     s->found = 0;
     s->apex = PARADT__OPEN;
-    if (s->space.filtered)
-        paradt__pencil_set(s, corners ? corners[opposite] : paradt__record(s->set, positions[opposite]));
+    if (s->pencil.space.filtered)
+        paradt__pencil_set_facet(&s->pencil, corners ? corners[opposite] : paradt__record(s->set, positions[opposite]),
+                                 aim != PARADT__AIM_CONFLICT);
 }
 
-// Aims at any point in conflict with a positively oriented cell: the facet is the one opposite its last vertex, which is
-// the apex and outside. corners, positions: as above, but no position is negative
+// Aims at any point in conflict with a positively oriented cell: the facet is the one opposite its last vertex, which
+// is the apex and outside. corners, positions: as above, but no position is negative
 static void paradt__search_aim_at_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
-    int dim = s->space.dim, j;
-    const double *apex = corners[dim];
-    double n = 0.0, n_bound = 0.0;
+    int dim = s->pencil.space.dim;
     PARADT_ASSERT(positions[dim] >= 0);
     paradt__search_aim_at_facet(s, PARADT__AIM_CONFLICT, corners, positions, dim, -1);
-    if (s->space.filtered) {
-        for (j = 0; j < dim; j++) {
-            double u = apex[j] - s->q.origin[j];
-            n += s->q.normal[j] * u;
-            n_bound += paradt__abs(u) * s->q.reach[j];
-        }
-    }
-    paradt__search_accept(s, positions[dim], apex, n, n_bound);
-    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
-    s->q.n_floor = 0.0;
+    paradt__pencil_set_whole_sphere(&s->pencil, corners[dim]);
+    s->apex = positions[dim];
 }
 
 // Are all vertices of the cell points of the set?
 PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_index *cell) {
     int i;
-    for (i = 0; i <= s->space.dim; i++) {
+    for (i = 0; i <= s->pencil.space.dim; i++) {
         if (cell[i] < 0 || (size_t)cell[i] >= s->set->count) return 0;
     }
     return 1;
@@ -5393,17 +5431,17 @@ PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_inde
 // PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
 static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
                                         int *place) {
-    int dim = s->space.dim, i;
+    int dim = s->pencil.space.dim, i;
     PARADT_ASSERT(paradt__search_has(s, cell));
     paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
-    if (s->space.filtered) paradt__search_start(s);
+    if (s->pencil.space.filtered) paradt__search_start(s);
     paradt__search_around(s, (size_t)s->facet[0]);
     if (s->apex < 0) return PARADT__HULL;
     PARADT_ASSERT(s->apex != cell[opposite]);
     for (i = 0; i < dim; i++) made[i] = s->facet[i];
     made[dim] = s->apex;
     *place = dim;
-    if (s->outside < 0) { // two vertices change places: other ones than the apex, if there are
+    if (s->pencil.outside < 0) { // two vertices change places: other ones than the apex, if there are
         made[1] = s->facet[0];
         made[0] = dim > 1 ? s->facet[1] : s->apex;
         *place = dim > 1 ? dim : 0;
@@ -5416,7 +5454,7 @@ static paradt_index paradt__search_conflict(paradt__search *s, const paradt_inde
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
     PARADT_ASSERT(paradt__search_has(s, cell));
-    for (i = 0; i <= s->space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
+    for (i = 0; i <= s->pencil.space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
     paradt__search_aim_at_cell(s, corners, cell);
     paradt__search_around(s, (size_t)cell[0]);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
@@ -5433,13 +5471,14 @@ static paradt_index paradt__search_conflict(paradt__search *s, const paradt_inde
 //
 // A cell is given by the records of its vertices, laid out as those of the set and measured with it, and by their
 // positions in the set; a vertex that is not in the set has PARADT__NOWHERE or a negative number for its position.
-// DOORS
+// Doors: paradt__question_cell, paradt__question_facet, paradt__question_redirect, paradt__question_is_confined,
+// paradt__question_boxes, paradt__question_fits, paradt__question_answer.
 
 // Asks for a point in conflict with the positively oriented cell. corners, positions: [dim + 1]
 static void paradt__question_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
     paradt_index places[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i <= s->space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
+    for (i = 0; i <= s->pencil.space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
     paradt__search_aim_at_cell(s, corners, places);
 }
 
@@ -5456,8 +5495,8 @@ static void paradt__question_redirect(paradt__search *s, const paradt__set *set,
                                       const paradt_index *positions) {
     int i, count = 0;
     PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
-    PARADT_ASSERT(set->space.dim == s->space.dim && set->grade == s->set->grade);
-    for (i = 0; i <= s->space.dim; i++) {
+    PARADT_ASSERT(set->space.dim == s->pencil.space.dim && set->grade == s->set->grade);
+    for (i = 0; i <= s->pencil.space.dim; i++) {
         if (i != s->opposite) s->facet[count++] = positions[i];
         else if (s->aim == PARADT__AIM_CONFLICT) s->apex = positions[i];
     }
@@ -5469,16 +5508,16 @@ static void paradt__question_redirect(paradt__search *s, const paradt__set *set,
 
 // Do all answers lie in the box, wherever their points come from? box: low and high of each axis. 1: yes; 0: unknown
 static int paradt__question_is_confined(const paradt__search *s, const double *box) {
-    return s->space.filtered && paradt__search_is_confined(s, box);
+    return s->pencil.space.filtered && paradt__pencil_is_confined(&s->pencil, box, s->heaviest);
 }
 
 // Returns the mask of the boxes that may hold an answer. group: eight boxes, laid out as those of a grid
 PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const double *group) {
     paradt__lane_bounds bounds;
     unsigned mask;
-    if (!s->space.filtered) return 255u;
-    mask = s->kernels.group(&s->q, group, &bounds);
-    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__search_beyond(s, group) : mask;
+    if (!s->pencil.space.filtered) return 255u;
+    mask = s->kernels.group(&s->pencil.q, group, &bounds);
+    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
 }
 
 // Is the point an answer?
@@ -5500,19 +5539,19 @@ static paradt_index paradt__question_answer(paradt__search *s) {
 //
 // A cell of T(P) to begin with. MakeFirstSimplex of the thesis takes a point, its nearest neighbour, then again and
 // again the point that gives the smallest circumscribing sphere. In floating point, among the points around the first,
-// the result is a good guess and no more. Descent on the lifted points makes it certain, as in the simplex method. Let z
-// be a location in the guess. While a point q is in conflict with the simplex, q replaces the one vertex that keeps z
+// the result is a good guess and no more. Descent on the lifted points makes it certain, as in the simplex method. Let
+// z be a location in the guess. While a point q is in conflict with the simplex, q replaces the one vertex that keeps z
 // inside, and the lifted simplex above z gets lower. The perturbed heights are in general position, so this does not
 // cycle; it ends with the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the second,
 // far less towards the third, and so on. So the cell contains the first vertex, if that is not hidden, and the way from
-// there to the second begins in it. DOORS
+// there to the second begins in it. Doors: paradt__cell_towards, paradt__cell_pivot.
 
 // Orders the vertices of a simplex that is not flat so that it is positively oriented.
 static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(s->set, simplex[i]);
-    if (paradt__orient(&s->space, p) < 0) {
+    if (paradt__orient(paradt__search_space(s), p) < 0) {
         paradt_index last = simplex[dim];
         simplex[dim] = simplex[dim - 1];
         simplex[dim - 1] = last;
@@ -5522,14 +5561,14 @@ static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
 // Returns the sign of the orientation of the simplex with x in the place of vertex `place`.
 static int paradt__simplex_side(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = i == place ? x : paradt__record(s->set, simplex[i]);
-    return paradt__orient(&s->space, p);
+    return paradt__orient(paradt__search_space(s), p);
 }
 
 // Does the positively oriented simplex contain z (see the section's head)? goal: vertices of the guess, which give z
 static int paradt__simplex_has_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
-    int dim = s->space.dim, place, i;
+    int dim = s->set->space.dim, place, i;
     for (place = 0; place <= dim; place++) {
         int side = 0;
         for (i = 0; i <= dim && !side; i++) {
@@ -5541,8 +5580,9 @@ static int paradt__simplex_has_goal(paradt__search *s, const paradt_index *simpl
 }
 
 // Puts q in the place of the one vertex of the positively oriented simplex for which it still contains z.
-static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
-    int dim = s->space.dim, place;
+static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, const paradt_index *goal,
+                                     paradt_index q) {
+    int dim = s->set->space.dim, place;
     const double *x = paradt__record(s->set, q);
     for (place = 0; place <= dim; place++) {
         paradt_index trial[PARADT_MAX_DIM + 1];
@@ -5562,8 +5602,9 @@ static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, c
 // vertices of the simplex; for one vertex, its nearest neighbour. Returns -1 if no point is off their span. rows: an
 // orthonormal basis of their span; centre: that of their smallest sphere. The point found is added to both.
 static paradt_index paradt__simplex_next_vertex(const paradt__search *s, const paradt_index *simplex, int count,
-                                            size_t begin, size_t end, double rows[][PARADT_MAX_DIM], double *centre) {
-    int ambient = s->space.ambient, i, j;
+                                                size_t begin, size_t end, double rows[][PARADT_MAX_DIM],
+                                                double *centre) {
+    int ambient = s->set->space.ambient, i, j;
     const double *o = paradt__record(s->set, simplex[0]);
     paradt_index best = -1;
     double least = 0.0, best_t = 0.0, best_row[PARADT_MAX_DIM];
@@ -5588,13 +5629,13 @@ static paradt_index paradt__simplex_next_vertex(const paradt__search *s, const p
     return best;
 }
 
-// Guesses the thesis' first simplex from the points near simplex[0]. given: 1, or 2 if simplex[1] is given, too. Returns
-// 0 if the guess failed.
+// Guesses the thesis' first simplex from the points near simplex[0]. given: 1, or 2 if simplex[1] is given, too.
+// Returns 0 if the guess failed.
 static int paradt__simplex_guess(paradt__search *s, paradt_index *simplex, int given) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], centre[PARADT_MAX_DIM] = {0.0};
     size_t span = PARADT__LANES * PARADT__LANES, begin = (size_t)simplex[0] / span * span, end = begin + span;
-    int dim = s->space.dim, count;
-    if (!s->space.filtered) return 0;
+    int dim = s->set->space.dim, count;
+    if (!s->set->space.filtered) return 0;
     if (end > s->set->count) end = s->set->count;
     for (count = 1; count <= dim; count++) {
         size_t from = count < given ? (size_t)simplex[count] : begin, to = count < given ? from + 1 : end;
@@ -5611,8 +5652,8 @@ static void paradt__simplex_any(paradt__search *s, paradt_index *simplex, int gi
     const double *basis[PARADT_MAX_DIM + 1];
     int axes[PARADT_MAX_DIM + 1], i, taken = 0;
     paradt__set view = *set;
-    view.space = s->space;
-    view.space.ambient = s->space.dim; // only the axes that orient
+    view.space = *paradt__search_space(s);
+    view.space.ambient = s->set->space.dim; // only the axes that orient
     for (i = 0; i < given; i++) basis[i] = paradt__record(s->set, simplex[i]);
     if (given == 2) {
         while (paradt__bits(basis[0][taken]) == paradt__bits(basis[1][taken])) taken++;
@@ -5620,8 +5661,9 @@ static void paradt__simplex_any(paradt__search *s, paradt_index *simplex, int gi
         taken = 1;
     }
     paradt__span(&view, NULL, basis, axes, taken, (size_t)simplex[0]);
-    for (i = 0; i <= s->space.dim; i++) simplex[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
-    s->space.counters = view.space.counters;
+    for (i = 0; i <= s->set->space.dim; i++)
+        simplex[i] = (paradt_index)((size_t)(basis[i] - set->records) / set->width);
+    paradt__search_space(s)->counters = view.space.counters;
 }
 
 // Finds the cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1), and
@@ -5639,7 +5681,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
 // search. Returns 0 if there is no such facet or no neighbour. Such walks end in every regular triangulation
 // (Edelsbrunner, Combinatorica 10, 1990).
 static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
-    int dim = s->space.dim, place, unused;
+    int dim = s->set->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
         if (paradt__simplex_side(s, cell, place, x) < 0) {
             paradt_index made[PARADT_MAX_DIM + 1];
