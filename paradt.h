@@ -393,7 +393,11 @@ extern "C" {
 #endif
 
 #define PARADT_VERSION 100 // major * 10000 + minor * 100 + patch
-#define PARADT_MAX_DIM 8
+#ifndef PARADT_MAX_DIM
+#define PARADT_MAX_DIM 8 // the largest dimension, 2..8; code for larger ones is not compiled
+#elif PARADT_MAX_DIM < 2 || PARADT_MAX_DIM > 8
+#error "PARADT_MAX_DIM must be 2 to 8"
+#endif
 
 #ifdef PARADT_INDEX64
 #define PARADT__IS_INDEX64
@@ -880,6 +884,23 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
 // the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
 // shifts of negative integers are taken to be arithmetic, as all compilers have them.
+
+// X(d) for each dimension that the implementation is compiled for
+#if PARADT_MAX_DIM == 2
+#define PARADT__DIMENSIONS(X) X(2)
+#elif PARADT_MAX_DIM == 3
+#define PARADT__DIMENSIONS(X) X(2) X(3)
+#elif PARADT_MAX_DIM == 4
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4)
+#elif PARADT_MAX_DIM == 5
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5)
+#elif PARADT_MAX_DIM == 6
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6)
+#elif PARADT_MAX_DIM == 7
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7)
+#else
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
+#endif
 
 // The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
@@ -5356,63 +5377,58 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>search kernels
 //
-// MakeSimplex of the thesis: given a facet, the point on its outer side with the smallest signed Delaunay distance dd,
-// and, by the same means, a point in conflict with a given cell.
+// The search's inner loops: each looks at the eight boxes of a group, or at the eight points of a grid cell, and rules
+// out those that certainly do not matter. Boxes and points stand in lanes (see >>grid), so a kernel is a few loops of
+// eight straight steps, which compilers turn into vector code. Beside each kernel stands its copy in AVX2, which is
+// chosen at run time where the processor has AVX2. There is one set of kernels for each dimension and grade.
 //
-// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
-// through f are a pencil: F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
-// A(u) = lift(u) - base . u vanishes on f. x is inside the sphere t where F_t < 0. Outside of f, x lies on the sphere
-// t(x) = A(x) / N(x); the smallest t is the smallest dd, since the centre moves outward along the normal with t.
+// A query is a facet and a sphere through it. Let o be the facet's first vertex, u = x - o, and gain the weight of x
+// less that of o. The query has two functions of x:
 //
-// Floating point only ever rules points out. Let K be a bound on the relative rounding of the sums below
-// (PARADT__ROUND). Computed `base` and `normal` miss f by the residuals r_i = lift(e_i) - base . e_i and s_i = normal .
-// e_i on the edges e_i = p_i - o. Let e*_i be the dual basis of the edges in their span. Then the true A and N differ
-// from the computed by at most sum_i |r_i| |e*_i . u| <= (sum_i |r_i| |e*_i|_max) |u|_1 = base_slack |u|_1, likewise
-// normal_slack, to which comes K sum_j |normal_j u_j| and so on for rounding, and for sagittas f_floor for their own
-// error. The dual basis is itself computed; while |e_i|_1 |e*_i|_max, the inverse sine of the facet's angles, stays
-// below 2^36, its relative error is below 2^-10 and a factor of 2 covers it. A facet more needle-like than that gets
-// slacks so large that nothing is ruled out and all is decided exactly. A point whose F is certainly positive for the
-// current sphere can't be the apex and is passed over; one whose F is certainly negative replaces the apex; all others
-// are settled by the exact perturbed predicate, which is a total order on the pencil. The same bounds, taken over a
-// box, rule out boxes: those on the inner side, and those outside the sphere. The order in which points are seen only
-// matters for speed. Doors: paradt__search_begin, paradt__search_apex, paradt__search_conflict.
+//     F(u) = sum_j u_j (u_j - centre_j) - gain    negative inside the sphere
+//     N(u) = sum_j normal_j u_j                   positive outside the facet
+//
+// With sagittas (see >>reference sphere) the lift |u|^2 - gain is the difference of the sagittas of o and x, so F(u) is
+// that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
+// of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
+// one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
+// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
 
-// u = 2^-52 holds in every rounding mode. A term of a sum passes a difference (u), at most 2 products (2u), at most d +
-// 2 additions in any order, and once more as much where the same quantity is computed for a box and for a point in it.
+// u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
+// at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
-#define PARADT__NEEDLE     68719476736.0          // 2^36
-#define PARADT__STEEP      2.0370359763344861e90  // 2^300: spheres that flat are left to the predicates
 
 typedef struct paradt__lane_query {
     double origin[PARADT_MAX_DIM];
     double normal[PARADT_MAX_DIM];
-    size_t outer[PARADT_MAX_DIM];      // where a box has N's largest value: offset of the row of low or high sides
-    double centre[PARADT_MAX_DIM];     // F(u) = sum_j u_j (u_j - centre_j): twice the centre of the current sphere
-    double slack[PARADT_MAX_DIM];      // |error of F| <= sum_j |u_j| (K |u_j| + slack_j)
-    double reach[PARADT_MAX_DIM];      // |error of N| <= sum_j |u_j| reach_j
-    double weight;                     // of the origin
-    double clear;                      // N of a point that is a good candidate is more than this
-    double f_floor;                    // error that F has everywhere
-    double n_floor;                    // N of a point outside is at least this
-    double disc[PARADT_MAX_DIM];       // with sagittas: a point outside has sum_j u_j (u_j - disc_j) of at most
-    double disc_slack[PARADT_MAX_DIM]; // disc_floor + sum_j |u_j| (K |u_j| + disc_slack_j)
-    double disc_floor;
-    double extent[PARADT_MAX_DIM];  // with sagittas: the length of the set along each axis
-    double weight_slack;            // ... and the error of a difference of two
-    double curve;                   // with sagittas, on the reference sphere: F(u) = curve |u|^2 - tangent . u
-    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (s(u) - s(0)), s the sagitta
-    double summit[PARADT_MAX_DIM];  // if curve > 0: where curve |u|^2 - tangent . u is least; else 0
-    double curve_slack;             // error of that form of F beyond F's own
-    double round;                   // K
+    size_t outer[PARADT_MAX_DIM];     // of a box's sides on the axis, where the one with the larger N starts in a group
+    double centre[PARADT_MAX_DIM];    // twice the sphere's centre
+    double slack[PARADT_MAX_DIM];     // |error of F| <= f_floor + sum_j |u_j| (K |u_j| + slack_j) + K |gain|
+    double reach[PARADT_MAX_DIM];     // |error of N| <= sum_j |u_j| reach_j
+    double weight;                    // of the origin, or its sagitta; 0 without grades
+    double clear;                     // N of a point that is worth a try as the first apex exceeds this
+    double f_floor;                   // error that F has everywhere
+    double n_floor;                   // N of a point outside is at least this
+    double cap[PARADT_MAX_DIM];       // with sagittas: of a point outside, sum_j u_j (u_j - cap_j) is at most
+    double cap_slack[PARADT_MAX_DIM]; // ... cap_floor + sum_j |u_j| (K |u_j| + cap_slack_j)
+    double cap_floor;                 // ... PARADT__NO_BOUND: nothing is known of that sum
+    double extent[PARADT_MAX_DIM];    // with sagittas: length of the set along each axis
+    double weight_slack;              // ... and the error of a difference of two sagittas
+    double curve;                     // with sagittas: on the reference sphere F(u) = curve |u|^2 - tangent . u
+    double tangent[PARADT_MAX_DIM];   // ... - (1 - curve) (s(x) - s(o)), s the sagitta
+    double summit[PARADT_MAX_DIM];    // where curve |u|^2 - tangent . u is least, if curve > 0; else 0
+    double curve_slack;               // error of this form of F beyond F's own
+    double round;                     // K
 } paradt__lane_query;
 
+// What a kernel tells of the boxes of a group
 typedef struct paradt__lane_bounds {
-    double f[PARADT__LANES]; // a box: bounds on the errors of F and N in it
-    double n[PARADT__LANES];
-    double promise[PARADT__LANES]; // how far below zero F may be
+    double f[PARADT__LANES];       // bound on the error of F in the box
+    double n[PARADT__LANES];       // bound on the error of N in the box
+    double promise[PARADT__LANES]; // how far below zero F may be in the box
 } paradt__lane_bounds;
 
 typedef unsigned (*paradt__group_kernel)(const paradt__lane_query *q, const double *group, paradt__lane_bounds *bounds);
@@ -5421,13 +5437,13 @@ typedef unsigned (*paradt__cell_kernel)(const paradt__lane_query *q, const doubl
 typedef double (*paradt__best_kernel)(const paradt__lane_query *q, const double *cell);
 
 typedef struct paradt__kernels {
-    paradt__group_kernel group;
-    paradt__cell_kernel cell;
-    paradt__best_kernel best;
+    paradt__group_kernel group; // the mask of a group's boxes that may hold a point outside the facet and in the sphere
+    paradt__cell_kernel cell;   // the mask of a grid cell's points that may be outside the facet and in the sphere
+    paradt__best_kernel best;   // the grid cell's point that gives the smallest sphere; see paradt__kernel_best_plain
 } paradt__kernels;
 
-// The lanes whose value is not negative.
-PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
+// Returns the mask of the lanes whose value is not negative.
+PARADT__INLINE unsigned paradt__kernel_mask(const double *value) {
 #if defined(__SSE2__) && !defined(PARADT_NO_SIMD)
     unsigned mask = (unsigned)_mm_movemask_pd(_mm_loadu_pd(value));
     mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 2)) << 2;
@@ -5442,9 +5458,10 @@ PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
 #endif
 }
 
-// Which of eight boxes may hold a point outside the facet and inside the sphere?
-PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, const double *group,
-                                                 paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient, int grade) {
+// Returns the mask of the boxes that may hold a point outside the facet and inside the sphere.
+PARADT__INLINE unsigned paradt__kernel_group_plain(const paradt__lane_query *q, const double *group,
+                                                   paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient,
+                                                   int grade) {
     double margin[PARADT__LANES], f[PARADT__LANES], n[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -5480,13 +5497,14 @@ PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, co
         bounds->promise[lane] = promise;
         margin[lane] = promise < outside ? promise : outside;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same with sagittas. The lifts are of one size in all of the set, so one bound on the errors does: that at the
-// distance of its whole extent. N is affine, so one corner of a box decides; F is taken as paradt__set_curve has it.
-PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
-                                                  paradt__lane_bounds *bounds, int ambient) {
+// The same with sagittas. All lifts of the set are of one size, so one bound on the errors suffices: the bound at the
+// distance of the set's whole extent. N is affine, so one corner of a box decides. F is taken in the form with `curve`;
+// see paradt__pencil_set_curve.
+PARADT__INLINE unsigned paradt__kernel_group_sagittas(const paradt__lane_query *q, const double *group,
+                                                      paradt__lane_bounds *bounds, int ambient) {
     const double *grades = group + ambient * 2 * PARADT__LANES, *outer[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
     double gain = 1.0 - q->curve;
@@ -5530,26 +5548,26 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
         bounds->f[lane] = f_bound;
         bounds->n[lane] = n_bound;
     }
-    if (q->disc_floor < PARADT__NO_BOUND) {
+    if (q->cap_floor < PARADT__NO_BOUND) {
         for (lane = 0; lane < PARADT__LANES; lane++) {
-            double g = -q->disc_floor;
+            double g = -q->cap_floor;
             for (j = 0; j < ambient; j++) {
                 double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
                 double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
-                double x = q->disc[j] * 0.5, reach = -low > high ? -low : high;
+                double x = q->cap[j] * 0.5, reach = -low > high ? -low : high;
                 x = x > low ? x : low;
                 x = x < high ? x : high;
-                g += x * (x - q->disc[j]) - reach * (q->round * reach + q->disc_slack[j]);
+                g += x * (x - q->cap[j]) - reach * (q->round * reach + q->cap_slack[j]);
             }
             margin[lane] = -g < margin[lane] ? -g : margin[lane];
         }
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same for the eight points of a grid cell, with the bounds that hold in its box.
-PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
-                                                double n_bound, int ambient, int grade) {
+// The same for the eight points of a grid cell. f_bound, n_bound: the bounds on the errors that hold in its box
+PARADT__INLINE unsigned paradt__kernel_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
+                                                  double n_bound, int ambient, int grade) {
     double margin[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -5564,13 +5582,14 @@ PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, con
         n = n + n_bound;
         margin[lane] = f < n ? f : n;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The smallest parameter t of the eight points of a grid cell, less that of the current sphere (that of the base, while
-// there is no apex), among those that are clearly outside; its last three bits are the lane. PARADT__FAR or so: none.
-PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, const double *cell, int ambient,
-                                                 int grade) {
+// Of the eight points of a grid cell that are clearly outside the facet, finds the one on the sphere with the smallest
+// parameter t in the pencil. Returns F / N, which is that t less the current sphere's; the last three bits are the
+// lane. Returns about PARADT__FAR when no point is clearly outside.
+PARADT__INLINE double paradt__kernel_best_plain(const paradt__lane_query *q, const double *cell, int ambient,
+                                                int grade) {
     double ratio[PARADT__LANES], heights[PARADT__LANES];
     uint64_t bits[PARADT__LANES];
     int lane, j;
@@ -5595,11 +5614,11 @@ PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, co
 }
 
 #if defined(PARADT__AVX2)
-// The twins of the three above for processors with AVX2, four lanes at a time.
+// The same three for processors with AVX2, four lanes at a time.
 #define PARADT__ALL(value) _mm256_set1_pd(value)
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_query *q, const double *group,
-                                                             paradt__lane_bounds *bounds, int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lane_query *q, const double *group,
+                                                               paradt__lane_bounds *bounds, int ambient, int grade) {
     const __m256d sign = PARADT__ALL(-0.0), round = PARADT__ALL(q->round);
     __m256d f[2], n[2], f_bound[2], n_bound[2];
     unsigned mask = 0;
@@ -5643,8 +5662,9 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
-                                                   int grade, __m256d *f, __m256d *n) {
+// Computes F and N of four points.
+PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
+                                                          int grade, __m256d *f, __m256d *n) {
     int j;
     *f = *n = _mm256_setzero_pd();
     for (j = 0; j < ambient; j++) {
@@ -5660,13 +5680,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, 
     }
 }
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_query *q, const double *cell,
-                                                            double f_bound, double n_bound, int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane_query *q, const double *cell,
+                                                              double f_bound, double n_bound, int ambient, int grade) {
     unsigned mask = 0;
     int half;
     for (half = 0; half < PARADT__LANES; half += 4) {
         __m256d f, n;
-        paradt__lift_avx2(q, cell + half, ambient, grade, &f, &n);
+        paradt__kernel_lift_avx2(q, cell + half, ambient, grade, &f, &n);
         f = _mm256_sub_pd(PARADT__ALL(f_bound), f);
         n = _mm256_add_pd(n, PARADT__ALL(n_bound));
         mask |= (unsigned)_mm256_movemask_pd(_mm256_min_pd(f, n)) << half;
@@ -5674,14 +5694,14 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_q
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_query *q, const double *cell,
-                                                             int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_query *q, const double *cell,
+                                                            int ambient, int grade) {
     const __m256d beyond = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
     __m256d best[2], n;
     __m128d pair;
     int half;
     for (half = 0; half < 2; half++) {
-        paradt__lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
+        paradt__kernel_lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
         best[half] =
             _mm256_blendv_pd(beyond, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
         best[half] =
@@ -5695,130 +5715,144 @@ PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_
 #undef PARADT__ALL
 #endif
 
-// One set of kernels for each dimension, with and without weights, and each instruction set that can be chosen at run
-// time. All of them rule out by the same bounds, so all lead to the same cells.
+// The kernels of one instruction set for dimension d and grade w
 #define PARADT__KERNEL_SET(isa, attribute, d, w)                                                                       \
-    attribute static unsigned paradt__group_##isa##d##w(const paradt__lane_query *q, const double *group,              \
-                                                        paradt__lane_bounds *bounds) {                                 \
-        if (w == PARADT__SAGITTA) return paradt__test_graded_group(q, group, bounds, d);                               \
-        return paradt__test_group##isa(q, group, bounds, d, w);                                                        \
+    attribute static unsigned paradt__kernel_group_##isa##_##d##_##w(const paradt__lane_query *q, const double *group, \
+                                                                     paradt__lane_bounds *bounds) {                    \
+        if (w == PARADT__SAGITTA) return paradt__kernel_group_sagittas(q, group, bounds, d);                           \
+        return paradt__kernel_group_##isa(q, group, bounds, d, w);                                                     \
     }                                                                                                                  \
-    attribute static unsigned paradt__cell_##isa##d##w(const paradt__lane_query *q, const double *cell,                \
-                                                       double f_bound, double n_bound) {                               \
-        return paradt__test_cell##isa(q, cell, f_bound, n_bound, d, w);                                                \
+    attribute static unsigned paradt__kernel_cell_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell,   \
+                                                                    double f_bound, double n_bound) {                  \
+        return paradt__kernel_cell_##isa(q, cell, f_bound, n_bound, d, w);                                             \
     }                                                                                                                  \
-    attribute static double paradt__best_##isa##d##w(const paradt__lane_query *q, const double *cell) {                \
-        return paradt__best_of_cell##isa(q, cell, d, w);                                                               \
+    attribute static double paradt__kernel_best_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell) {   \
+        return paradt__kernel_best_##isa(q, cell, d, w);                                                               \
     }
-#define PARADT__KERNEL_PAIR(isa, attribute, d)                                                                         \
+#define PARADT__KERNEL_SETS(isa, attribute, d)                                                                         \
     PARADT__KERNEL_SET(isa, attribute, d, 0)                                                                           \
-    PARADT__KERNEL_SET(isa, attribute, d, 1) PARADT__KERNEL_SET(isa, attribute, d, 2)
-#define PARADT__KERNELS(isa, attribute)                                                                                \
-    PARADT__KERNEL_PAIR(isa, attribute, 2)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 3)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 4)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 5)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 6) PARADT__KERNEL_PAIR(isa, attribute, 7) PARADT__KERNEL_PAIR(isa, attribute, 8)
+    PARADT__KERNEL_SET(isa, attribute, d, 1)                                                                           \
+    PARADT__KERNEL_SET(isa, attribute, d, 2)
 #define PARADT__KERNEL_NAMES(isa, d, w)                                                                                \
-    { paradt__group_##isa##d##w, paradt__cell_##isa##d##w, paradt__best_##isa##d##w }
-#define PARADT__KERNEL_ROW(isa, d)                                                                                     \
-    { PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2) }
-#define PARADT__KERNEL_TABLE(isa)                                                                                      \
     {                                                                                                                  \
-        PARADT__KERNEL_ROW(isa, 2), PARADT__KERNEL_ROW(isa, 3), PARADT__KERNEL_ROW(isa, 4),                            \
-            PARADT__KERNEL_ROW(isa, 5), PARADT__KERNEL_ROW(isa, 6), PARADT__KERNEL_ROW(isa, 7),                        \
-            PARADT__KERNEL_ROW(isa, 8)                                                                                 \
+        paradt__kernel_group_##isa##_##d##_##w, paradt__kernel_cell_##isa##_##d##_##w,                                 \
+            paradt__kernel_best_##isa##_##d##_##w                                                                      \
     }
+#define PARADT__KERNEL_ROW(isa, d)                                                                                     \
+    {PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2)},
 
-PARADT__KERNELS(_plain, )
+#define PARADT__KERNEL_SETS_PLAIN(d) PARADT__KERNEL_SETS(plain, , d)
+#define PARADT__KERNEL_ROW_PLAIN(d)  PARADT__KERNEL_ROW(plain, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_PLAIN)
 #if defined(PARADT__AVX2)
-PARADT__KERNELS(_avx2, PARADT__AVX2)
+#define PARADT__KERNEL_SETS_AVX2(d) PARADT__KERNEL_SETS(avx2, PARADT__AVX2, d)
+#define PARADT__KERNEL_ROW_AVX2(d)  PARADT__KERNEL_ROW(avx2, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_AVX2)
 #endif
 
-static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
-    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(_plain);
+// Returns the fastest kernels that the processor has. ambient: coordinates a point; grade: as that of a set
+static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
+    static const paradt__kernels plain[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_PLAIN)};
 #if defined(PARADT__AVX2)
-    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(_avx2);
+    static const paradt__kernels avx2[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_AVX2)};
+#endif
+    PARADT_ASSERT(ambient >= 2 && ambient <= PARADT_MAX_DIM && grade >= 0 && grade <= 2);
+#if defined(PARADT__AVX2)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2[ambient - 2][grade];
 #endif
     return plain[ambient - 2][grade];
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>pencil
 //
-// Doors: to be listed.
+// The spheres through a facet, and how far floating point can be trusted with them.
+//
+// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
+// through f are the pencil F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
+// A(u) = lift(u) - base . u vanishes on f. x is inside sphere t where F_t < 0. Outside of f, x lies on the sphere t(x)
+// = A(x) / N(x). The centre moves outward along the normal with t, so the smallest t is the smallest signed Delaunay
+// distance dd of the thesis.
+//
+// Let K bound the relative rounding of the sums below (PARADT__ROUND). Let e_i = p_i - o be the edges of f at o, and
+// e*_i their dual basis in their span. The computed `base` and `normal` do not vanish on f but have residuals r_i =
+// lift(e_i) - base . e_i and s_i = normal . e_i. So the true A differs from the computed one by at most
+//
+//     sum_i |r_i| |e*_i . u| <= base_slack |u|_1,    base_slack = sum_i |r_i| |e*_i|_max
+//
+// and N likewise by normal_slack |u|_1, with s_i for r_i. To these come the rounding, K sum_j |normal_j u_j| and the
+// like, and f_floor for the error that sagittas have themselves. The dual basis is itself computed. The product |e_i|_1
+// |e*_i|_max is the inverse sine of the facet's angles: while it stays below 2^36, the relative error of the dual basis
+// is below 2^-10, and a factor of 2 in the slacks covers it. A facet more needle-like than that gets slacks so large
+// that nothing is ruled out and all is decided exactly.
+//
+// A search keeps one pencil and sets it facet by facet. Doors: paradt__pencil_begin, paradt__pencil_set_facet,
+// paradt__pencil_set_sphere, paradt__pencil_set_whole_sphere, paradt__pencil_is_inside, paradt__pencil_is_outside,
+// paradt__pencil_boxes_beyond, paradt__pencil_is_confined.
 
-typedef struct paradt__search {
+#define PARADT__NEEDLE 68719476736.0         // 2^36
+#define PARADT__STEEP  2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+
+// The dimension that the inner functions have copies for, where all coordinates orient and nothing follows them
+enum { PARADT__PLAIN_DIM = PARADT_MAX_DIM < 3 ? PARADT_MAX_DIM : 3 };
+
+typedef struct paradt__pencil {
     const paradt__set *set;
-    const paradt__grid *grid;
-    paradt__space space; // this search's own, for its counters
-    int plain3;          // three coordinates and no weights: the shape that has its own copies of the inner functions
-    paradt__kernels test;
-    size_t begin, end;     // positions that matter: the whole set, or the part that a DeWall works on
-    double heaviest;       // no point that may be found is heavier
-    uint8_t *const *alive; // [level][group] which of its boxes have points that may be an apex; NULL: all
-    uint64_t distance_evaluations, grid_cells_visited;
-
-    // the facet and its pencil
-    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices; room for an apex and one more
-    paradt_index facet[PARADT_MAX_DIM];
-    int outside;  // sign of the orientation (facet, x) for x outside
-    int conflict; // both sides count, and the first point found in conflict with the sphere is the answer
-    int found;    // there is one
+    paradt__space space; // the set's, but with the counters of this pencil
+    int plain;           // the set has PARADT__PLAIN_DIM coordinates, of which all orient, and no grades
+    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices, then the current sphere's point
+    int outside;                               // sign of the orientation (facet, x) for x outside
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
-
-    paradt_index apex; // best so far, or PARADT__OPEN
-    unsigned changes;  // times the sphere changed
-    unsigned growths;  // times a bound on the errors became larger by that
+    unsigned changes; // how often the sphere was set for this facet; 0: there is none yet
+    unsigned growths; // how often a bound on the errors was enlarged by that, for all facets
     paradt__lane_query q;
-} paradt__search;
+} paradt__pencil;
 
-static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+// Prepares pencils for facets of the set, or of sets of the same space and grade.
+static void paradt__pencil_begin(paradt__pencil *p, const paradt__set *set) {
     int j;
-    memset(s, 0, sizeof *s);
-    s->set = set;
-    s->grid = grid;
-    s->heaviest = grid->heaviest;
-    s->space = set->space;
-    memset(&s->space.counters, 0, sizeof s->space.counters);
-    s->test = paradt__choose_kernels(set->space.ambient, set->grade);
-    s->end = set->count;
-    s->plain3 = set->space.dim == 3 && set->space.ambient == 3 && !set->grade;
-    s->q.round = PARADT__ROUND(set->space.ambient);
-    s->q.f_floor = 4.0 * set->grade_error;
-    s->q.weight_slack = 2.0 * s->q.round * set->grade_limit;
+    memset(p, 0, sizeof *p);
+    p->set = set;
+    p->space = set->space;
+    memset(&p->space.counters, 0, sizeof p->space.counters);
+    p->plain = set->space.dim == PARADT__PLAIN_DIM && set->space.ambient == PARADT__PLAIN_DIM && !set->grade;
+    p->q.round = PARADT__ROUND(set->space.ambient);
+    p->q.f_floor = 4.0 * set->grade_error;
+    p->q.weight_slack = 2.0 * p->q.round * set->grade_limit;
     for (j = 0; j < set->space.ambient; j++) {
         if (set->space.low[j] > set->space.high[j]) continue;
-        s->q.extent[j] =
+        p->q.extent[j] =
             1.0000001 * (paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]));
     }
 }
 
-// One edge's share of the slacks; 0 when the facet is a needle. lift_size: the sum of the sizes of the lift's terms.
-PARADT__INLINE int paradt__add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
-                                        const double *dual, int dim) {
+// Adds the terms of one edge to the slacks. lift_size: sum of the sizes of the lift's terms. Returns 0 if the facet is
+// a needle.
+PARADT__INLINE int paradt__pencil_add_residual(paradt__pencil *p, const double *edge, double lift, double lift_size,
+                                               const double *dual, int dim) {
     double r = lift, r_size = lift_size, n = 0.0, n_size = 0.0, length = 0.0, dual_size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
         double d = paradt__abs(dual[j]);
-        r -= s->base[j] * edge[j];
-        r_size += paradt__abs(s->base[j] * edge[j]);
-        n += s->q.normal[j] * edge[j];
-        n_size += paradt__abs(s->q.normal[j] * edge[j]);
+        r -= p->base[j] * edge[j];
+        r_size += paradt__abs(p->base[j] * edge[j]);
+        n += p->q.normal[j] * edge[j];
+        n_size += paradt__abs(p->q.normal[j] * edge[j]);
         length += paradt__abs(edge[j]);
         dual_size = d > dual_size ? d : dual_size;
     }
-    s->base_slack += 2.0 * dual_size * (paradt__abs(r) + s->q.round * r_size + s->q.f_floor);
-    s->normal_slack += 2.0 * dual_size * (paradt__abs(n) + s->q.round * n_size);
+    p->base_slack += 2.0 * dual_size * (paradt__abs(r) + p->q.round * r_size + p->q.f_floor);
+    p->normal_slack += 2.0 * dual_size * (paradt__abs(n) + p->q.round * n_size);
     return length * dual_size < PARADT__NEEDLE;
 }
 
-// A triangle in 3D: normal = e1 x e2, and the dual basis from cross products with it. 0: it is flat.
-PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
+#if PARADT_MAX_DIM >= 3
+// Computes the normal, e1 x e2, and the dual basis d of a triangle in 3D by cross products. Returns 0 if it is flat.
+PARADT__INLINE int paradt__pencil_of_triangle(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                              double d[][PARADT_MAX_DIM]) {
     const double *e = edges[0], *f = edges[1];
-    double *n = s->q.normal, size, inverse;
+    double *n = p->q.normal, size, inverse;
     int j;
     n[0] = e[1] * f[2] - e[2] * f[1];
     n[1] = e[2] * f[0] - e[0] * f[2];
@@ -5832,22 +5866,14 @@ PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_
     d[1][0] = (n[1] * e[2] - n[2] * e[1]) * inverse;
     d[1][1] = (n[2] * e[0] - n[0] * e[2]) * inverse;
     d[1][2] = (n[0] * e[1] - n[1] * e[0]) * inverse;
-    for (j = 0; j < 3 && s->outside < 0; j++) n[j] = -n[j];
+    for (j = 0; j < 3 && p->outside < 0; j++) n[j] = -n[j];
     return 1;
 }
+#endif
 
-static double paradt__longest(const double *vector, int dim) {
-    double longest = 0.0;
-    int j;
-    for (j = 0; j < dim; j++) {
-        double length = paradt__abs(vector[j]);
-        longest = length > longest ? length : longest;
-    }
-    return longest;
-}
-
-// A unit vector across the span of the orthonormal rows: the axis farthest from the span, less its part in it, twice.
-static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
+// Computes a unit vector perpendicular to the orthonormal rows: takes the axis farthest from their span and subtracts,
+// twice, its projection on the span.
+static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
     int axis, best = 0, i, j, pass;
     double least = 2.0, length = 0.0;
     for (axis = 0; axis < dim; axis++) {
@@ -5868,9 +5894,11 @@ static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, in
     for (j = 0; j < dim; j++) normal[j] *= length;
 }
 
-// Any dimension: edges = L Q by modified Gram-Schmidt; the dual basis is the columns of Q^T L^-1. The ratios of the
-// edges to the diagonal of L are bounded first, so that nothing overflows on the way to finding a needle.
-static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
+// Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
+// Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
+// first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
+static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -5884,7 +5912,7 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
         }
         for (j = 0; j < dim; j++) length += q[i][j] * q[i][j];
         l[i][i] = sqrt(length);
-        if (!(l[i][i] * PARADT__NEEDLE > paradt__longest(edges[i], dim))) return 0;
+        if (!(l[i][i] * PARADT__NEEDLE > paradt__largest(edges[i], dim))) return 0;
         for (j = 0; j < dim; j++) q[i][j] /= l[i][i];
     }
     // Dual vector i is y Q with L y = unit i.
@@ -5898,298 +5926,467 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
             for (j = 0; j < dim; j++) dual[i][j] += y[k] * q[k][j];
         }
     }
-    paradt__normal_to((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
+    paradt__pencil_normal((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, p->q.normal);
     return 1;
 }
 
-// Turns the normal away from `inner`; where the side of that is in doubt, N rules out nothing.
-static void paradt__turn_normal(paradt__search *s, const double *inner, int dim) {
+// Makes the normal point away from `inner`. Where the side of `inner` is in doubt, N will rule out nothing.
+static void paradt__pencil_orient_normal(paradt__pencil *p, const double *inner, int dim) {
     double side = 0.0, size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
-        double u = inner[j] - s->q.origin[j];
-        side += s->q.normal[j] * u;
-        size += paradt__abs(u) * (s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack);
+        double u = inner[j] - p->q.origin[j];
+        side += p->q.normal[j] * u;
+        size += paradt__abs(u) * (p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack);
     }
-    for (j = 0; j < dim && side > size; j++) s->q.normal[j] = -s->q.normal[j];
-    if (side >= -size && side <= size) s->normal_slack = PARADT__NO_BOUND;
+    for (j = 0; j < dim && side > size; j++) p->q.normal[j] = -p->q.normal[j];
+    if (side >= -size && side <= size) p->normal_slack = PARADT__NO_BOUND;
 }
 
-// Nothing is known about the pencil in floating point: all is left to the predicates.
-static void paradt__pencil_unknown(paradt__search *s) {
-    memset(s->q.normal, 0, sizeof s->q.normal);
-    memset(s->base, 0, sizeof s->base);
-    s->base_slack = s->normal_slack = PARADT__NO_BOUND;
+// Nothing is known about the pencil in floating point: leaves everything to the predicates.
+static void paradt__pencil_forget(paradt__pencil *p) {
+    memset(p->q.normal, 0, sizeof p->q.normal);
+    memset(p->base, 0, sizeof p->base);
+    p->base_slack = p->normal_slack = PARADT__NO_BOUND;
 }
 
-// Where N is a determinant of the coordinates (`determinant`) and these are multiples of one power of two, as in
-// lattices, N is too; if its error is less than half of the smallest one that is not 0, its sign is known everywhere.
-PARADT__INLINE void paradt__set_floors(paradt__search *s, int determinant) {
-    const paradt__space *space = &s->space;
-    s->q.n_floor =
+// Sets the least N of a point outside. If the coordinates are multiples of one power of two, as in lattices, and N is a
+// determinant of them (`determinant`), N is such a multiple, too. If, besides, its error is less than half of the
+// smallest such multiple that is not 0, the sign of N is known everywhere.
+PARADT__INLINE void paradt__pencil_set_floor(paradt__pencil *p, int determinant) {
+    const paradt__space *space = &p->space;
+    p->q.n_floor =
         determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
 }
 
-// Near a sphere with centre c, the part outside of a facet that faces away from c is a cap, which lies in the smallest
-// sphere through the facet: for G(u) = |u|^2 - disc . u with that sphere's disc = twice its centre, and all u on the
-// sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c and sagittas s, so that G(u) = -(2 w + disc) . u + s0 - s(u). 2 w
-// + disc is mu times the normal up to a rest. If mu > 0, N(u) > 0 has G(u) <= |rest| |u| + s0 - s(u). This rules out
-// boxes that the facet's plane cuts far from the facet, as it cuts boxes of every size near the hull.
-static void paradt__set_disc(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                             int dim) {
+// Finds the sphere that holds the cap of the reference sphere outside of the facet. Near a reference sphere with centre
+// c, the points outside of a facet that faces away from c are such a cap, and the cap lies in the smallest sphere
+// through the facet. Let G(u) = |u|^2 - cap . u with cap = twice the centre of that smallest sphere, w = o - c, and s
+// the sagittas. All u of the set have |u|^2 = -2 w . u + s(o) - s(u), so G(u) = -(2 w + cap) . u + s(o) - s(u). Now
+// 2 w + cap is mu times the normal, up to a rest. If mu > 0, N(u) > 0 implies G(u) <= |rest| |u| + s(o) - s(u). This
+// rules out boxes that the facet's plane cuts far from the facet; near the hull it cuts boxes of every size.
+static void paradt__pencil_set_cap(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double mu = 0.0, size = 0.0, two_w[PARADT_MAX_DIM];
     int i, j;
-    for (j = 0; j < dim; j++) s->q.disc[j] = 0.0;
+    for (j = 0; j < dim; j++) p->q.cap[j] = 0.0;
     for (i = 0; i < dim - 1; i++) {
         double lift = 0.0;
         for (j = 0; j < dim; j++) lift += edges[i][j] * edges[i][j];
-        for (j = 0; j < dim; j++) s->q.disc[j] += lift * dual[i][j];
+        for (j = 0; j < dim; j++) p->q.cap[j] += lift * dual[i][j];
     }
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        mu += (two_w[j] + s->q.disc[j]) * s->q.normal[j];
-        size += s->q.normal[j] * s->q.normal[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        mu += (two_w[j] + p->q.cap[j]) * p->q.normal[j];
+        size += p->q.normal[j] * p->q.normal[j];
     }
     if (!(mu > 0.0)) return;
     mu /= size;
     for (j = 0; j < dim; j++) {
-        double rest = two_w[j] + s->q.disc[j] - mu * s->q.normal[j];
-        s->q.disc_slack[j] =
-            paradt__abs(rest) + mu * s->q.reach[j] +
-            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.disc[j]) + paradt__abs(mu * s->q.normal[j]));
+        double rest = two_w[j] + p->q.cap[j] - mu * p->q.normal[j];
+        p->q.cap_slack[j] =
+            paradt__abs(rest) + mu * p->q.reach[j] +
+            p->q.round * (paradt__abs(two_w[j]) + paradt__abs(p->q.cap[j]) + paradt__abs(mu * p->q.normal[j]));
     }
-    s->q.disc_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
+    p->q.cap_floor = 2.0 * (p->set->grade_limit + p->set->grade_error) + mu * p->q.n_floor;
 }
 
-// Sets the pencil of the facet s->corners. inner: a point off the facet, on the inner side if there are sides.
-PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
+// Computes the pencil of the facet p->corners[0..dim - 1]. inner: a point off the facet, on the inner side; sided: 0 if
+// both sides are outside. Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const double *inner, int sided, int dim,
+                                                      int ambient, int grade) {
     double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], dual[PARADT_MAX_DIM][PARADT_MAX_DIM];
     double lifts[PARADT_MAX_DIM], lift_sizes[PARADT_MAX_DIM];
     int i, j, sound;
-    const double *o = s->corners[0];
-    for (j = 0; j < ambient; j++) s->q.origin[j] = o[j];
-    s->q.weight = grade ? o[ambient] : 0.0;
+    const double *o = p->corners[0];
+    for (j = 0; j < ambient; j++) p->q.origin[j] = o[j];
+    p->q.weight = grade ? o[ambient] : 0.0;
     for (i = 0; i < dim - 1; i++) {
-        const double *p = s->corners[i + 1];
-        double loss = grade ? s->q.weight - p[ambient] : 0.0, square = 0.0;
+        const double *x = p->corners[i + 1];
+        double loss = grade ? p->q.weight - x[ambient] : 0.0, square = 0.0;
         for (j = 0; j < ambient; j++) {
-            double e = p[j] - o[j];
+            double e = x[j] - o[j];
             edges[i][j] = e;
             if (grade != PARADT__SAGITTA) square += e * e;
         }
         lifts[i] = square + loss;
         lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
     }
-    s->base_slack = s->normal_slack = 0.0;
-    sound = dim == 3 ? paradt__pencil3(s, edges, dual) : paradt__pencil(s, edges, dual, dim);
+    p->base_slack = p->normal_slack = 0.0;
+#if PARADT_MAX_DIM >= 3
+    sound = dim == 3 ? paradt__pencil_of_triangle(p, edges, dual) : paradt__pencil_of_facet(p, edges, dual, dim);
+#else
+    sound = paradt__pencil_of_facet(p, edges, dual, dim);
+#endif
     for (j = 0; j < dim && sound; j++) {
-        s->base[j] = 0.0;
-        for (i = 0; i < dim - 1; i++) s->base[j] += lifts[i] * dual[i][j];
+        p->base[j] = 0.0;
+        for (i = 0; i < dim - 1; i++) p->base[j] += lifts[i] * dual[i][j];
     }
     for (i = 0; i < dim - 1 && sound; i++) {
-        sound = paradt__add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
+        sound = paradt__pencil_add_residual(p, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
     }
-    if (sound && dim != 3) paradt__turn_normal(s, inner, dim);
-    if (!sound) paradt__pencil_unknown(s);
-    paradt__set_floors(s, sound && dim == 3);
-    s->q.clear = 0.0;
-    for (j = 0; j < dim; j++) s->q.clear = paradt__larger(s->q.clear, paradt__abs(s->q.normal[j]));
-    if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
+    if (sound && dim != 3) paradt__pencil_orient_normal(p, inner, dim);
+    if (!sound) paradt__pencil_forget(p);
+    paradt__pencil_set_floor(p, sound && dim == 3);
+    p->q.clear = 0.0;
+    for (j = 0; j < dim; j++) p->q.clear = paradt__larger(p->q.clear, paradt__abs(p->q.normal[j]));
+    if (dim > 1) p->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
     for (j = 0; j < ambient; j++) {
-        if (j >= dim) s->q.normal[j] = s->base[j] = 0.0;
-        s->q.outer[j] = s->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
-        s->q.centre[j] = s->base[j];
-        s->q.slack[j] = PARADT__NO_BOUND;
-        s->q.reach[j] =
-            j < dim && s->q.n_floor == 0.0 ? s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack : 0.0;
+        if (j >= dim) p->q.normal[j] = p->base[j] = 0.0;
+        p->q.outer[j] = p->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
+        p->q.centre[j] = p->base[j];
+        p->q.slack[j] = PARADT__NO_BOUND;
+        p->q.reach[j] =
+            j < dim && p->q.n_floor == 0.0 ? p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack : 0.0;
     }
-    s->q.disc_floor = PARADT__NO_BOUND;
-    if (grade == PARADT__SAGITTA && sound && !s->conflict) paradt__set_disc(s, edges, dual, dim);
-    s->apex = PARADT__OPEN;
+    PARADT_ASSERT(p->base_slack >= 0.0 && p->normal_slack >= 0.0); // and are numbers
+    p->q.cap_floor = PARADT__NO_BOUND;
+    if (grade == PARADT__SAGITTA && sound && sided) paradt__pencil_set_cap(p, edges, dual, dim);
+    p->changes = 0;
 }
 
-static void paradt__search_facet(paradt__search *s, const double *inner) {
-    if (s->plain3) paradt__facet_of_shape(s, inner, 3, 3, 0);
-    else paradt__facet_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_facet(paradt__pencil *p, const double *inner, int sided) {
+    if (p->plain) paradt__pencil_set_facet_of_shape(p, inner, sided, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_facet_of_shape(p, inner, sided, p->space.dim, p->space.ambient, p->set->grade);
 }
 
-// On the reference sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c, so that a multiple of the difference may be
-// added to F: the one that leaves nothing of the centre along w. Then F varies with the square of a box's size, as it
-// does on the sphere, while the box reaches off it by its size.
-static void paradt__set_curve(paradt__search *s, int dim) {
+// Chooses the form of F for boxes near the reference sphere. On that sphere |u|^2 = -2 w . u + s(o) - s(u), with w =
+// o - c, so a multiple of the difference of the two sides may be added to F: the multiple that leaves nothing of the
+// centre along w. In this form F varies in a box with the square of its size, as on the sphere, though the box reaches
+// off the sphere by its size.
+static void paradt__pencil_set_curve(paradt__pencil *p, int dim) {
     double dot = 0.0, square = 0.0, half, two_w[PARADT_MAX_DIM];
     int j;
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        dot += s->q.centre[j] * two_w[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        dot += p->q.centre[j] * two_w[j];
         square += two_w[j] * two_w[j];
     }
-    s->q.curve = dot / square;
-    if (!(paradt__abs(s->q.curve) < 0.5 && paradt__abs(s->q.curve) > 1.0 / PARADT__STEEP)) s->q.curve = 0.0;
-    half = s->q.curve > 0.0 ? 0.5 / s->q.curve : 0.0;
-    s->q.curve_slack = paradt__abs(s->q.curve) * (s->q.f_floor + 2.0 * s->q.weight_slack);
+    p->q.curve = dot / square;
+    if (!(paradt__abs(p->q.curve) < 0.5 && paradt__abs(p->q.curve) > 1.0 / PARADT__STEEP)) p->q.curve = 0.0;
+    half = p->q.curve > 0.0 ? 0.5 / p->q.curve : 0.0;
+    p->q.curve_slack = paradt__abs(p->q.curve) * (p->q.f_floor + 2.0 * p->q.weight_slack);
     for (j = 0; j < dim; j++) {
-        double moved = s->q.curve * two_w[j];
-        s->q.tangent[j] = s->q.centre[j] - moved;
-        s->q.summit[j] = s->q.tangent[j] * half;
-        s->q.curve_slack +=
-            2.0 * s->q.round * s->q.extent[j] *
-            (paradt__abs(s->q.curve) * s->q.extent[j] + paradt__abs(s->q.centre[j]) + 2.0 * paradt__abs(moved));
+        double moved = p->q.curve * two_w[j];
+        p->q.tangent[j] = p->q.centre[j] - moved;
+        p->q.summit[j] = p->q.tangent[j] * half;
+        p->q.curve_slack +=
+            2.0 * p->q.round * p->q.extent[j] *
+            (paradt__abs(p->q.curve) * p->q.extent[j] + paradt__abs(p->q.centre[j]) + 2.0 * paradt__abs(moved));
     }
 }
 
-// Makes x the apex: the sphere through the facet and it. n: N(x), n_bound: its error. The slacks are taken twice as
-// large as needed and then kept as long as they do, so that bounds computed for one sphere mostly hold for the next.
-PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
-                                            double n_bound, int dim, int ambient, int grade) {
-    int j, grown = s->apex < 0;
-    double a = 0.0, a_bound = s->q.f_floor, t, t_bound, size;
-    if (s->q.n_floor > 0.0) n_bound = s->space.orient_certain;
+// Makes the sphere through x the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
+// what is needed and then kept while that suffices, so bounds on errors in a box mostly hold for the next sphere, too.
+// Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const double *x, double n, double n_bound,
+                                                       int dim, int ambient, int grade) {
+    int j, grown = !p->changes;
+    double a = 0.0, a_bound = p->q.f_floor, t, t_bound, size;
+    if (p->q.n_floor > 0.0) n_bound = p->space.orient_certain;
     size = paradt__abs(n) - n_bound;
-    s->apex = point;
-    s->corners[dim] = x;
-    s->changes++;
+    p->corners[dim] = x;
+    p->changes++;
     for (j = 0; j < ambient; j++) {
-        double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-        a += grade == PARADT__SAGITTA ? -u * s->base[j] : u * (u - s->base[j]);
-        a_bound += reach * (s->q.round * paradt__abs(s->base[j]) + s->base_slack);
-        if (grade != PARADT__SAGITTA) a_bound += s->q.round * reach * reach;
+        double u = x[j] - p->q.origin[j], reach = paradt__abs(u);
+        a += grade == PARADT__SAGITTA ? -u * p->base[j] : u * (u - p->base[j]);
+        a_bound += reach * (p->q.round * paradt__abs(p->base[j]) + p->base_slack);
+        if (grade != PARADT__SAGITTA) a_bound += p->q.round * reach * reach;
     }
     if (grade) {
-        double gain = x[ambient] - s->q.weight;
+        double gain = x[ambient] - p->q.weight;
         a -= gain;
-        a_bound += s->q.round * paradt__abs(gain);
+        a_bound += p->q.round * paradt__abs(gain);
     }
     t = size > 0.0 ? a / n : PARADT__STEEP;
-    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + s->q.round * paradt__abs(t) : PARADT__STEEP;
+    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + p->q.round * paradt__abs(t) : PARADT__STEEP;
     if (!(paradt__abs(t) < PARADT__STEEP && t_bound < PARADT__STEEP)) {
-        for (j = 0; j < ambient; j++) s->q.slack[j] = PARADT__NO_BOUND;
-        s->growths++;
+        for (j = 0; j < ambient; j++) p->q.slack[j] = PARADT__NO_BOUND;
+        p->growths++;
         return;
     }
     for (j = 0; j < ambient; j++) {
-        double normal = s->q.normal[j], slack;
-        s->q.centre[j] = s->base[j] + t * normal;
-        slack = s->q.round * (paradt__abs(s->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
-        if (j < dim) slack += s->base_slack + (paradt__abs(t) + t_bound) * s->normal_slack;
-        if (grown || slack > s->q.slack[j]) {
-            s->q.slack[j] = 2.0 * slack;
+        double normal = p->q.normal[j], slack;
+        p->q.centre[j] = p->base[j] + t * normal;
+        slack = p->q.round * (paradt__abs(p->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
+        if (j < dim) slack += p->base_slack + (paradt__abs(t) + t_bound) * p->normal_slack;
+        if (grown || slack > p->q.slack[j]) {
+            p->q.slack[j] = 2.0 * slack;
             grown = 1;
         }
     }
-    s->growths += (unsigned)grown;
-    if (grade == PARADT__SAGITTA) paradt__set_curve(s, dim);
+    p->growths += (unsigned)grown;
+    if (grade == PARADT__SAGITTA) paradt__pencil_set_curve(p, dim);
 }
 
-static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
-    if (s->plain3) paradt__accept_of_shape(s, point, x, n, n_bound, 3, 3, 0);
-    else paradt__accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_sphere(paradt__pencil *p, const double *x, double n, double n_bound) {
+    if (p->plain) paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, p->space.dim, p->space.ambient, p->set->grade);
 }
 
-// Is x in conflict with the cell of the facet and the apex? Exactly, with the perturbation.
-static int paradt__search_settle(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    int dim = s->space.dim, i;
-    for (i = 0; i <= dim; i++) p[i] = s->corners[i];
-    if (s->outside < 0) {
-        p[dim - 1] = s->corners[dim];
-        p[dim] = s->corners[dim - 1];
+// Makes the sphere through x the current one and lets both sides of the facet be outside.
+static void paradt__pencil_set_whole_sphere(paradt__pencil *p, const double *x) {
+    double n = 0.0, n_bound = 0.0;
+    int j;
+    for (j = 0; j < p->space.dim && p->space.filtered; j++) {
+        double u = x[j] - p->q.origin[j];
+        n += p->q.normal[j] * u;
+        n_bound += paradt__abs(u) * p->q.reach[j];
     }
-    p[dim + 1] = x;
-    return paradt__conflict(&s->space, p);
+    paradt__pencil_set_sphere(p, x, n, n_bound);
+    for (j = 0; j < p->space.ambient; j++) p->q.reach[j] = PARADT__NO_BOUND;
+    p->q.n_floor = 0.0;
 }
 
-static int paradt__search_is_outside(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
-    for (i = 0; i < dim; i++) p[i] = s->corners[i];
-    p[dim] = x;
-    return paradt__orient(&s->space, p) * s->outside > 0;
+// Is x in conflict with the cell of the facet and the current sphere's point? Decides exactly.
+static int paradt__pencil_is_inside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 2];
+    int dim = p->space.dim, i;
+    for (i = 0; i <= dim; i++) points[i] = p->corners[i];
+    if (p->outside < 0) {
+        points[dim - 1] = p->corners[dim];
+        points[dim] = p->corners[dim - 1];
+    }
+    points[dim + 1] = x;
+    return paradt__conflict(&p->space, points);
 }
 
-// Looks at one point that could not be ruled out with its neighbours.
-PARADT__INLINE void paradt__point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
+// Is x strictly outside the facet? Decides exactly.
+static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 1];
+    int dim = p->space.dim, i;
+    for (i = 0; i < dim; i++) points[i] = p->corners[i];
+    points[dim] = x;
+    return paradt__orient(&p->space, points) * p->outside > 0;
+}
+
+// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
+// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
+// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
+// ruled out.
+static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
+    unsigned mask = 0;
+    int lane, j;
+    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double most = 0.0;
+        for (j = 0; j < p->space.dim; j++) {
+            double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
+            double high = group[(2 * j + 1) * PARADT__LANES + lane] - p->q.origin[j];
+            double a = p->q.normal[j] * low + p->q.reach[j] * paradt__abs(low);
+            double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
+            most += a > b ? a : b;
+        }
+        mask |= (unsigned)(most > 0.0) << lane;
+    }
+    return mask;
+}
+
+// Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
+// be a current sphere. Its centre is m = centre / 2, its radius r = |m|, or sqrt(|m|^2 + the largest gain) if there are
+// heavier points than the origin. For u outside of the box, D = |u - m| is at least the distance of m from the walls,
+// and F(u) >= D^2 - r^2. With |u|_1 <= sqrt(d) (D + r), F(u) > K |u|_1 |u|_max + slack |u|_1 if D - r > K d (D + r) +
+// sqrt(d) slack. Both sides of this grow with D, so the walls decide. With sagittas, the sphere that holds the cap
+// outside the facet takes the place of the current sphere, even while there is none.
+static int paradt__pencil_is_confined(const paradt__pencil *p, const double *box, double heaviest) {
+    int capped = p->q.cap_floor < PARADT__NO_BOUND, j, dim = p->space.dim;
+    const double *whole = capped ? p->q.cap : p->q.centre, *slacks = capped ? p->q.cap_slack : p->q.slack;
+    double nearest = PARADT__FAR, radius = capped ? p->q.cap_floor : 0.0, slack = 0.0;
+    if (!capped && (!p->changes || p->set->grade == PARADT__SAGITTA)) return 0;
+    for (j = 0; j < dim; j++) {
+        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
+        double low = (p->q.origin[j] - box[2 * j]) + m, high = (box[2 * j + 1] - p->q.origin[j]) - m;
+        nearest = low < nearest ? low : nearest;
+        nearest = high < nearest ? high : nearest;
+        radius += m * m;
+        slack = slacks[j] > slack ? slacks[j] : slack;
+    }
+    if (p->space.weighted && heaviest > p->q.weight) radius += heaviest - p->q.weight;
+    radius = sqrt(radius);
+    return nearest - radius > p->q.round * dim * (nearest + radius) + 3.0 * slack;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>search
+//
+// MakeSimplex of the thesis: given a facet, finds the point on its outer side with the smallest signed Delaunay
+// distance dd. By the same means it finds a point in conflict with a given cell, or beyond a given facet.
+//
+// A point whose F is certainly positive for the current sphere can't be the apex and is passed over. A point whose F is
+// certainly negative replaces the apex. All others are settled by the exact perturbed predicate, which is a total order
+// on the pencil. The same bounds, taken over a box, rule out the boxes on the inner side and those outside the sphere
+// (see >>pencil and >>search kernels). The order in which points are seen only matters for speed.
+//
+// Nobody else writes the search's fields; its set may be read. Doors: paradt__search_begin, paradt__search_limit,
+// paradt__search_skip_finished, paradt__search_admit, paradt__search_space, paradt__search_counters,
+// paradt__search_effort, paradt__search_add_counts, paradt__search_point, paradt__search_from_top,
+// paradt__search_aim_at_facet, paradt__search_aim_at_cell, paradt__search_apex, paradt__search_conflict.
+
+// What the search is aimed at
+enum {
+    PARADT__AIM_APEX,     // the point outside the facet that is on the smallest sphere
+    PARADT__AIM_CONFLICT, // any point in the sphere, on both sides of the facet
+    PARADT__AIM_BEYOND    // any point strictly outside the facet
+};
+
+typedef struct paradt__search {
+    const paradt__set *set;
+    const paradt__grid *grid;
+    paradt__kernels kernels;
+    size_t begin, end;          // only these positions are searched
+    double heaviest;            // no point that may be found is heavier
+    uint8_t *const *unfinished; // [level][group] bits of the boxes with points that may be an apex; NULL: all boxes
+    uint64_t distance_evaluations, grid_cells_visited;
+    int aim;
+    int opposite;                       // the vertex of the cell aimed at that is not of the facet
+    uint8_t *const *boxes;              // as `unfinished`, for the present aim
+    paradt_index facet[PARADT_MAX_DIM]; // positions of the facet's vertices; others than the set's: they are not in it
+    paradt_index apex;                  // the best point so far, or PARADT__OPEN
+    int found;                          // aimed at any point: the apex is one
+    paradt__pencil pencil;              // of the facet
+} paradt__search;
+
+// Prepares a search in the set, of which the grid has the points.
+static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+    memset(s, 0, sizeof *s);
+    s->set = set;
+    s->grid = grid;
+    s->heaviest = grid->heaviest;
+    s->kernels = paradt__kernels_choose(set->space.ambient, set->grade);
+    s->end = set->count;
+    paradt__pencil_begin(&s->pencil, set);
+}
+
+// Only the positions [begin, end) are searched from now on.
+static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+    PARADT_ASSERT(begin <= end && end <= s->set->count);
+    s->begin = begin;
+    s->end = end;
+}
+
+// From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
+// boxes that have some, as they are at each search
+static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+    s->unfinished = unfinished;
+}
+
+// The search will be put to points of another grid, too: its heaviest point may be an answer.
+static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
+    s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
+}
+
+// Returns the space of the search's set, in which its predicates are counted.
+PARADT__INLINE paradt__space *paradt__search_space(paradt__search *s) {
+    return &s->pencil.space;
+}
+
+// Returns what the search counted of predicates.
+static const paradt__counters *paradt__search_counters(const paradt__search *s) {
+    return &s->pencil.space.counters;
+}
+
+// Returns how much work the search has done: grid cells visited and predicates evaluated.
+static uint64_t paradt__search_effort(const paradt__search *s) {
+    return s->grid_cells_visited + s->pencil.space.counters.insphere_calls + s->pencil.space.counters.orient_calls;
+}
+
+// Adds what the search counted of grid cells and distances.
+static void paradt__search_add_counts(const paradt__search *s, paradt_stats *stats) {
+    stats->distance_evaluations += s->distance_evaluations;
+    stats->grid_cells_visited += s->grid_cells_visited;
+}
+
+// --- points
+
+// Looks at one point that was not ruled out with its neighbours: the point becomes the apex, or is no answer.
+PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
     paradt_index point = (paradt_index)position;
     const double *x;
-    double f = 0.0, f_bound = s->q.f_floor, n = 0.0, n_bound = -s->q.n_floor;
+    double f = 0.0, f_bound = s->pencil.q.f_floor, n = 0.0, n_bound = -s->pencil.q.n_floor;
     int i, j;
     if (position >= s->set->count || point == s->apex) return;
     for (i = 0; i < dim; i++) {
         if (point == s->facet[i]) return;
     }
     x = paradt__record(s->set, point);
-    if (s->space.filtered) {
+    if (s->pencil.space.filtered) {
         for (j = 0; j < ambient; j++) {
-            double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-            f += grade == PARADT__SAGITTA ? -u * s->q.centre[j] : u * (u - s->q.centre[j]);
-            f_bound += reach * s->q.slack[j];
-            if (grade != PARADT__SAGITTA) f_bound += reach * s->q.round * reach;
-            n += s->q.normal[j] * u;
-            n_bound += reach * s->q.reach[j];
+            double u = x[j] - s->pencil.q.origin[j], reach = paradt__abs(u);
+            f += grade == PARADT__SAGITTA ? -u * s->pencil.q.centre[j] : u * (u - s->pencil.q.centre[j]);
+            f_bound += reach * s->pencil.q.slack[j];
+            if (grade != PARADT__SAGITTA) f_bound += reach * s->pencil.q.round * reach;
+            n += s->pencil.q.normal[j] * u;
+            n_bound += reach * s->pencil.q.reach[j];
         }
         if (grade) {
-            double gain = x[ambient] - s->q.weight;
+            double gain = x[ambient] - s->pencil.q.weight;
             f -= gain;
-            f_bound += s->q.round * paradt__abs(gain);
+            f_bound += s->pencil.q.round * paradt__abs(gain);
         }
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
-    if (!s->conflict) {
-        if (n < -n_bound || (n <= n_bound && !paradt__search_is_outside(s, x))) return;
+    if (s->aim != PARADT__AIM_CONFLICT) {
+        if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
     if (s->apex >= 0) {
-        if (f > f_bound || (f >= -f_bound && !paradt__search_settle(s, x))) return;
+        if (f > f_bound || (f >= -f_bound && !paradt__pencil_is_inside(&s->pencil, x))) return;
     }
-    if (s->conflict) {
-        s->apex = point;
-        s->found = 1;
+    if (s->aim == PARADT__AIM_APEX) {
+        paradt__pencil_set_sphere(&s->pencil, x, n, n_bound);
     } else {
-        paradt__search_accept(s, point, x, n, n_bound);
+        s->found = 1;
     }
+    s->apex = point;
 }
 
 static void paradt__search_point(paradt__search *s, size_t position) {
-    if (s->plain3) paradt__point_of_shape(s, position, 3, 3, 0);
-    else paradt__point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
+    if (s->pencil.plain) paradt__search_point_of_shape(s, position, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__search_point_of_shape(s, position, s->pencil.space.dim, s->pencil.space.ambient, s->set->grade);
 }
 
-// Clears the bit of a point, if it is in the grid cell.
-PARADT__INLINE unsigned paradt__mask_without(unsigned mask, size_t cell, paradt_index point) {
+// --- boxes
+
+// Returns the mask without the bit of a point, where that is in the grid cell.
+PARADT__INLINE unsigned paradt__lanes_without(unsigned mask, size_t cell, paradt_index point) {
     size_t lane = (size_t)point - cell * PARADT__LANES;
     return mask & ~(unsigned)((uint64_t)1 << (lane < 63 ? lane : 63));
 }
 
-PARADT__INLINE int paradt__lane_of(double packed) {
+// Returns the lane that a kernel has put into the last bits of its result.
+PARADT__INLINE int paradt__lane_unpack(double packed) {
     return (int)(paradt__bits(packed) & 7);
 }
 
-// The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
+// Looks at the points of a grid cell that are not ruled out together, the most promising first: after that one, most
+// others are ruled out. f_bound, n_bound: bounds on the errors of F and N in the grid cell's box
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
-    double room[PARADT__LANES_SCRATCH];
-    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, room);
-    unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
+    double scratch[PARADT__LANES_SCRATCH];
+    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
+    unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
-    for (i = 0; i < s->space.dim; i++) mask = paradt__mask_without(mask, cell, s->facet[i]); // they are on every sphere
-    mask = paradt__mask_without(mask, cell, s->apex);
+    for (i = 0; i < s->pencil.space.dim; i++)
+        mask = paradt__lanes_without(mask, cell, s->facet[i]); // they are on every sphere
+    mask = paradt__lanes_without(mask, cell, s->apex);
     while (mask && !s->found) {
         int lane = paradt__trailing_zeros(mask);
-        unsigned changes = s->changes, growths = s->growths;
+        unsigned changes = s->pencil.changes, growths = s->pencil.growths;
         if (mask & (mask - 1)) {
-            int best = paradt__lane_of(s->test.best(&s->q, lanes));
+            int best = paradt__lane_unpack(s->kernels.best(&s->pencil.q, lanes));
             lane = mask >> best & 1 ? best : lane;
         }
         paradt__search_point(s, cell * PARADT__LANES + (size_t)lane);
         mask &= ~(1u << lane);
-        if (mask && s->changes != changes && s->growths == growths)
-            mask &= s->test.cell(&s->q, lanes, f_bound, n_bound);
+        if (mask && s->pencil.changes != changes && s->pencil.growths == growths)
+            mask &= s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     }
 }
 
-PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
+// Returns the box of the mask, which is not 0, in which F may be the smallest.
+PARADT__INLINE int paradt__lanes_most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
     int best = paradt__trailing_zeros(mask), lane;
     for (mask &= mask - 1; mask; mask &= mask - 1) {
         lane = paradt__trailing_zeros(mask);
@@ -6198,20 +6395,21 @@ PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, uns
     return best;
 }
 
-// The boxes of a group at `level`, but for one that was looked at before (skip: its number, or any other).
+// Looks into the boxes of a group at `level`. skip: number of a box that was looked at before, or any other number
 static void paradt__search_group(paradt__search *s, int level, size_t group, size_t skip) {
     const double *boxes = s->grid->boxes[level] + group * s->grid->group_width;
     size_t span = (size_t)PARADT__LANES << (3 * level); // points a box
     size_t first = group * PARADT__LANES, lane;
-    unsigned remaining = 255, mask, changes = s->changes, growths = s->growths;
+    unsigned remaining = 255, mask, changes = s->pencil.changes, growths = s->pencil.growths;
     paradt__lane_bounds bounds;
     if (first * span < s->begin) remaining &= 255u << (s->begin / span - first);
     if ((first + PARADT__LANES) * span > s->end) remaining &= 255u >> (first + PARADT__LANES - 1 - (s->end - 1) / span);
-    if (s->alive && !s->conflict) remaining &= s->alive[level][group];
+    if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
-    mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+    mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
     while (mask && !s->found) {
-        lane = level ? (size_t)paradt__most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
+        lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
         remaining &= ~(1u << lane);
         if (level) {
@@ -6220,26 +6418,26 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             paradt__search_cell(s, first + lane, bounds.f[lane], bounds.n[lane]);
         }
         // A smaller sphere rules out more boxes: worth another test where boxes are groups. Larger bounds need one.
-        if (s->growths != growths || (level && mask && s->changes != changes)) {
-            changes = s->changes;
-            growths = s->growths;
-            mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+        if (s->pencil.growths != growths || (level && mask && s->pencil.changes != changes)) {
+            changes = s->pencil.changes;
+            growths = s->pencil.growths;
+            mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
         }
     }
 }
 
-// A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
-static void paradt__search_near(paradt__search *s) {
+// Finds a first apex in the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
+static void paradt__search_start(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
-    double least = 0.5 * PARADT__FAR, room[PARADT__LANES_SCRATCH];
+    double least = 0.5 * PARADT__FAR, scratch[PARADT__LANES_SCRATCH];
     int i, count = 0;
-    for (i = 0; i < s->space.dim && i < 3; i++) {
+    for (i = 0; i < s->pencil.space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
         count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
-        double t = s->test.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], room));
-        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
+        double t = s->kernels.best(&s->pencil.q, paradt__grid_lanes(s->grid, s->set, cells[i], scratch));
+        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_unpack(t);
         best = t < least ? position : best;
         least = t < least ? t : least;
     }
@@ -6248,41 +6446,18 @@ static void paradt__search_near(paradt__search *s) {
     if (best != SIZE_MAX) paradt__search_point(s, best);
 }
 
-// Is no point outside of the room (low and high of each axis) of use any more? The sphere's centre is m = centre / 2,
-// its radius |m|, or for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u -
-// m| is at least the distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <=
-// sqrt(d) (D + r), if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With
-// sagittas the disc of a facet that faces away from the reference sphere's centre takes the place of the sphere, even
-// while there is no apex.
-static int paradt__search_within(const paradt__search *s, const double *room) {
-    int capped = s->q.disc_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
-    const double *whole = capped ? s->q.disc : s->q.centre, *slacks = capped ? s->q.disc_slack : s->q.slack;
-    double nearest = PARADT__FAR, radius = capped ? s->q.disc_floor : 0.0, slack = 0.0;
-    if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
-    for (j = 0; j < dim; j++) {
-        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
-        double low = (s->q.origin[j] - room[2 * j]) + m, high = (room[2 * j + 1] - s->q.origin[j]) - m;
-        nearest = low < nearest ? low : nearest;
-        nearest = high < nearest ? high : nearest;
-        radius += m * m;
-        slack = slacks[j] > slack ? slacks[j] : slack;
-    }
-    if (s->space.weighted && s->heaviest > s->q.weight) radius += s->heaviest - s->q.weight;
-    radius = sqrt(radius);
-    return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
+// Is no point outside of the group of use any more?
+static int paradt__search_is_done(const paradt__search *s, int level, size_t group) {
+    const double *room = s->grid->cut_bounds[level] + group * 2 * (size_t)s->pencil.space.dim;
+    return paradt__pencil_is_confined(&s->pencil, room, s->heaviest);
 }
 
-// The same for the room of a group.
-static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
-    return paradt__search_within(s, s->grid->cut_bounds[level] + group * 2 * (size_t)s->space.dim);
-}
-
-// All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
-// level.
-static void paradt__search_all(paradt__search *s, size_t position) {
+// Looks at all points that may matter, those near `position` first: at its grid cell's group, then, level by level, at
+// the groups that contain this group.
+static void paradt__search_around(paradt__search *s, size_t position) {
     size_t box = position / PARADT__LANES, skip = SIZE_MAX;
     int level;
-    if (!s->space.filtered) {
+    if (!s->pencil.space.filtered) {
         for (box = s->begin; box < s->end && !s->found; box++) paradt__search_point(s, box);
         return;
     }
@@ -6291,36 +6466,81 @@ static void paradt__search_all(paradt__search *s, size_t position) {
         if (level && skip * span <= s->begin && (skip + 1) * span >= s->end) break;
         paradt__search_group(s, level, box / PARADT__LANES, skip);
         skip = box / PARADT__LANES;
-        if (level && paradt__search_inside(s, level, skip)) break;
+        if (level && paradt__search_is_done(s, level, skip)) break;
         box = skip;
     }
 }
 
-// The apex of the cell outside the facet opposite vertex `opposite` of the positively oriented cell, or PARADT__HULL.
-// `made` gets the new cell's vertices, positively oriented, the apex at the place that is returned through *place.
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
-    int dim = s->space.dim, i, count = 0;
+// Looks at all points that may matter, from the top of the grid, as no position is near to the facet.
+static void paradt__search_from_top(paradt__search *s) {
+    size_t at;
+    if (s->pencil.space.filtered) {
+        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
+    } else {
+        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
+    }
+}
+
+// --- what to search for
+
+// Aims at the facet opposite `opposite` of a cell with this orientation. corners: [dim + 1] records of the cell's
+// vertices, laid out as those of the set, or NULL: they are all points of the set; positions: theirs in the set, any
+// others for vertices that are not in it
+PARADT__INLINE void paradt__search_aim_at_facet(paradt__search *s, int aim, const double *const *corners,
+                                                const paradt_index *positions, int opposite, int orientation) {
+    int dim = s->pencil.space.dim, i, count = 0;
+    PARADT_ASSERT(opposite >= 0 && opposite <= dim && (orientation == 1 || orientation == -1));
     for (i = 0; i <= dim; i++) {
         if (i == opposite) continue;
-        s->facet[count] = cell[i];
-        s->corners[count++] = paradt__record(s->set, cell[i]);
+        s->facet[count] = positions[i];
+        s->pencil.corners[count++] = corners ? corners[i] : paradt__record(s->set, positions[i]);
     }
-    // The apex in the place of `opposite` turns the orientation; dim - opposite exchanges move it to the end.
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
-    if (s->space.filtered) {
-        paradt__search_facet(s, paradt__record(s->set, cell[opposite]));
-        paradt__search_near(s);
-    } else {
-        s->apex = PARADT__OPEN;
+    s->aim = aim;
+    s->boxes = aim == PARADT__AIM_APEX ? s->unfinished : NULL;
+    s->opposite = opposite;
+    // x in the place of `opposite` reverses the orientation; dim - opposite exchanges move x to the end.
+    s->pencil.outside = (dim - opposite) % 2 ? orientation : -orientation;
+    s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->pencil.space.filtered)
+        paradt__pencil_set_facet(&s->pencil, corners ? corners[opposite] : paradt__record(s->set, positions[opposite]),
+                                 aim != PARADT__AIM_CONFLICT);
+}
+
+// Aims at any point in conflict with a positively oriented cell: the facet is the one opposite its last vertex, which
+// is the apex and outside. corners, positions: as above, but no position is negative
+static void paradt__search_aim_at_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    int dim = s->pencil.space.dim;
+    PARADT_ASSERT(positions[dim] >= 0);
+    paradt__search_aim_at_facet(s, PARADT__AIM_CONFLICT, corners, positions, dim, -1);
+    paradt__pencil_set_whole_sphere(&s->pencil, corners[dim]);
+    s->apex = positions[dim];
+}
+
+// Are all vertices of the cell points of the set?
+PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_index *cell) {
+    int i;
+    for (i = 0; i <= s->pencil.space.dim; i++) {
+        if (cell[i] < 0 || (size_t)cell[i] >= s->set->count) return 0;
     }
-    paradt__search_all(s, (size_t)s->facet[0]);
+    return 1;
+}
+
+// Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
+// PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
+static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
+                                        int *place) {
+    int dim = s->pencil.space.dim, i;
+    PARADT_ASSERT(paradt__search_has(s, cell));
+    paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
+    if (s->pencil.space.filtered) paradt__search_start(s);
+    paradt__search_around(s, (size_t)s->facet[0]);
     if (s->apex < 0) return PARADT__HULL;
+    PARADT_ASSERT(s->apex != cell[opposite]);
     for (i = 0; i < dim; i++) made[i] = s->facet[i];
     made[dim] = s->apex;
     *place = dim;
-    if (s->outside < 0) { // two vertices change places: other ones than the apex, if there are
+    if (s->pencil.outside < 0) { // two vertices change places: other ones than the apex, if there are
         made[1] = s->facet[0];
         made[0] = dim > 1 ? s->facet[1] : s->apex;
         *place = dim > 1 ? dim : 0;
@@ -6328,77 +6548,89 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
     return s->apex;
 }
 
-// From the top: all points that may matter, when the facet is not one of the set's own.
-static void paradt__search_down(paradt__search *s) {
-    size_t at;
-    if (s->space.filtered) {
-        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
-    } else {
-        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
-    }
-}
-
-// The sphere of a positively oriented cell, for a search of points in conflict with it. corners: its vertices, of which
-// those that are in the set have the positions vertices[], the others positions that are none.
-static void paradt__search_sphere(paradt__search *s, const double *const *corners, const paradt_index *vertices) {
-    int dim = s->space.dim, i, j;
-    const double *apex = corners[dim];
-    double n = 0.0, n_bound = 0.0;
-    for (i = 0; i < dim; i++) {
-        s->facet[i] = vertices[i];
-        s->corners[i] = corners[i];
-    }
-    s->outside = 1;
-    s->conflict = 1;
-    s->found = 0;
-    if (s->space.filtered) {
-        paradt__search_facet(s, apex);
-        for (j = 0; j < dim; j++) {
-            double u = apex[j] - s->q.origin[j];
-            n += s->q.normal[j] * u;
-            n_bound += paradt__abs(u) * s->q.reach[j];
-        }
-    }
-    paradt__search_accept(s, vertices[dim], apex, n, n_bound);
-    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
-    s->q.n_floor = 0.0;
-}
-
-// A point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
+// Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
 static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i <= s->space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
-    paradt__search_sphere(s, corners, cell);
-    paradt__search_all(s, (size_t)cell[0]);
+    PARADT_ASSERT(paradt__search_has(s, cell));
+    for (i = 0; i <= s->pencil.space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
+    paradt__search_aim_at_cell(s, corners, cell);
+    paradt__search_around(s, (size_t)cell[0]);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
-// Turns a search to another set of the same space, under its grid. vertices: of the facet and the apex, as positions
-// there, or positions that are none; that of the apex is the last one.
-static void paradt__search_turn(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
-                                const paradt_index *vertices) {
+// ---------------------------------------------------------------------------------------------------------------------
+// >>questions
+//
+// Is any point of a set in conflict with this cell, or strictly beyond this facet? The cell's vertices need not be
+// points of the set: regions and ranks ask each other about cells that they have built alone. A question is put to a
+// search: paradt__question_cell and paradt__question_facet state it, paradt__question_redirect puts it to another set
+// of the same space, axes and grade. paradt__question_boxes and paradt__question_is_confined answer on the safe side,
+// paradt__question_answer and paradt__question_fits exactly. Any point that fits is an answer, not the best one.
+//
+// A cell is given by the records of its vertices, laid out as those of the set and measured with it, and by their
+// positions in the set; a vertex that is not in the set has PARADT__NOWHERE or a negative number for its position.
+// Doors: paradt__question_cell, paradt__question_facet, paradt__question_redirect, paradt__question_is_confined,
+// paradt__question_boxes, paradt__question_fits, paradt__question_answer.
+
+// Asks for a point in conflict with the positively oriented cell. corners, positions: [dim + 1]
+static void paradt__question_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    paradt_index places[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i < s->space.dim; i++) s->facet[i] = vertices[i];
-    if (s->conflict) s->apex = vertices[s->space.dim];
+    for (i = 0; i <= s->pencil.space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
+    paradt__search_aim_at_cell(s, corners, places);
+}
+
+// Asks for a point strictly beyond the facet opposite vertex `opposite` of a cell with this orientation, 1 or -1.
+// corners, positions: [dim + 1]
+static void paradt__question_facet(paradt__search *s, const double *const *corners, const paradt_index *positions,
+                                   int opposite, int orientation) {
+    paradt__search_aim_at_facet(s, PARADT__AIM_BEYOND, corners, positions, opposite, orientation);
+}
+
+// Puts the question to another set. positions: [dim + 1] of the vertices in that set, none of them negative; grid: of
+// the set, or NULL where only paradt__question_fits follows
+static void paradt__question_redirect(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
+                                      const paradt_index *positions) {
+    int i, count = 0;
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
+    PARADT_ASSERT(set->space.dim == s->pencil.space.dim && set->grade == s->set->grade);
+    for (i = 0; i <= s->pencil.space.dim; i++) {
+        if (i != s->opposite) s->facet[count++] = positions[i];
+        else if (s->aim == PARADT__AIM_CONFLICT) s->apex = positions[i];
+    }
     s->set = set;
     s->grid = grid;
     s->begin = 0;
     s->end = set->count;
 }
 
-// A facet of other points, for a search of points outside of it. outside: the sign of the orientation (facet, x) for x
-// outside; inner: a point on the other side.
-static void paradt__search_beyond(paradt__search *s, const double *const *facet, int outside, const double *inner) {
-    int i;
-    for (i = 0; i < s->space.dim; i++) {
-        s->facet[i] = PARADT__NOWHERE;
-        s->corners[i] = facet[i];
-    }
-    s->outside = outside;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, inner);
+// Do all answers lie in the box, wherever their points come from? box: low and high of each axis. 1: yes; 0: unknown
+static int paradt__question_is_confined(const paradt__search *s, const double *box) {
+    return s->pencil.space.filtered && paradt__pencil_is_confined(&s->pencil, box, s->heaviest);
+}
+
+// Returns the mask of the boxes that may hold an answer. group: eight boxes, laid out as those of a grid
+PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const double *group) {
+    paradt__lane_bounds bounds;
+    unsigned mask;
+    if (!s->pencil.space.filtered) return 255u;
+    mask = s->kernels.group(&s->pencil.q, group, &bounds);
+    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+}
+
+// Is the point an answer?
+static int paradt__question_fits(paradt__search *s, size_t position) {
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
+    paradt__search_point(s, position);
+    return s->found;
+}
+
+// Returns a point of the set that is an answer, or PARADT__OPEN: there is none.
+static paradt_index paradt__question_answer(paradt__search *s) {
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found && s->grid);
+    paradt__search_from_top(s);
+    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -6406,57 +6638,58 @@ static void paradt__search_beyond(paradt__search *s, const double *const *facet,
 //
 // A cell of T(P) to begin with. MakeFirstSimplex of the thesis takes a point, its nearest neighbour, then again and
 // again the point that gives the smallest circumscribing sphere. In floating point, among the points around the first,
-// that is a good guess and no more. It is made certain by descent on the lifted points, as the simplex method does it:
-// let z be a location in the guess; while a point q conflicts with the simplex, q replaces the one vertex that keeps z
-// inside, and the lifted simplex above z gets lower. There is no cycling, for the perturbed heights are in general
-// position, and the end is the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the
-// second, far less towards the third, and so on: so the cell contains the first vertex (if that is not hidden) and
-// begins the way from it to the second. Doors: paradt__cell_towards, paradt__walk.
+// the result is a good guess and no more. Descent on the lifted points makes it certain, as in the simplex method. Let
+// z be a location in the guess. While a point q is in conflict with the simplex, q replaces the one vertex that keeps z
+// inside, and the lifted simplex above z gets lower. The perturbed heights are in general position, so this does not
+// cycle; it ends with the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the second,
+// far less towards the third, and so on. So the cell contains the first vertex, if that is not hidden, and the way from
+// there to the second begins in it. Doors: paradt__cell_towards, paradt__cell_pivot.
 
-// Orders the simplex so that it is positively oriented.
-static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
+// Orders the vertices of a simplex that is not flat so that it is positively oriented.
+static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(s->set, simplex[i]);
-    if (paradt__orient(&s->space, p) < 0) {
+    if (paradt__orient(paradt__search_space(s), p) < 0) {
         paradt_index last = simplex[dim];
         simplex[dim] = simplex[dim - 1];
         simplex[dim - 1] = last;
     }
 }
 
-// Sign of the orientation of the simplex with vertex `place` replaced by x.
-static int paradt__orient_with(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
+// Returns the sign of the orientation of the simplex with x in the place of vertex `place`.
+static int paradt__simplex_side(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = i == place ? x : paradt__record(s->set, simplex[i]);
-    return paradt__orient(&s->space, p);
+    return paradt__orient(paradt__search_space(s), p);
 }
 
-// Does the simplex contain z (see the section's head), given through `goal`, the vertices of the first guess?
-static int paradt__contains_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
-    int dim = s->space.dim, place, i;
+// Does the positively oriented simplex contain z (see the section's head)? goal: vertices of the guess, which give z
+static int paradt__simplex_has_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
+    int dim = s->set->space.dim, place, i;
     for (place = 0; place <= dim; place++) {
         int side = 0;
         for (i = 0; i <= dim && !side; i++) {
-            side = paradt__orient_with(s, simplex, place, paradt__record(s->set, goal[i]));
+            side = paradt__simplex_side(s, simplex, place, paradt__record(s->set, goal[i]));
         }
         if (side < 0) return 0;
     }
     return 1;
 }
 
-// Replaces the vertex of the positively oriented simplex that lets it keep z.
-static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
-    int dim = s->space.dim, place;
+// Puts q in the place of the one vertex of the positively oriented simplex for which it still contains z.
+static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, const paradt_index *goal,
+                                     paradt_index q) {
+    int dim = s->set->space.dim, place;
     const double *x = paradt__record(s->set, q);
     for (place = 0; place <= dim; place++) {
         paradt_index trial[PARADT_MAX_DIM + 1];
-        if (paradt__orient_with(s, simplex, place, x) == 0) continue;
+        if (paradt__simplex_side(s, simplex, place, x) == 0) continue;
         memcpy(trial, simplex, sizeof trial);
         trial[place] = q;
-        paradt__turn_positive(s, trial);
-        if (paradt__contains_goal(s, trial, goal)) {
+        paradt__simplex_orient(s, trial);
+        if (paradt__simplex_has_goal(s, trial, goal)) {
             memcpy(simplex, trial, sizeof trial);
             return;
         }
@@ -6464,12 +6697,13 @@ static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt
     PARADT_ASSERT(0);
 }
 
-// Of the points [begin, end) the one that gives the smallest circumscribing sphere with the `count` points of the
-// simplex; they span the orthonormal rows, and centre is that of their own. With one point: its nearest neighbour. -1:
-// none.
-static paradt_index paradt__smallest_sphere(const paradt__search *s, const paradt_index *simplex, int count,
-                                            size_t begin, size_t end, double rows[][PARADT_MAX_DIM], double *centre) {
-    int ambient = s->space.ambient, i, j;
+// Finds, among the points [begin, end), the one that gives the smallest circumscribing sphere with the first `count`
+// vertices of the simplex; for one vertex, its nearest neighbour. Returns -1 if no point is off their span. rows: an
+// orthonormal basis of their span; centre: that of their smallest sphere. The point found is added to both.
+static paradt_index paradt__simplex_next_vertex(const paradt__search *s, const paradt_index *simplex, int count,
+                                                size_t begin, size_t end, double rows[][PARADT_MAX_DIM],
+                                                double *centre) {
+    int ambient = s->set->space.ambient, i, j;
     const double *o = paradt__record(s->set, simplex[0]);
     paradt_index best = -1;
     double least = 0.0, best_t = 0.0, best_row[PARADT_MAX_DIM];
@@ -6494,38 +6728,41 @@ static paradt_index paradt__smallest_sphere(const paradt__search *s, const parad
     return best;
 }
 
-// The thesis' first simplex from the points near simplex[0]; a second point may be given too. 0: the guess failed.
-static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int given) {
+// Guesses the thesis' first simplex from the points near simplex[0]. given: 1, or 2 if simplex[1] is given, too.
+// Returns 0 if the guess failed.
+static int paradt__simplex_guess(paradt__search *s, paradt_index *simplex, int given) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], centre[PARADT_MAX_DIM] = {0.0};
     size_t span = PARADT__LANES * PARADT__LANES, begin = (size_t)simplex[0] / span * span, end = begin + span;
-    int dim = s->space.dim, count;
-    if (!s->space.filtered) return 0;
+    int dim = s->set->space.dim, count;
+    if (!s->set->space.filtered) return 0;
     if (end > s->set->count) end = s->set->count;
     for (count = 1; count <= dim; count++) {
         size_t from = count < given ? (size_t)simplex[count] : begin, to = count < given ? from + 1 : end;
-        simplex[count] = paradt__smallest_sphere(s, simplex, count, from, to, rows, centre);
+        simplex[count] = paradt__simplex_next_vertex(s, simplex, count, from, to, rows, centre);
         if (simplex[count] < 0) return 0;
     }
-    return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
+    return paradt__simplex_side(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
 }
 
-// The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
-// positively oriented. It does not contain simplex[0] just when that is hidden.
+// Finds the cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1), and
+// leaves it in `simplex`, positively oriented. The cell does not contain simplex[0] just when that point is hidden.
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
-    if (!paradt__guess_simplex(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters);
+    PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
+    if (!paradt__simplex_guess(s, simplex, given))
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters);
     memcpy(goal, simplex, sizeof goal);
-    paradt__turn_positive(s, simplex);
-    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
+    paradt__simplex_orient(s, simplex);
+    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
 }
 
-// One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
-// is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
-static int paradt__search_step(paradt__search *s, paradt_index *cell, const double *x) {
-    int dim = s->space.dim, place, unused;
+// Replaces the cell of T(P) by its neighbour across a facet that has x outside: one step of a visibility walk, by a
+// search. Returns 0 if there is no such facet or no neighbour. Such walks end in every regular triangulation
+// (Edelsbrunner, Combinatorica 10, 1990).
+static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
+    int dim = s->set->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
-        if (paradt__orient_with(s, cell, place, x) < 0) {
+        if (paradt__simplex_side(s, cell, place, x) < 0) {
             paradt_index made[PARADT_MAX_DIM + 1];
             if (paradt__search_apex(s, cell, place, made, &unused) < 0) return 0;
             memcpy(cell, made, sizeof made);
@@ -6993,7 +7230,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
 static uint64_t paradt__front_predicates(const paradt__front *front) {
-    return front->search.space.counters.orient_calls + front->search.space.counters.insphere_calls;
+    const paradt__counters *c = paradt__search_counters(&front->search);
+    return c->orient_calls + c->insphere_calls;
 }
 
 // Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
@@ -7024,7 +7262,7 @@ static paradt_status paradt__incode(paradt__front *front) {
     paradt_index cell[PARADT_MAX_DIM + 1];
     if (!front->view.owner) {
         status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
-        front->search.alive = front->finished.alive;
+        paradt__search_skip_finished(&front->search, front->finished.alive);
     }
     while (!status && paradt__front_next_seed(front, cell)) {
         paradt_index handle = PARADT__OPEN;
@@ -7113,8 +7351,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     q = set->records + right * set->width;
     cell[0] = (paradt_index)left;
     cell[1] = (paradt_index)right;
-    front->search.begin = 0;
-    front->search.end = set->count;
+    paradt__search_limit(&front->search, 0, set->count);
     paradt__cell_towards(&front->search, cell, 2);
     do {
         int behind = 0, within = 0;
@@ -7123,7 +7360,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
             within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
         }
         if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__search_step(&front->search, cell, q));
+    } while (paradt__cell_pivot(&front->search, cell, q));
     return 0;
 }
 
@@ -7147,7 +7384,7 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     }
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
+        if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
         status = paradt__wall_serve(front, &wall, &wall.alpha);
         if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
@@ -9340,7 +9577,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
 //
-// Near a sphere the questions are asked with sagittas, as in >>search.
+// The questions are those of >>questions; near a sphere they are asked with sagittas.
 //
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
@@ -9368,7 +9605,7 @@ typedef struct paradt__patch {
     paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
     size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
+    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
     paradt__memory *memory;
     paradt__insertion build;
     size_t capacity;                 // points that the arrays below have room for
@@ -9727,57 +9964,49 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     return paradt__patch_list_suspects(patch, (size_t)patch->build.scene.mesh.corners);
 }
 
-// Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
+// States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
 static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index nowhere[PARADT_MAX_DIM + 1];
-    int dim = build->scene.mesh.corners - 1, i, count = 0;
-    for (i = 0; i <= dim; i++) {
+    int i;
+    for (i = 0; i < build->scene.mesh.corners; i++) {
         nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[count++] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
+        if (i != ghost) corners[i] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
     }
     if (ghost < 0) {
-        paradt__search_sphere(&patch->search, corners, nowhere);
-    } else {
-        paradt_index handle = build->scene.mesh.links[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
+        paradt__question_cell(&patch->search, corners, nowhere);
+    } else { // the vertex behind the facet takes the ghost's place, on the other side
+        paradt_index handle = build->scene.mesh.links[cell * build->scene.mesh.corners + ghost];
         const paradt_index *inner = paradt__patch_cell(patch, paradt__mesh_cell(&build->scene.mesh, handle));
-        paradt__search_beyond(&patch->search, corners, (dim - ghost) % 2 ? -1 : 1,
-                              paradt__scene_record(&build->scene, inner[handle % (dim + 1)]));
+        corners[ghost] = paradt__scene_record(&build->scene, inner[handle % build->scene.mesh.corners]);
+        paradt__question_facet(&patch->search, corners, nowhere, ghost, -1);
     }
 }
 
-// Has the search found what it is aimed at?
-PARADT__INLINE int paradt__patch_met(const paradt__search *s) {
-    return s->conflict ? s->found : s->apex >= 0;
-}
-
-// A point of the field that the search is aimed at, or -1. positions: of the cell's vertices.
+// Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
 static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
                                             const paradt_index *positions) {
-    paradt__search *s = &patch->search;
-    paradt_index places[PARADT_MAX_DIM + 1];
+    paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t place = (size_t)positions[i] - field->begin;
         places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
     }
-    paradt__search_turn(s, &field->set, &field->grid, places);
-    paradt__search_down(s);
-    return paradt__patch_met(s) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
+    paradt__question_redirect(&patch->search, &field->set, &field->grid, places);
+    found = paradt__question_answer(&patch->search);
+    return found >= 0 ? found + (paradt_index)field->begin : (paradt_index)-1;
 }
 
-// The search is aimed at a cell with one of others' points, of which the neighbours are told: one of these that it is
-// aimed at, or -1.
+// The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
+// the question, or -1.
 static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    paradt__search *s = &patch->search;
     size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
     patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__search_turn(s, &patch->everyone, s->grid, positions);
+    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
     for (; i < end; i++) {
-        paradt__search_point(s, (size_t)patch->nearby[i]);
-        if (paradt__patch_met(s)) return s->apex;
+        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
     }
     return -1;
 }
@@ -9809,16 +10038,14 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
     return 0;
 }
 
-// A point of another region that the search is aimed at, or -1.
+// Returns a point of another region that answers the question, or -1.
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
     size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
-    int i, count = 0;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (i != ghost) positions[count++] = paradt__patch_position(patch, vertices[i]);
-    }
-    if (ghost >= 0) positions[count] = PARADT__NOWHERE;
+    int i;
+    for (i = 0; i < patch->build.scene.mesh.corners; i++)
+        positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
     return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
                                : paradt__patch_ask_near(patch, witness, positions);
 }
@@ -9864,7 +10091,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
+    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
         if (i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
@@ -9969,9 +10196,7 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
     paradt__insertion_layout(&patch->build, set);
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
-    for (i = 0; i < field_count; i++) {
-        patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
-    }
+    for (i = 0; i < field_count; i++) paradt__search_admit(&patch->search, &fields[i].grid);
 }
 
 // What is on the other side of a facet is dropped.
@@ -10072,8 +10297,7 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
 
 // Looks for answers so far
 static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    const paradt__counters *c = &patch->search.space.counters;
-    return patch->search.grid_cells_visited + patch->looked + c->insphere_calls + c->orient_calls;
+    return paradt__search_effort(&patch->search) + patch->looked;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
@@ -10603,10 +10827,9 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
 }
 
 static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    stats->distance_evaluations += front->search.distance_evaluations;
-    stats->grid_cells_visited += front->search.grid_cells_visited;
+    paradt__search_add_counts(&front->search, stats);
     if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, &front->search.space.counters);
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
 }
 
 // Adds what a region counted.
@@ -10731,9 +10954,8 @@ static void paradt__count_patch(paradt__region *region) {
     const paradt__patch *patch = &region->patch;
     memset(&region->stats, 0, sizeof region->stats);
     paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
-    paradt__count_predicates(&region->stats, &patch->search.space.counters);
-    region->stats.distance_evaluations = patch->search.distance_evaluations;
-    region->stats.grid_cells_visited = patch->search.grid_cells_visited;
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
 }
 
 // All cells of T(P) with a vertex of the region are there.
@@ -11613,125 +11835,16 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 // ---------------------------------------------------------------------------------------------------------------------
 // >>remote
 //
-// What paradt_mpi.h stands on, beside the doors of the sections above: the searches of >>search for cells whose
-// vertices need not be points of the set, and one region built alone. A facet or cell is given by the records of its
-// vertices, laid out as those of the set (axes permuted alike, the same grade), and measured with it. `own` names those
-// of them that are points of the set, or is PARADT__OPEN.
+// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
+// region built alone.
 //
 // It is only compiled where paradt_mpi.h is implemented.
 //
-// paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
-// hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_late_order,
-// paradt__remote_is_suspect, paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
+// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
+// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
-
-// The question is the conflict with the positively oriented cell. corners, own: [dim + 1]
-static void paradt__remote_cell(paradt__search *s, const double *const *corners, const paradt_index *own) {
-    paradt_index vertices[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i <= s->space.dim; i++) vertices[i] = own[i] >= 0 ? own[i] : (paradt_index)s->set->count;
-    paradt__search_sphere(s, corners, vertices);
-}
-
-// The question is what lies strictly beyond the facet opposite vertex `opposite` of the positively oriented cell.
-static void paradt__remote_facet(paradt__search *s, const double *const *corners, const paradt_index *own,
-                                 int opposite) {
-    int dim = s->space.dim, i, count = 0;
-    for (i = 0; i <= dim; i++) {
-        if (i == opposite) continue;
-        s->facet[count] = own[i];
-        s->corners[count++] = corners[i];
-    }
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
-}
-
-// Which of a group of eight boxes reach strictly beyond the facet? In a box N(u) + its error is at most the sum over
-// the axes of the largest of normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that is not positive, nothing
-// in the box is beyond: so the many points in the plane of a facet on a flat hull are no candidates.
-static unsigned paradt__remote_beyond(const paradt__search *s, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        double most = 0.0;
-        for (j = 0; j < s->space.dim; j++) {
-            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
-            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
-            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
-            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
-            most += a > b ? a : b;
-        }
-        mask |= (unsigned)(most > 0.0) << lane;
-    }
-    return mask;
-}
-
-// Which of a group of eight boxes, laid out as those of the grid, may hold an answer?
-static unsigned paradt__remote_boxes(const paradt__search *s, const double *group) {
-    paradt__lane_bounds bounds;
-    unsigned mask;
-    if (!s->space.filtered) return 255u;
-    mask = s->test.group(&s->q, group, &bounds);
-    return mask && !s->conflict && s->q.n_floor == 0.0 ? mask & paradt__remote_beyond(s, group) : mask;
-}
-
-// Lies the sphere of the cell in the room, so that points outside of it are no answers? room: low and high of each axis
-static int paradt__remote_confined(const paradt__search *s, const double *room) {
-    return s->space.filtered && paradt__search_within(s, room);
-}
-
-// Is the point strictly beyond the facet?
-static int paradt__remote_is_beyond(paradt__search *s, size_t point) {
-    const double *x = s->set->records + point * s->set->width;
-    double n = 0.0, n_bound = 0.0;
-    int j;
-    for (j = 0; j < s->space.dim && s->space.filtered; j++) {
-        double u = x[j] - s->q.origin[j];
-        n += s->q.normal[j] * u;
-        n_bound += s->q.reach[j] * paradt__abs(u);
-    }
-    if (s->space.filtered && n + n_bound < s->q.n_floor) return 0;
-    if (s->space.filtered && n > n_bound && n > s->q.n_floor) return 1;
-    return paradt__search_is_outside(s, x);
-}
-
-// A point beyond the facet in the boxes of a group.
-static paradt_index paradt__remote_find_beyond(paradt__search *s, int level, size_t group) {
-    unsigned mask = paradt__remote_boxes(s, s->grid->boxes[level] + group * s->grid->group_width);
-    size_t lane, i, first;
-    for (lane = 0; lane < PARADT__LANES && group * PARADT__LANES + lane < s->grid->box_count[level]; lane++) {
-        if (!(mask >> lane & 1)) continue;
-        first = group * PARADT__LANES + lane;
-        if (level) {
-            paradt_index found = paradt__remote_find_beyond(s, level - 1, first);
-            if (found >= 0) return found;
-            continue;
-        }
-        for (i = first * PARADT__LANES; i < (first + 1) * PARADT__LANES && i < s->set->count; i++) {
-            if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-        }
-    }
-    return PARADT__OPEN;
-}
-
-// A point of the set that answers the question, or PARADT__OPEN: there is none.
-static paradt_index paradt__remote_any(paradt__search *s) {
-    size_t i;
-    if (s->conflict) {
-        paradt__search_down(s);
-        return s->found ? s->apex : (paradt_index)PARADT__OPEN;
-    }
-    if (s->space.filtered) return paradt__remote_find_beyond(s, s->grid->levels - 1, 0);
-    for (i = 0; i < s->set->count; i++) {
-        if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-    }
-    return PARADT__OPEN;
-}
 
 // Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
 // the set.

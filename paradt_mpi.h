@@ -2499,7 +2499,7 @@ static int paradt_mpi__boxes_may_answer(const paradt_mpi__work *w, int rank) {
     int left;
     for (left = d->box_count[rank]; left > 0; left -= PARADT__LANES, groups += d->width) {
         unsigned valid = left < PARADT__LANES ? (1u << left) - 1 : 255u;
-        if (paradt__remote_boxes(&w->search, groups) & valid) return 1;
+        if (paradt__question_boxes(&w->search, groups) & valid) return 1;
     }
     return 0;
 }
@@ -2507,7 +2507,7 @@ static int paradt_mpi__boxes_may_answer(const paradt_mpi__work *w, int rank) {
 // Returns the ranks of a group of eight whose bounding boxes may contain an answer to the question that the search is
 // set to, as bits.
 static unsigned paradt_mpi__ranks_may_answer(const paradt_mpi__work *w, int group) {
-    return paradt__remote_boxes(&w->search, w->directory.rank_boxes + (size_t)group * w->directory.width);
+    return paradt__question_boxes(&w->search, w->directory.rank_boxes + (size_t)group * w->directory.width);
 }
 
 // Lists the question that the search is set to for a rank whose bounding box may contain an answer, if the rank must be
@@ -2614,15 +2614,16 @@ static paradt_status paradt_mpi__ask_about_sphere(paradt_mpi__work *w, paradt_mp
                                                   const paradt_index *cell, const double **corners,
                                                   const paradt_index *own, int count, int *exposed) {
     double box[6];
-    int certain = w->search.plain3 && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box), candidates = 0, i;
+    int plain = w->set.space.dim == 3 && w->set.space.ambient == 3 && w->set.grade == PARADT__UNGRADED;
+    int certain = plain && w->set.space.filtered && paradt_mpi__sphere_box3(corners, box), candidates = 0, i;
     paradt_status status = PARADT_OK;
     *exposed = !certain || !paradt_mpi__is_within(box, w->complete, 3);
     if (*exposed && certain) candidates = paradt_mpi__find_candidates(w, cell, box);
     if (!*exposed || (certain && !candidates)) return PARADT_OK;
-    paradt__remote_cell(&w->search, corners, own);
+    paradt__question_cell(&w->search, corners, own);
     // A cell with a heavy vertex may be in conflict with a point far from its sphere, and others' points may be heavier
     // than all own ones; so with weights all cells that have such vertices are exposed.
-    *exposed = (w->weighted && count <= w->set.space.dim) || !paradt__remote_confined(&w->search, w->complete);
+    *exposed = (w->weighted && count <= w->set.space.dim) || !paradt__question_is_confined(&w->search, w->complete);
     if (*exposed && !certain) return paradt_mpi__ask_ranks(w, q, cell, place, -1);
     for (i = 0; i < candidates && *exposed && !status; i++) {
         int r = w->directory.candidates[i];
@@ -2651,7 +2652,7 @@ PARADT__INLINE paradt_status paradt_mpi__ask_about_place(paradt_mpi__work *w, pa
         status = paradt_mpi__ask_about_sphere(w, q, place, cell, corners, own, count, exposed);
     for (topics &= ~(unsigned)PARADT_MPI__SPHERE, j = 0; topics >> j && !status; j++) {
         if (!(topics >> j & 1) || count == (own[j] >= 0)) continue;
-        paradt__remote_facet(&w->search, corners, own, j);
+        paradt__question_facet(&w->search, corners, own, j, 1);
         status = paradt_mpi__ask_ranks(w, q, cell, place, j);
     }
     return status;
@@ -2667,8 +2668,7 @@ static void paradt_mpi__set_budget(paradt_mpi__work *w) {
 
 // Have answers taken more work than building all of T(P) would?
 static int paradt_mpi__is_over_budget(const paradt_mpi__work *w) {
-    const paradt__counters *c = &w->search.space.counters;
-    return w->search.grid_cells_visited + c->insphere_calls + c->orient_calls > 2 * w->budget;
+    return paradt__search_effort(&w->search) > 2 * w->budget;
 }
 
 // Gives up (w->too_costly) where a cell asks half of all ranks on average, as ranks then need nearly all points.
@@ -2985,9 +2985,9 @@ static int paradt_mpi__is_relevant(paradt_mpi__work *w, const double *points, co
         has_own |= role >= 0;
     }
     *found = PARADT__OPEN;
-    if (cell[dim + 1] < 0) paradt__remote_cell(&w->search, corners, own);
-    else paradt__remote_facet(&w->search, corners, own, cell[dim + 1]);
-    *found = paradt__remote_any(&w->search);
+    if (cell[dim + 1] < 0) paradt__question_cell(&w->search, corners, own);
+    else paradt__question_facet(&w->search, corners, own, cell[dim + 1], 1);
+    *found = paradt__question_answer(&w->search);
     return has_own || *found >= 0;
 }
 
