@@ -10655,15 +10655,1024 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>triangulate
+// >>call
+//
+// What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
+// the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
+// memory are joined, and what is left of the limit is shared among them anew.
+// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
+// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
+// paradt__region_view_of, paradt__may_insert, paradt__build_front.
 
-// How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
-typedef paradt_status (*paradt__front_method)(paradt__front *front);
+struct paradt__work;
 
-static paradt__front_method paradt__choose_front(paradt_method method) {
-    static const paradt__front_method methods[PARADT_METHOD_COUNT] = {NULL, paradt__incode, paradt__dewall, NULL};
-    return methods[method];
+// One row a method: what it can do, and its functions
+typedef struct paradt__method {
+    unsigned can;                                      // PARADT__CAN_* bits
+    int least_dim, most_dim;                           // affine dimensions
+    paradt_status (*front)(paradt__front *front);      // builds a region, or all, facet by facet; NULL: it inserts
+    paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
+} paradt__method;
+
+enum {
+    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_REGIONS = 2, // divided space
+    PARADT__CAN_LINK = 4,    // neighbours
+    PARADT__CAN_LIVE = 8     // more points after the first ones
+};
+
+// What one region leaves behind
+typedef struct paradt__region {
+    paradt__memory memory;
+    paradt_status status;
+    paradt__mesh mesh;   // by a front, or
+    paradt__patch patch; // by insertion:
+    size_t offset;       // the number of its first cell in the result
+    size_t slice;        // the first place of its slice
+    uint64_t hull_facets;
+    int built; // all its cells are there, or it waits
+    int waits; // it waits for what other regions know
+    size_t runs,
+        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t told; // of its share of the progress
+    paradt_stats stats;
+} paradt__region;
+
+typedef struct paradt__work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt_stats *stats;
+    // the plan
+    const paradt__method *method; // that is tried
+    int impatient;                // the method may give up
+    size_t regions;
+    int one_by_one; // insertion builds one region after another, without neighbours
+    int facets;     // links are delivered as half-facets
+    // progress
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of the share, while one task does all of it
+    // the points
+    paradt__set set;
+    paradt__grid grid; // of fronts
+    paradt__cuts cuts; // between the regions
+    uint32_t *owner;   // [set.count] with fronts: the region of each point
+    // the regions
+    struct paradt__region *region;          // [regions]
+    paradt__field *fields;                  // [regions] with insertion
+    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
+    int hollow;                             // the points may be on a surface or a curve
+    int first_alone;                        // with insertion: the first region has its own points alone
+    paradt__relay relay;                    // with insertion
+    paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
+    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    // the result
+    paradt__mesh mesh;
+    int delivered; // the mesh has the caller's indices and final links already
+} paradt__work;
+
+// --- counting
+
+static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
+    stats->orient_calls += c->orient_calls;
+    stats->insphere_calls += c->insphere_calls;
+    stats->exact_small += c->exact_small;
+    stats->exact_fixed += c->exact_fixed;
+    stats->exact_general += c->exact_general;
+    stats->perturbed += c->perturbed;
 }
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    paradt__search_add_counts(&front->search, stats);
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
+}
+
+// Adds what a region has counted.
+static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
+    stats->distance_evaluations += region->distance_evaluations;
+    stats->grid_cells_visited += region->grid_cells_visited;
+    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
+    stats->orient_calls += region->orient_calls;
+    stats->insphere_calls += region->insphere_calls;
+    stats->exact_small += region->exact_small;
+    stats->exact_fixed += region->exact_fixed;
+    stats->exact_general += region->exact_general;
+    stats->perturbed += region->perturbed;
+    stats->cells_recomputed += region->cells_recomputed;
+}
+
+// --- progress
+
+// Begins a way of building: its share is what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
+    work->told = 0;
+}
+
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
+}
+
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
+// --- steps
+
+// Number of the points of a region
+static size_t paradt__region_count(const paradt__work *work, size_t index) {
+    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+}
+
+// Joins the regions' accounts to the call's, and shares what is left of the limit among them. No task runs meanwhile.
+static void paradt__share_memory(paradt__work *work) {
+    uint64_t peaks = work->memory.held;
+    size_t i;
+    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+}
+
+// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
+// cancelled, before that a region gave up.
+static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (work->options.parallel_for) {
+        work->options.parallel_for(work->options.user, work->regions, task, work);
+    } else {
+        for (i = 0; i < work->regions; i++) {
+            task(work, i);
+            if (work->region[i].status) break;
+        }
+    }
+    for (i = 0; i < work->regions; i++) {
+        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
+    }
+    return status;
+}
+
+// Runs a step, unless there has been an error before.
+static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
+                                      void (*task)(void *context, size_t index)) {
+    if (status) return status;
+    paradt__share_memory(work);
+    status = paradt__run_tasks(work, task);
+    paradt__share_memory(work);
+    return status;
+}
+
+// Makes the regions' records, all zero but for their accounts.
+static paradt_status paradt__begin_regions(paradt__work *work) {
+    size_t i;
+    work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
+    if (!work->region) return PARADT_ERROR_MEMORY;
+    memset(work->region, 0, work->regions * sizeof *work->region);
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+    paradt__mesh_begin(&work->mesh, work->set.space.dim + 1, 0);
+    paradt__begin_way(work);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>fronts
+//
+// InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
+// task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
+// different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
+// paradt__front_task.
+
+// Runs a front that has begun, unless that failed, and ends it: leaves its mesh, adds what it counted.
+static paradt_status paradt__run_front(paradt__front *front, paradt_status status, const paradt__method *method,
+                                       paradt__mesh *mesh, paradt_stats *stats) {
+    if (!status) status = method->front(front);
+    paradt__count_front(stats, front);
+    stats->hull_facets += front->hull_facets;
+    paradt__front_end(front);
+    *mesh = front->mesh;
+    return status;
+}
+
+// Leaves the cells that the region owns in region->mesh.
+static void paradt__front_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view;
+    paradt__front front;
+    view.owner = work->owner;
+    view.cuts = &work->cuts;
+    view.region = (uint32_t)index;
+    region->status =
+        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
+    front.progress = paradt__region_progress(work, index);
+    front.impatient = work->impatient;
+    region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
+    if (!region->status)
+        region->status =
+            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+}
+
+// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        total += work->region[i].mesh.count;
+        paradt__count_region(work->stats, &work->region[i].stats);
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < work->regions; i++) {
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        paradt__mesh_free(&work->region[i].mesh, &work->memory);
+    }
+    return status;
+}
+
+// Prepares for fronts: the reference sphere and the grid.
+static paradt_status paradt__prepare_fronts(paradt__work *work) {
+    double begun = paradt__now();
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    work->stats->seconds_grid += paradt__now() - begun;
+    return status;
+}
+
+// Begins the regions, and finds the region of each point.
+static paradt_status paradt__begin_fronts(paradt__work *work) {
+    paradt_status status = paradt__begin_regions(work);
+    if (status) return status;
+    work->owner = (uint32_t *)paradt__alloc(&work->memory, work->set.count, sizeof *work->owner);
+    if (!work->owner) return PARADT_ERROR_MEMORY;
+    paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_by_front(paradt__work *work) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__front front;
+    paradt_status status = paradt__prepare_fronts(work);
+    if (!status && work->regions > 1) {
+        status = paradt__begin_fronts(work);
+        if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
+        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+    }
+    if (status) return status;
+    paradt__begin_way(work);
+    status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, undivided, 1.0);
+    front.progress = paradt__whole_progress(work);
+    front.impatient = work->impatient;
+    return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>regions of insertion
+//
+// Insertion by regions, step after step. A step is a task for each region, see >>call; what a region does in it is in
+// the sections above:
+//
+//     grid       the grid of the region's points, by which others look for points of it
+//     points     the points to begin with: its own, and others' in a margin
+//     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
+//     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
+//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
+//     learn      | looks at what others show,
+//     complete   | and asks on, until none of them waits
+//     compact    leaves only the cells that the region owns
+//     emit       writes them into the result
+//
+// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
+// than all the rest would; then the largest region takes in all points.
+// Doors: paradt__build_by_patches, paradt__close_set.
+
+// --- the steps
+
+// Of two regions of which the first is built alone, only the second looks for points of the other.
+static void paradt__grid_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__field *field = work->fields + index;
+    int is_asked = !work->first_alone || work->regions > 2 || index == 0;
+    region->status = PARADT_OK;
+    if (is_asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
+}
+
+// Begins the patch of a region with its points.
+static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
+    patch->facets = work->facets;
+    patch->trusts = work->first_alone && index == 0;
+    region->status = paradt__patch_points(patch, work->basis);
+}
+
+static void paradt__points_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__begin_patch(work, index, &work->region[index].memory);
+}
+
+// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
+// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
+// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
+// quarter of the slice could be left.
+static size_t paradt__slice_places(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    size_t count = patch->build.count, own = patch->fields[index].set.count;
+    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
+    return paradt__expected_places(count, work->set.space.dim);
+}
+
+// Reserves the slices: in two and three dimensions.
+static paradt_status paradt__reserve_slices(paradt__work *work) {
+    paradt__mesh *slices = &work->slices;
+    int dim = work->set.space.dim;
+    size_t total = 0, i;
+    paradt_status status;
+    paradt__mesh_begin(slices, dim + 1, 0);
+    if (dim < 2 || dim > 3) return PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].slice = total;
+        total += paradt__slice_places(work, i);
+    }
+    status = paradt__mesh_reserve(slices, total, total, &work->memory);
+    if (status) paradt__mesh_free(slices, &work->memory);
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+}
+
+// A patch whose cells do not fit into the slice takes rows of its own.
+static void paradt__lend_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    size_t first = region->slice * (size_t)work->slices.corners;
+    if (!work->slices.capacity) return;
+    region->status = paradt__mesh_lend(&region->patch.build.scene.mesh, work->slices.vertices + first,
+                                       work->slices.links + first, paradt__slice_places(work, index), &region->memory);
+}
+
+static void paradt__count_patch(paradt__region *region) {
+    const paradt__patch *patch = &region->patch;
+    memset(&region->stats, 0, sizeof region->stats);
+    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
+}
+
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
+// field's.
+static void paradt__end_questions(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__field *field = work->fields + index;
+    region->waits = 0;
+    region->status = paradt__patch_list_seam(patch);
+    field->seam = patch->seam;
+    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
+    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
+    patch->seam = NULL;
+}
+
+// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
+// are few, in up to three dimensions, and where there are any: without weights.
+static void paradt__build_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
+    paradt__progress progress = paradt__region_progress(work, index);
+    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
+    region->built = 1;
+    region->waits = !region->status && patch->list_count;
+    paradt__count_patch(region);
+    if (region->status || region->waits || patch->trusts) return;
+    paradt__end_questions(work, index);
+    paradt__patch_rest(patch);
+}
+
+static void paradt__publish_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    region->status = paradt__patch_show(&region->patch);
+    work->fields[index].patch = &region->patch;
+}
+
+// No region changes while others look at it.
+static void paradt__learn_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+}
+
+static void paradt__complete_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__progress progress = paradt__region_progress(work, index);
+    if (!region->waits) return;
+    region->status = paradt__patch_complete(&region->patch, 0, &progress);
+    paradt__count_patch(region);
+    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+}
+
+static void paradt__compact_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__patch *patch = &region->patch;
+    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    paradt__count_patch(region);
+    if (!region->status) region->status = paradt__patch_compact(patch);
+    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->hull_facets = patch->hull_facets;
+    paradt__patch_rest(patch);
+}
+
+// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
+// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
+    return index > 1 && work->mesh.vertices == work->slices.vertices;
+}
+
+// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    const paradt__patch *patch = &work->region[index].patch;
+    paradt_status status = PARADT_OK;
+    size_t i, j, end;
+    for (i = 0; i < patch->list_count && !status; i = end) {
+        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
+        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+        }
+        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// What is left to be done takes no coordinates.
+static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
+    paradt__release(memory, work->set.records);
+    work->set.records = NULL;
+}
+
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
+// belong then, so its open facets can wait for others'.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    const paradt__mesh *own = &region->patch.build.scene.mesh;
+    size_t first = region->offset * (size_t)work->mesh.corners;
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__rows to =
+        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
+                          stays ? own->links : work->mesh.links + first, region->offset);
+    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    if (index || region->status) return;
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
+}
+
+// --- the relay
+//
+// The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
+// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
+// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
+// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+
+typedef struct paradt__ranked {
+    size_t amount, number;
+} paradt__ranked;
+
+// Sorts by amount, the largest first.
+static void paradt__rank(paradt__ranked *list, size_t count) {
+    size_t i, j;
+    for (i = 1; i < count; i++) {
+        paradt__ranked one = list[i];
+        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
+        list[j] = one;
+    }
+}
+
+// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    const paradt__insertion *build = &patch->build;
+    if (work->region[index].built) return 0;
+    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - work->fields[index].set.count;
+}
+
+// What a region has done, in points inserted
+static size_t paradt__region_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+}
+
+static void paradt__leg_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *task = work->region + index, *region = work->region + task->runs;
+    size_t before = paradt__region_done(&region->patch);
+    if (!region->built) paradt__build_task(work, task->runs);
+    task->ran = paradt__region_done(&region->patch) - before;
+}
+
+// Decides which task runs which region in the next leg. Returns how much is left of them all.
+static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
+    size_t left = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        regions[i].number = tasks[i].number = i;
+        tasks[i].amount = work->region[i].ran;
+        regions[i].amount = paradt__region_left(work, i);
+        left += regions[i].amount;
+    }
+    paradt__rank(regions, work->regions);
+    paradt__rank(tasks, work->regions);
+    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
+    return left;
+}
+
+// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
+// taking one after another.
+static paradt_status paradt__run_relay(paradt__work *work) {
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
+    paradt__ranked regions[MOST], tasks[MOST];
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
+    paradt_status status;
+    int last;
+    if (!work->options.parallel_for || work->regions > MOST)
+        return paradt__run_step(work, PARADT_OK, paradt__build_task);
+    do {
+        size_t left = paradt__assign_leg(work, regions, tasks), i;
+        last = (double)left < fewest;
+        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
+        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
+        status = paradt__run_step(work, PARADT_OK, paradt__leg_task);
+    } while (!last && (!status || status == PARADT__GAVE_UP));
+    return status;
+}
+
+// --- all regions together
+
+// Moves the emitted cells from the slices' starts to their places.
+static void paradt__close_slices(paradt__work *work) {
+    size_t corners = (size_t)work->mesh.corners, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
+        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
+        memmove(work->mesh.vertices + first, own->vertices, bytes);
+        memmove(work->mesh.links + first, own->links, bytes);
+    }
+}
+
+// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
+// on the hull.
+static paradt_status paradt__join_patches(paradt__work *work) {
+    size_t i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
+    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        for (j = 0; j < patch->list_count; j++) {
+            paradt_index *link = work->mesh.links + patch->list[j];
+            if (*link == PARADT__OPEN) *link = PARADT__HULL;
+        }
+    }
+    return status;
+}
+
+// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
+// a quarter of them would be empty, since to copy the cells takes as much again.
+static paradt_status paradt__collect_patches(paradt__work *work) {
+    size_t total = 0, i;
+    int in_place = work->slices.vertices != NULL, lent = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        work->region[i].offset = total;
+        total += own->count;
+        in_place = in_place && own->lent;
+        lent = lent || own->lent;
+    }
+    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
+    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
+    if (in_place) {
+        work->mesh = work->slices;
+    } else {
+        paradt__release_records(work, &work->memory);
+        status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    }
+    work->mesh.count = total;
+    status = paradt__run_step(work, status, paradt__emit_task);
+    if (!status && in_place) paradt__close_slices(work);
+    if (in_place) memset(&work->slices, 0, sizeof work->slices);
+    return status ? status : paradt__join_patches(work);
+}
+
+static size_t paradt__count_waiting(const paradt__work *work) {
+    size_t waiting = 0, i;
+    for (i = 0; i < work->regions; i++) waiting += (size_t)work->region[i].waits;
+    return waiting;
+}
+
+static paradt_status paradt__build_together(paradt__work *work) {
+    paradt_status status = paradt__run_step(work, PARADT_OK, paradt__points_task);
+    if (!status) status = paradt__reserve_slices(work);
+    status = paradt__run_step(work, status, paradt__lend_task);
+    if (!status) status = paradt__run_relay(work);
+    if (!status && paradt__count_waiting(work)) status = paradt__run_step(work, status, paradt__publish_task);
+    while (!status && paradt__count_waiting(work)) {
+        status = paradt__run_step(work, status, paradt__learn_task);
+        status = paradt__run_step(work, status, paradt__complete_task);
+    }
+    status = paradt__run_step(work, status, paradt__compact_task);
+    return status ? status : paradt__collect_patches(work);
+}
+
+// --- one by one: without neighbours, a region's links are given back before the next one begins
+
+// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners;
+    void *vertices = mesh->vertices;
+    if (mesh->count + count <= mesh->capacity) return PARADT_OK;
+    count += mesh->count + expected;
+    if (!paradt__grow(&work->memory, &vertices, mesh->count * corners, count * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    mesh->vertices = (paradt_index *)vertices;
+    mesh->capacity = count;
+    return PARADT_OK;
+}
+
+// Builds a region, at the end of the result while its cells fit there.
+static paradt_status paradt__build_next(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
+    size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__rows to;
+    paradt__begin_patch(work, index, &work->memory);
+    if (region->status) return region->status;
+    capacity = paradt__expected_places(region->patch.build.count, work->set.space.dim);
+    if (capacity > paradt__most_cells(mesh->corners)) capacity = paradt__most_cells(mesh->corners);
+    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    region->status = paradt__next_room(work, capacity, rest);
+    if (region->status) return region->status;
+    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->links) return PARADT_ERROR_MEMORY;
+    region->status =
+        paradt__mesh_lend(own, mesh->vertices + mesh->count * corners, lent->links, capacity, &work->memory);
+    if (!region->status) paradt__build_task(work, index);
+    if (!region->status) paradt__compact_task(work, index);
+    if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
+    to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (region->status) return region->status;
+    mesh->count += own->count;
+    paradt__patch_end(&region->patch);
+    memset(&region->patch, 0, sizeof region->patch);
+    paradt__mesh_free(lent, &work->memory);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_one_by_one(paradt__work *work) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t used, i;
+    paradt_status status = PARADT_OK;
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
+        void *vertices = mesh->vertices;
+        used = mesh->count * (size_t)mesh->corners;
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        mesh->vertices = (paradt_index *)vertices;
+    }
+    return status;
+}
+
+// --- given up
+
+// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
+// are given back.
+static paradt_status paradt__take_over(paradt__work *work) {
+    paradt__progress progress;
+    paradt__region *largest = NULL, *region, *end = work->region + work->regions;
+    paradt__mesh *own;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    for (region = work->region; region < end; region++) {
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
+            largest = region;
+    }
+    for (region = work->region; region < end; region++) {
+        region->stats.cells_recomputed = region->hull_facets = 0;
+        if (region == largest) continue;
+        paradt__patch_end(&region->patch);
+        memset(&region->patch, 0, sizeof region->patch);
+    }
+    own = &largest->patch.build.scene.mesh;
+    if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
+    status = paradt__patch_take_all(&largest->patch, &progress);
+    paradt__count_patch(largest);
+    largest->hull_facets = largest->patch.hull_facets;
+    if (!status && own->lent) {
+        status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
+        if (!status) paradt__mesh_append(&work->mesh, own);
+    } else if (!status) {
+        work->mesh = *own;
+        memset(own, 0, sizeof *own);
+    }
+    return status;
+}
+
+// --- the points of the regions
+
+// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
+// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work, int with_room) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        size_t count = paradt__region_count(work, i);
+        work->fields[i].begin = total;
+        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].room;
+    }
+    return total;
+}
+
+static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
+    paradt__set *set = &work->set;
+    size_t count = paradt__region_count(work, index);
+    if (from == to) return;
+    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
+}
+
+// Finds points that span the set, as positions in it once it is open.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
+    }
+}
+
+// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
+// span.
+static void paradt__open_set(paradt__work *work) {
+    size_t i;
+    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
+    paradt__find_basis(work);
+    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
+    for (i = 0; i < work->regions; i++) {
+        paradt__field *field = work->fields + i;
+        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        paradt__cuts_box(&work->cuts, i, field->low, field->high);
+    }
+    work->first_alone = work->regions > 1 && paradt__spans(&work->fields[0].set);
+}
+
+// Closes the gaps again.
+static void paradt__close_set(paradt__work *work) {
+    size_t i;
+    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
+}
+
+static paradt_status paradt__build_by_patches(paradt__work *work) {
+    int taken;
+    paradt_status status = paradt__begin_regions(work);
+    size_t i;
+    if (status) return status;
+    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
+    if (!work->fields) return PARADT_ERROR_MEMORY;
+    memset(work->fields, 0, work->regions * sizeof *work->fields);
+    paradt__open_set(work);
+    status = paradt__run_step(work, PARADT_OK, paradt__grid_task);
+    if (!status) status = work->one_by_one ? paradt__build_one_by_one(work) : paradt__build_together(work);
+    taken = status == PARADT__GAVE_UP && !work->one_by_one;
+    if (taken) status = paradt__take_over(work);
+    work->delivered = !status;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->hull_facets;
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_end(&region->patch);
+        paradt__grid_free(&work->fields[i].grid, &work->memory);
+        paradt__release(&work->memory, work->fields[i].seam);
+    }
+    paradt__mesh_free(&work->slices, &work->memory);
+    paradt__facets_free(&work->open_facets, &work->memory);
+    if (taken) work->regions = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>methods
+//
+// One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
+// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+
+// --- do regions pay?
+//
+// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
+// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
+// such look: few of them have neighbours beyond a cut.
+
+enum { PARADT__SAMPLED = 2048 }; // points of the sample
+
+// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
+// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
+static int paradt__is_hollow(const paradt__set *set) {
+    enum { EVERY = 64 };
+    int dim = set->space.dim;
+    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
+    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
+    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
+}
+
+// Number of the sample's points that have a neighbour on the other side of the first cut. side: [SAMPLED]
+static size_t paradt__count_across(const paradt__mesh *mesh, unsigned char *side) {
+    enum { UPPER = 1, ACROSS = 2 };
+    size_t corners = (size_t)mesh->corners, i, j, count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *cell = mesh->vertices + i * corners;
+        size_t upper = 0;
+        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
+        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
+    }
+    for (i = 0; i < PARADT__SAMPLED; i++) count += side[i] >= ACROSS;
+    return count;
+}
+
+// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
+// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
+static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
+    const paradt__set *set = &work->set;
+    paradt__set sample = *set;
+    paradt__mesh mesh;
+    paradt__counters counters;
+    paradt__progress silent;
+    size_t i;
+    unsigned char side[PARADT__SAMPLED];
+    paradt_status status = PARADT_OK;
+    *in_vain = 0;
+    if (set->count < 4 * PARADT__SAMPLED || set->space.weighted) return PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    memset(&silent, 0, sizeof silent);
+    sample.count = PARADT__SAMPLED;
+    sample.origin = NULL;
+    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
+    if (!sample.records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < sample.count; i++) {
+        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
+        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
+        side[i] = at < work->cuts.cut[work->regions / 2].begin;
+    }
+    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
+    if (!status && mesh.count) {
+        paradt__mesh_close(&mesh, NULL, 0);
+        *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
+    }
+    paradt__mesh_free(&mesh, &work->memory);
+    paradt__set_free(&sample, &work->memory);
+    return status;
+}
+
+// --- what a row's function does
+
+// Gives back what the building of cells needs beside the set.
+static void paradt__release_helpers(paradt__work *work) {
+    paradt__memory *memory = &work->memory;
+    paradt__grid_free(&work->grid, memory);
+    paradt__release(memory, work->owner);
+    paradt__release(memory, work->fields);
+    paradt__release(memory, work->region);
+    memset(&work->grid, 0, sizeof work->grid);
+    work->owner = NULL;
+    work->fields = NULL;
+    work->region = NULL;
+}
+
+// Forgets what a way that gave up has built.
+static void paradt__begin_again(paradt__work *work) {
+    paradt__release_helpers(work);
+    paradt__mesh_free(&work->mesh, &work->memory);
+    work->stats->cells_recomputed = work->stats->hull_facets = 0;
+}
+
+static paradt_status paradt__insert_undivided(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__bowyer_watson(&work->set, &work->memory, &work->mesh, &progress, &counters);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+static paradt_status paradt__build_by_insertion(paradt__work *work) {
+    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
+    paradt_status status = PARADT_OK;
+    int in_vain = 0;
+    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    if (work->hollow) status = paradt__foresee(work, &in_vain);
+    if (in_vain) work->regions = 1;
+    if (!status && work->regions > 1) // for the questions, too
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+    if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
+    if (!status) status = paradt__build_by_patches(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__close_set(work);
+    paradt__begin_again(work);
+    work->regions = 1;
+    return paradt__insert_undivided(work);
+}
+
+// --- the table and the choice
+
+enum {
+    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
+};
+
+// The row of a method. AUTO's says what all methods can do that it chooses from.
+static const paradt__method *paradt__method_of(paradt_method method) {
+    static const paradt__method rows[PARADT_METHOD_COUNT] = {
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL},                                           // AUTO
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front},               // INCODE
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front},               // DEWALL
+        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}}; // BOWYER_WATSON
+    return rows + method;
+}
+
+// The method that builds points of an affine dimension: AUTO's choice. In four dimensions and more, what insertion
+// makes only to destroy it again costs more than InCoDe's searches, unless these have to decide ties, see
+// paradt__front_is_stuck; where InCoDe gave up, insertion is next.
+static const paradt__method *paradt__choose_method(paradt_method wanted, int dim, int gave_up) {
+    if (wanted != PARADT_AUTO) return paradt__method_of(wanted);
+    return paradt__method_of(dim >= PARADT__AUTO_INCODE_DIM && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
+}
+
+// Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
+// order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
+// and makes some for that of many points: each gives its links back before the next one begins.
+static void paradt__plan(paradt__work *work, const paradt_points *points) {
+    enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    work->facets = (work->options.flags & PARADT_FACETS) != 0;
+    work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
+    if (work->regions > points->count) work->regions = points->count ? points->count : 1;
+    work->one_by_one = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 && !first->front &&
+                       (work->regions == 1 || !work->options.parallel_for);
+    if (work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = ONE_BY_ONE;
+    work->cuts.boxes = work->regions;
+    work->cuts.partition = work->options.partition;
+    work->cuts.larger_first = !work->one_by_one && !first->front;
+    work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
+}
+
+// Makes the cell of a set of one point, or of none.
+static paradt_status paradt__build_trivial(paradt__work *work) {
+    paradt_status status;
+    work->regions = 1;
+    paradt__mesh_begin(&work->mesh, 1, 0);
+    status = paradt__mesh_reserve(&work->mesh, 1, 1, &work->memory);
+    if (status) return status;
+    work->mesh.count = work->set.count;
+    work->mesh.vertices[0] = 0;
+    work->mesh.links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Builds the mesh, by another method where the first gives up.
+static paradt_status paradt__build_mesh(paradt__work *work) {
+    paradt_method wanted = work->options.method;
+    paradt_status status;
+    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
+    work->impatient = wanted == PARADT_AUTO && work->method->front != NULL;
+    status = work->method->build(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__begin_again(work);
+    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
+    return work->method->build(work);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+//
+// The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
+// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -10765,804 +11774,49 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-enum { PARADT__AUTO_INCODE_DIM = 4 }; // AUTO tries InCoDe from here on
-
-// Is insertion the first method that is tried?
-static int paradt__inserts(paradt_method method, int dim) {
-    return !paradt__choose_front(method) && (method != PARADT_AUTO || dim < PARADT__AUTO_INCODE_DIM);
-}
-
-// All that one call works with.
-typedef struct paradt__work {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt_options options;
-    paradt_method method; // that is tried; AUTO has become one
-    int impatient;        // 1: it may give up
-    size_t regions;
-    int in_turn; // 1: insertion builds one after another, without neighbours
-    int hollow;  // 1: the points may be on a surface or a curve
-    paradt__meter meter;
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of it, while one task does all of it
-    paradt_stats *stats;
-    paradt__mesh cells;
-    paradt__cuts cuts;                      // between the regions
-    uint32_t *owner;                        // [set.count] with a front: the region of each point
-    paradt__field *fields;                  // [regions] with insertion
-    struct paradt__region *region;          // [regions]
-    paradt__mesh slices;                    // with insertion: each region's cells in a part of it, while they fit
-    paradt__facets seam;                    // with insertion: open facets of regions, in the end
-    int trusts;                             // with insertion: the first region has its own points alone
-    paradt__relay relay;                    // with insertion
-    int facets;                             // links are delivered as half-facets
-    int translated;                         // the cells are delivered already: the caller's indices, final links
-    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
-} paradt__work;
-
-// What one region leaves behind.
-typedef struct paradt__region {
-    paradt__memory memory;
+// Reads the points into the set.
+static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
+    double begun = paradt__now();
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
-    paradt__mesh cells;  // of a front, or
-    paradt__patch patch; // what insertion builds,
-    size_t offset;       // with the number of its first cell
-    uint64_t hull_facets;
-    int built;     // it has ended the third step
-    int open;      // it waits for what others have to tell
-    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;    // and what this task has done, in points inserted
-    uint32_t told; // of its share of the work
-    paradt_stats stats;
-} paradt__region;
-
-static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
-    stats->orient_calls += c->orient_calls;
-    stats->insphere_calls += c->insphere_calls;
-    stats->exact_small += c->exact_small;
-    stats->exact_fixed += c->exact_fixed;
-    stats->exact_general += c->exact_general;
-    stats->perturbed += c->perturbed;
-}
-
-static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    paradt__search_add_counts(&front->search, stats);
-    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, paradt__search_counters(&front->search));
-}
-
-// Adds what a region counted.
-static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
-    stats->distance_evaluations += region->distance_evaluations;
-    stats->grid_cells_visited += region->grid_cells_visited;
-    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
-    stats->orient_calls += region->orient_calls;
-    stats->insphere_calls += region->insphere_calls;
-    stats->exact_small += region->exact_small;
-    stats->exact_fixed += region->exact_fixed;
-    stats->exact_general += region->exact_general;
-    stats->perturbed += region->perturbed;
-    stats->cells_recomputed += region->cells_recomputed;
-}
-
-// A way of building begins: it has what is left of the work but for the finish.
-static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
-    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
-}
-
-static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
-}
-
-static paradt_status paradt__build_undivided(paradt__work *work) {
-    paradt__front front;
-    paradt__region_view view = {NULL, NULL, 0};
-    paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    paradt__begin_way(work);
-    front.progress = paradt__whole_progress(work);
-    front.impatient = work->impatient;
-    if (!status) status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(work->stats, &front);
-    paradt__front_end(&front);
-    work->cells = front.mesh;
-    work->stats->hull_facets = front.hull_facets;
-    return status;
-}
-
-static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
-    status = paradt__bowyer_watson(&work->set, &work->memory, &work->cells, &progress, &counters);
-    paradt__count_predicates(work->stats, &counters);
-    return status;
-}
-
-// --- regions: the work of one is a task
-
-static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
-    paradt__region_view view;
-    view.owner = work->owner;
-    view.cuts = &work->cuts;
-    view.region = (uint32_t)index;
-    return view;
-}
-
-static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
-    double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
-}
-
-// Points of a region
-static size_t paradt__region_count(const paradt__work *work, size_t index) {
-    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
-}
-
-// By InCoDe or DeWall.
-static void paradt__front_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__region_view view = paradt__view_of(work, index);
-    paradt__front front;
-    region->status =
-        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
-    front.impatient = work->impatient;
-    if (!region->status) region->status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(&region->stats, &front);
-    paradt__front_end(&front);
-    region->cells = front.mesh;
-    if (!region->status)
-        region->status =
-            paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
-}
-
-// By insertion, first step: the grid of the region's points. Of two regions of which the first trusts the other, only
-// that one looks for points of the other.
-static void paradt__grid_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__field *field = work->fields + index;
-    int asked = !work->trusts || work->regions > 2 || index == 0;
-    region->status = PARADT_OK;
-    if (asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
-}
-
-// By insertion, second step: the points to begin with.
-static void paradt__points_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
-    region->patch.facets = work->facets;
-    region->patch.trusts = work->trusts && index == 0;
-    region->status = paradt__patch_points(&region->patch, work->basis);
-}
-
-// Can regions be asked by the cells around their vertices? Up to three dimensions these are few, and without weights
-// there are some.
-static int paradt__asks_around(const paradt__work *work) {
-    return !work->in_turn && work->set.space.dim <= 3 && !work->set.space.weighted;
-}
-
-static void paradt__count_patch(paradt__region *region) {
-    const paradt__patch *patch = &region->patch;
-    memset(&region->stats, 0, sizeof region->stats);
-    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
-    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
-    paradt__search_add_counts(&patch->search, &region->stats);
-}
-
-// All cells of T(P) with a vertex of the region are there.
-static void paradt__end_questions(paradt__work *work, size_t index) {
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
-    region->open = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
-}
-
-// By insertion, third step: the cells, unless it pauses. The region remains open if it would rather be told by others
-// what it lacks.
-static void paradt__patch_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    int hasty = paradt__asks_around(work);
-    paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
-    if (!region->status && paradt__patch_pauses(patch, hasty)) return;
-    region->built = 1;
-    region->open = !region->status && patch->list_count;
-    paradt__count_patch(region);
-    if (region->status || region->open || patch->trusts) return;
-    paradt__end_questions(work, index);
-    paradt__patch_rest(patch);
-}
-
-// Fourth step: leaves only the region's cells.
-static void paradt__compact_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
-    paradt__count_patch(region);
-    if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
-    region->hull_facets = patch->hull_facets;
-    paradt__patch_rest(patch);
-}
-
-// Regions that are open look at others' cells while none of them changes.
-static void paradt__show_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
-}
-
-static void paradt__hear_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->open) region->status = paradt__patch_hear_all(&region->patch);
-}
-
-static void paradt__complete_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__region_progress(work, index);
-    if (!region->open) return;
-    region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
-}
-
-// Are the cells of the region in a slice of the result that they are not moved from yet? The second slice's cells can
-// go to their places while they are written: nobody reads what is between them and the first's.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->cells.vertices == work->slices.vertices;
-}
-
-// Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->cells.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->cells.links + patch->list[j]);
-        }
-        status = paradt__facets_join(&work->seam, &work->cells, patch->list + i, end - i, !work->facets, memory);
-    }
-    return status;
-}
-
-// What is left to be done takes no coordinates.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
-// are where they are to be then, so its open facets can wait for others'.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    size_t first = region->offset * (size_t)work->cells.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    const paradt__mesh *mesh = &region->patch.build.scene.mesh;
-    paradt__rows to =
-        paradt__mesh_rows(work->cells.corners, work->facets, stays ? mesh->vertices : work->cells.vertices + first,
-                          stays ? mesh->links : work->cells.links + first, region->offset);
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
-    if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->seam, region->patch.list_count, 0, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
-// Runs a task for each region; the first status that is not PARADT_OK.
-static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *context, size_t index)) {
-    paradt_status status = PARADT_OK;
-    size_t i;
-    if (work->options.parallel_for) {
-        work->options.parallel_for(work->options.user, work->regions, task, work);
-    } else {
-        for (i = 0; i < work->regions; i++) {
-            task(work, i);
-            if (work->region[i].status) break;
-        }
-    }
-    for (i = 0; i < work->regions; i++) { // an error, or that it was cancelled, before that one gave up
-        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
-    }
-    return status;
-}
-
-// --- the relay
-//
-// The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: it is done in legs, each of which ends for all when together they have done a part of
-// what is left. In the next the region that has most left goes to the task that did most, since that is likely to be on
-// the same thread again. What a region builds does not depend on where it pauses.
-
-typedef struct paradt__ranked {
-    size_t amount, number;
-} paradt__ranked;
-
-// The largest amounts first.
-static void paradt__rank(paradt__ranked *list, size_t count) {
-    size_t i, j;
-    for (i = 1; i < count; i++) {
-        paradt__ranked one = list[i];
-        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
-        list[j] = one;
-    }
-}
-
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__insertion *build = &patch->build;
-    if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
-    return build->count - build->inserted + build->count - work->fields[index].set.count;
-}
-
-// What it has done, likewise
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
-}
-
-static void paradt__leg_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
-    if (!region->built) paradt__patch_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
-}
-
-// Who runs which region in the next leg. Returns how much is left of them all.
-static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
-    size_t left = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        regions[i].number = tasks[i].number = i;
-        tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
-        left += regions[i].amount;
-    }
-    paradt__rank(regions, work->regions);
-    paradt__rank(tasks, work->regions);
-    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
-    return left;
-}
-
-// The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
-// work by taking one after another.
-static paradt_status paradt__run_relay(paradt__work *work) {
-    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
-    paradt__ranked regions[MOST], tasks[MOST];
-    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
-    paradt_status status;
-    int last;
-    if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    do {
-        size_t left = paradt__assign_leg(work, regions, tasks), i;
-        last = (double)left < fewest;
-        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
-        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
-        status = paradt__run_regions(work, paradt__leg_task);
-    } while (!last && (!status || status == PARADT__GAVE_UP));
-    return status;
-}
-
-// --- regions together
-
-// Puts the cells of the regions together, giving their memory back one by one.
-static paradt_status paradt__collect_regions(paradt__work *work, paradt__mesh *cells, paradt_status status) {
-    uint64_t peaks = work->memory.held;
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        total += region->cells.count;
-        paradt__count_region(work->stats, &region->stats);
-        paradt__memory_join(&work->memory, &region->memory, &peaks);
-    }
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    for (i = 0; i < work->regions; i++) {
-        if (!status) paradt__mesh_append(cells, &work->region[i].cells);
-        paradt__mesh_free(&work->region[i].cells, &work->memory);
-    }
-    return status;
-}
-
-// Links the open facets that the patches have listed, when the first region's wait for theirs. What finds no partner is
-// the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
-    paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->seam.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->cells.links + patch->list[j];
-            if (*link == PARADT__OPEN) *link = PARADT__HULL;
-        }
-    }
-    return status;
-}
-
-// What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs.
-static void paradt__share_memory(paradt__work *work) {
-    uint64_t peaks = work->memory.held;
-    size_t i;
-    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
-}
-
-// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, though the
-// gap that is left has to be closed; and more of the last one, behind which nothing has to be moved. Surfaces may have
-// a tenth more cells a point, solids nothing but what shaken lattices have, 2 %. Not where there are so many points of
-// others that a quarter could be left.
-static size_t paradt__slice_places(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    size_t count = patch->build.count, own = patch->fields[index].set.count;
-    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
-    return paradt__expected_places(count, work->set.space.dim);
-}
-
-// Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
-// dimensions. A patch whose cells don't fit takes arrays of its own.
-static paradt_status paradt__lend_slices(paradt__work *work) {
-    paradt__mesh *slices = &work->slices;
-    int dim = work->set.space.dim;
-    size_t total = 0, first = 0, i;
-    paradt_status status;
-    slices->corners = dim + 1;
-    if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__mesh_reserve(slices, total, total, &work->memory);
-    if (status) {
-        paradt__mesh_free(slices, &work->memory);
-        return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
-    }
-    paradt__share_memory(work);
-    for (i = 0; i < work->regions && !status; i++) {
-        paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice_places(work, i);
-        status = paradt__mesh_lend(&patch->build.scene.mesh, slices->vertices + first * (size_t)slices->corners,
-                                   slices->links + first * (size_t)slices->corners, capacity, patch->memory);
-        first += capacity;
-    }
-    return status;
-}
-
-// Other slices' cells are at their begins: closes the gaps between them.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->cells.corners, i;
-    for (i = 0; i < work->regions; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners,
-               bytes = patch->build.scene.mesh.count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->cells.vertices + first, patch->build.scene.mesh.vertices, bytes);
-        memmove(work->cells.links + first, patch->build.scene.mesh.links, bytes);
-    }
-}
-
-// Puts the cells of the patches together.
-static paradt_status paradt__collect_patches(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t total = 0, i;
-    int in_place = work->slices.vertices != NULL, lent = 0;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].offset = total;
-        total += work->region[i].patch.build.scene.mesh.count;
-        in_place = in_place && work->region[i].patch.build.scene.mesh.lent;
-        lent = lent || work->region[i].patch.build.scene.mesh.lent;
-    }
-    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
-    // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
-    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
-    if (in_place) {
-        *cells = work->slices;
-    } else {
-        paradt__release_records(work, &work->memory);
-        status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    }
-    cells->count = total;
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__emit_task);
-    paradt__share_memory(work);
-    if (!status && in_place) paradt__close_slices(work);
-    if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
-}
-
-// Where the points of the regions are to be in the set, each but the first's with room for what others' points it is
-// likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int roomy) {
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        size_t count = paradt__region_count(work, i);
-        work->fields[i].begin = total;
-        work->fields[i].room = roomy && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
-    }
-    return total;
-}
-
-// Moves the points of a region.
-static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
-    paradt__set *set = &work->set;
-    size_t count = paradt__region_count(work, index);
-    if (from == to) return;
-    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
-    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
-}
-
-// Points that span the set, as positions in it once it is open.
-static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
-    for (i = 0; i < count; i++) {
-        size_t position = (size_t)work->basis[i], region = 0;
-        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[i] = (paradt_index)position;
-    }
-}
-
-// Gaps between the regions' points make room for others'. The first region trusts the others if its points span.
-static void paradt__open_set(paradt__work *work) {
-    size_t i;
-    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
-    paradt__find_basis(work);
-    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
-    for (i = 0; i < work->regions; i++) {
-        paradt__field *field = work->fields + i;
-        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
-        paradt__cuts_box(&work->cuts, i, field->low, field->high);
-    }
-    work->trusts = work->regions > 1 && paradt__spans(&work->fields[0].set);
-}
-
-// The set without them
-static void paradt__close_set(paradt__work *work) {
-    size_t i;
-    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
-}
-
-// Completes the regions that are open with what they tell each other.
-static paradt_status paradt__complete_together(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__show_task);
-    size_t open, i;
-    do {
-        if (!status) status = paradt__run_regions(work, paradt__hear_task);
-        if (!status) status = paradt__run_regions(work, paradt__complete_task);
-        for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    } while (!status && open);
-    return status;
-}
-
-// All regions at once, each step a task for each.
-static paradt_status paradt__build_together(paradt__work *work) {
-    size_t open, i;
-    paradt_status status = paradt__run_regions(work, paradt__points_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__lend_slices(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_relay(work);
-    for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    paradt__share_memory(work);
-    if (!status && open) status = paradt__complete_together(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
-    paradt__share_memory(work);
-    return status;
-}
-
-// --- regions in turn: without neighbours, a region's links are given back before the next one begins
-
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
-static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners;
-    void *vertices = cells->vertices;
-    if (cells->count + count <= cells->capacity) return PARADT_OK;
-    count += cells->count + expected;
-    if (!paradt__grow(&work->memory, &vertices, cells->count * corners, count * corners, sizeof(paradt_index)))
-        return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)vertices;
-    cells->capacity = count;
-    return PARADT_OK;
-}
-
-// Builds a region, at the end of the result while its cells fit there.
-static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
-    paradt__patch *patch = &work->region[index].patch;
-    paradt__mesh *cells = &work->cells, *own = &patch->build.scene.mesh, *lent = &work->slices;
-    size_t corners = (size_t)cells->corners, capacity, rest;
-    paradt__rows to;
-    paradt_status status;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
-    patch->trusts = work->trusts && index == 0;
-    status = paradt__patch_points(patch, work->basis);
-    capacity = paradt__expected_places(patch->build.count, work->set.space.dim);
-    if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
-    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
-    if (!status) status = paradt__turn_room(work, capacity, rest);
+    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
+    if (!out->representative) return PARADT_ERROR_MEMORY;
+    status =
+        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    work->stats->seconds_points = paradt__now() - begun;
+    if (!status && paradt__progress_cancels(&progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
-    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
-    if (!lent->links) return PARADT_ERROR_MEMORY;
-    status = paradt__mesh_lend(&patch->build.scene.mesh, cells->vertices + cells->count * corners, lent->links,
-                               capacity, patch->memory);
-    if (!status) {
-        paradt__patch_task(work, index);
-        if (!work->region[index].status) paradt__compact_task(work, index);
-        status = work->region[index].status;
-    }
-    if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
-    to = paradt__mesh_rows(cells->corners, work->facets, cells->vertices + cells->count * corners, own->links, 0);
-    if (!status) status = paradt__patch_emit(patch, &to, 0);
-    if (status) return status;
-    cells->count += own->count;
-    paradt__patch_end(patch);
-    memset(patch, 0, sizeof *patch);
-    paradt__mesh_free(lent, &work->memory);
-    return PARADT_OK;
+    work->stats->duplicates = points->count - work->set.count;
+    return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-static paradt_status paradt__build_in_turn(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners, i;
-    paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
-    if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
-        void *vertices = cells->vertices;
-        size_t used = cells->count * corners;
-        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-        cells->vertices = (paradt_index *)vertices;
+// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+static paradt_status paradt__close(paradt__work *work) {
+    if (!work->delivered) {
+        PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
     }
-    return status;
-}
-
-// --- regions given up
-
-// The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
-// back.
-static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress;
-    paradt__region *largest = NULL, *region;
-    paradt__patch *patch;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
-            largest = region;
+    paradt__mesh_rest(&work->mesh, &work->memory);
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
+        paradt__release(&work->memory, work->mesh.links);
+        work->mesh.links = NULL;
     }
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->stats.cells_recomputed = region->hull_facets = 0;
-        if (region == largest) continue;
-        paradt__patch_end(&region->patch);
-        memset(&region->patch, 0, sizeof region->patch);
-    }
-    patch = &largest->patch;
-    if (!patch->build.scene.mesh.lent) paradt__mesh_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(patch, &progress);
-    paradt__count_patch(largest);
-    largest->hull_facets = patch->hull_facets;
-    if (!status && patch->build.scene.mesh.lent) {
-        work->cells.corners = patch->build.scene.mesh.corners;
-        status = paradt__mesh_reserve(&work->cells, patch->build.scene.mesh.count, patch->build.scene.mesh.count,
-                                      &work->memory);
-        if (!status) paradt__mesh_append(&work->cells, &patch->build.scene.mesh);
-    } else if (!status) {
-        work->cells = patch->build.scene.mesh;
-        memset(&patch->build.scene.mesh, 0, sizeof patch->build.scene.mesh);
-    }
-    return status;
-}
-
-// Regions by insertion.
-static paradt_status paradt__build_patches(paradt__work *work) {
-    int taken;
-    paradt_status status;
-    size_t i;
-    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
-    if (!work->fields) return PARADT_ERROR_MEMORY;
-    memset(work->fields, 0, work->regions * sizeof *work->fields);
-    paradt__open_set(work);
-    paradt__share_memory(work);
-    status = paradt__run_regions(work, paradt__grid_task);
-    paradt__share_memory(work);
-    if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
-    taken = status == PARADT__GAVE_UP && !work->in_turn;
-    if (taken) status = paradt__take_over(work);
-    work->translated = !status;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        paradt__count_region(work->stats, &region->stats);
-        work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        paradt__patch_end(&region->patch);
-        paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
-    }
-    paradt__mesh_free(&work->slices, &work->memory);
-    paradt__facets_free(&work->seam, &work->memory);
-    if (taken) work->regions = 1;
-    return status;
-}
-
-static paradt_status paradt__build_fronts(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__front_task);
-    status = paradt__collect_regions(work, &work->cells, status);
-    return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
-}
-
-static paradt_status paradt__build_regions(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    int front = paradt__choose_front(work->method) != NULL;
-    size_t i;
-    if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
-    work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
-    memset(work->region, 0, work->regions * sizeof *work->region);
-    if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
-    paradt__begin_way(work);
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].memory = paradt__memory_fork(memory, work->regions);
-        work->region[i].cells.corners = work->set.space.dim + 1;
-    }
-    work->cells.corners = work->set.space.dim + 1;
-    return front ? paradt__build_fronts(work) : paradt__build_patches(work);
-}
-
-// The cell of a set of one point, or of none.
-static paradt_status paradt__build_trivial(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    paradt_status status;
-    work->regions = 1;
-    cells->corners = 1;
-    status = paradt__mesh_reserve(cells, 1, 1, &work->memory);
-    if (status) return status;
-    cells->count = work->set.count;
-    cells->vertices[0] = 0;
-    cells->links[0] = PARADT__HULL;
-    return PARADT_OK;
+    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
-    const paradt__mesh *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
+    const paradt__mesh *mesh = &work->mesh;
+    size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
     for (i = 0; i < vertices; i++) {
-        size_t point = (size_t)cells->vertices[i];
+        size_t point = (size_t)mesh->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
     for (i = 0; i < out->point_count; i++) {
@@ -11575,202 +11829,6 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Delivers the cells of the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
-static paradt_status paradt__close(paradt__work *work) {
-    if (!work->translated) work->stats->hull_facets += paradt__mesh_close(&work->cells, work->set.origin, work->facets);
-    paradt__mesh_rest(&work->cells, &work->memory);
-    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
-}
-
-// Gives back what the building of cells needs beside the set.
-static void paradt__release_helpers(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    paradt__grid_free(&work->grid, memory);
-    paradt__release(memory, work->owner);
-    paradt__release(memory, work->fields);
-    paradt__release(memory, work->region);
-    memset(&work->grid, 0, sizeof work->grid);
-    work->owner = NULL;
-    work->fields = NULL;
-    work->region = NULL;
-}
-
-// Forgets what a way that gave up has built.
-static void paradt__begin_again(paradt__work *work) {
-    paradt__release_helpers(work);
-    paradt__mesh_free(&work->cells, &work->memory);
-    work->stats->cells_recomputed = work->stats->hull_facets = 0;
-}
-
-// Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
-// points makes regions for that: five need 190 bytes a point where one needs 280, and a tenth to a fifth more time.
-static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
-    enum { TURNS = 5, LEAST_POINTS = 500000 };
-    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&
-                    !paradt__choose_front(work->options.method) && (work->regions == 1 || !work->options.parallel_for);
-    if (work->in_turn && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = TURNS;
-}
-
-// --- do regions pay?
-//
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
-
-enum { PARADT__FORETELLING = 2048 }; // points of the sample
-
-// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
-// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
-static int paradt__is_hollow(const paradt__set *set) {
-    enum { EVERY = 64 };
-    int dim = set->space.dim;
-    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
-    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
-    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
-}
-
-// Points of the sample that have a neighbour on the other side of the first cut. cells: of the sample; side:
-// [FORETELLING]
-static size_t paradt__count_across(const paradt__mesh *cells, unsigned char *side) {
-    enum { UPPER = 1, ACROSS = 2 };
-    size_t corners = (size_t)cells->corners, i, j, count = 0;
-    for (i = 0; i < cells->count; i++) {
-        const paradt_index *cell = cells->vertices + i * corners;
-        size_t upper = 0;
-        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
-        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
-    }
-    for (i = 0; i < PARADT__FORETELLING; i++) count += side[i] >= ACROSS;
-    return count;
-}
-
-// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
-// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
-static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
-    const paradt__set *set = &work->set;
-    paradt__set sample = *set;
-    paradt__mesh cells;
-    paradt__counters counters;
-    paradt__progress progress;
-    size_t i;
-    unsigned char side[PARADT__FORETELLING];
-    paradt_status status = PARADT_OK;
-    *in_vain = 0;
-    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted) return PARADT_OK;
-    memset(&cells, 0, sizeof cells);
-    memset(&progress, 0, sizeof progress);
-    sample.count = PARADT__FORETELLING;
-    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
-    sample.origin = (paradt_index *)paradt__alloc(&work->memory, sample.count, sizeof *sample.origin);
-    if (!sample.records || !sample.origin) status = PARADT_ERROR_MEMORY;
-    for (i = 0; i < sample.count && !status; i++) {
-        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
-        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
-        sample.origin[i] = (paradt_index)i;
-        side[i] = at < work->cuts.cut[work->regions / 2].begin;
-    }
-    if (!status && paradt__spans(&sample))
-        status = paradt__bowyer_watson(&sample, &work->memory, &cells, &progress, &counters);
-    if (!status && cells.corners) {
-        paradt__mesh_close(&cells, NULL, 0);
-        *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
-    }
-    paradt__mesh_free(&cells, &work->memory);
-    paradt__set_free(&sample, &work->memory);
-    return status;
-}
-
-// By insertion. When regions in turn give up, the set is left in their order.
-static paradt_status paradt__insert_all(paradt__work *work) {
-    enum { WORTH = 512 }; // points: with fewer, a sphere is not looked for
-    paradt_status status = PARADT_OK;
-    int in_vain = 0;
-    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
-    if (work->hollow) status = paradt__foretell(work, &in_vain);
-    if (!status && in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTH)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
-    if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
-    if (!status) status = paradt__build_regions(work);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__close_set(work);
-    paradt__begin_again(work);
-    work->regions = 1;
-    return paradt__build_by_insertion(work);
-}
-
-// The cells, by work->method. *sorted: when the points were ready for it.
-static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
-    paradt_status status;
-    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
-    if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
-    status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
-    *sorted = paradt__now();
-    if (status) return status;
-    return work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
-}
-
-// AUTO. In four dimensions and more, what insertion makes only to destroy it again costs more than InCoDe's searches,
-// unless these have to decide ties.
-static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
-    paradt_status status;
-    work->method = work->options.method;
-    if (paradt__inserts(work->method, work->set.space.dim) || work->method != PARADT_AUTO)
-        return paradt__build_cells(work, sorted);
-    work->method = PARADT_INCODE;
-    work->impatient = 1;
-    status = paradt__build_cells(work, sorted);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__begin_again(work);
-    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
-    work->method = PARADT_BOWYER_WATSON;
-    return paradt__build_cells(work, sorted);
-}
-
-static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
-    double begun = paradt__now(), loaded, sorted;
-    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__team team;
-    paradt_status status;
-    paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
-    work->cuts.boxes = work->regions;
-    work->cuts.partition = work->options.partition;
-    work->cuts.larger_first = !work->in_turn && paradt__inserts(work->options.method, points->dim);
-    work->cuts.gaps = !paradt__choose_front(work->options.method);
-    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
-    if (!out->representative) return PARADT_ERROR_MEMORY;
-    status =
-        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
-    loaded = sorted = paradt__now();
-    work->stats->seconds_points = loaded - begun;
-    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
-    if (status) return status;
-    work->stats->duplicates = points->count - work->set.count;
-    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
-    status = paradt__build_by_any(work, &sorted);
-    if (!status) status = paradt__close(work);
-    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
-        paradt__release(&work->memory, work->cells.links);
-        work->cells.links = NULL;
-    }
-    work->stats->seconds_grid = sorted - loaded;
-    work->stats->seconds_build = paradt__now() - sorted;
-    return status;
-}
-
-static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
-    paradt__mesh *cells = &work->cells;
-    out->dim = work->set.space.dim;
-    out->cell_count = cells->count;
-    out->cells = cells->vertices;
-    out->neighbors = cells->links;
-    cells->vertices = cells->links = NULL;
-}
-
 // Why the points don't span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
@@ -11779,12 +11837,55 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing but what says which.
+// After an error: leaves nothing in `out` but what says which.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
     out->error_point = bad;
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
+// Begins a call.
+static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
+                               const paradt_points *points, const paradt_options *options) {
+    memset(work, 0, sizeof *work);
+    memset(stats, 0, sizeof *stats);
+    if (options) work->options = *options;
+    paradt__memory_begin(&work->memory, options);
+    paradt__meter_begin(&work->meter, options);
+    work->stats = stats;
+    out->point_count = points->count;
+    out->allocator = work->memory.allocator;
+    paradt__plan(work, points);
+}
+
+// Ends a call: hands the mesh over, frees all else, and fills the statistics. begun, built: the clock
+static paradt_status paradt__end_call(paradt__work *work, paradt_triangulation *out, paradt_status status, double begun,
+                                      double built) {
+    paradt_stats *stats = work->stats;
+    int dim = work->set.space.dim;
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) {
+        out->dim = dim;
+        out->cell_count = work->mesh.count;
+        out->cells = work->mesh.vertices;
+        out->neighbors = work->mesh.links;
+        work->mesh.vertices = work->mesh.links = NULL;
+    }
+    paradt__mesh_free(&work->mesh, &work->memory);
+    paradt__set_free(&work->set, &work->memory);
+    paradt__release(&work->memory, work->cuts.cut);
+    if (status) paradt__withdraw(out, status, dim);
+    stats->cells = out->cell_count;
+    stats->regions = work->regions;
+    stats->peak_bytes = work->memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats->needed_bytes = work->memory.needed;
+    stats->seconds_build = built - begun - stats->seconds_points - stats->seconds_grid;
+    stats->seconds_finish = paradt__now() - built;
+    stats->seconds = paradt__now() - begun;
+    out->stats = *stats;
+    return status;
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -11793,44 +11894,59 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
-    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
-    memset(&work, 0, sizeof work);
-    memset(&stats, 0, sizeof stats);
-    if (options) work.options = *options;
-    paradt__memory_begin(&work.memory, options);
-    paradt__meter_begin(&work.meter, options);
-    work.stats = &stats;
-    out->point_count = points->count;
-    out->allocator = work.memory.allocator;
-    work.facets = (work.options.flags & PARADT_FACETS) != 0;
-    work.regions = work.options.regions ? work.options.regions : 1;
-    if (work.regions > points->count) work.regions = points->count ? points->count : 1;
-    status = paradt__build(&work, points, out);
+    paradt__begin_call(&work, &stats, out, points, options);
+    status = paradt__load(&work, points, out);
+    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__close(&work);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    work.meter.done = PARADT__ALL_DONE;
-    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
-    if (!status) paradt__deliver(&work, out);
-    dim = work.set.space.dim;
-    paradt__mesh_free(&work.cells, &work.memory);
-    paradt__set_free(&work.set, &work.memory);
-    paradt__release(&work.memory, work.cuts.cut);
-    if (status) paradt__withdraw(out, status, dim);
-    stats.cells = out->cell_count;
-    stats.regions = work.regions;
-    stats.peak_bytes = work.memory.peak;
-    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
-    stats.seconds_finish = paradt__now() - built;
-    stats.seconds = paradt__now() - begun;
-    out->stats = stats;
-    return status;
+    return paradt__end_call(&work, out, status, begun, built);
 }
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+// paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
+// `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
+// Hidden points are not found: that takes the cells of all regions.
+static paradt_status paradt__triangulate_region(paradt_triangulation *out, const paradt_points *points,
+                                                const paradt_options *options, size_t index) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_status status;
+    double begun = paradt__now();
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.larger_first = work.cuts.gaps = 0;
+    work.method = paradt__method_of(options->method);
+    if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
+    status = paradt__load(&work, points, out);
+    if (!status && work.set.space.dim <= 0) {
+        status = paradt__build_trivial(&work);
+        if (index) work.mesh.count = 0;
+    } else if (!status) {
+        status = paradt__prepare_fronts(&work);
+        if (!status) status = paradt__begin_fronts(&work);
+        if (!status) {
+            size_t only = index < work.regions ? index : 0;
+            paradt__front_task(&work, only);
+            status = work.region[only].status;
+            work.mesh = work.region[only].mesh;
+            if (index != only) work.mesh.count = 0;
+            paradt__count_region(&stats, &work.region[only].stats);
+            paradt__share_memory(&work);
+        }
+    }
+    if (!status) status = paradt__close(&work);
+    paradt__release_helpers(&work);
+    return paradt__end_call(&work, out, status, begun, paradt__now());
+}
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>remote
@@ -12168,57 +12284,6 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     return others;
 }
 
-// What paradt__remote_region works with
-typedef struct paradt__remote_part {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt__cuts cuts;
-    uint32_t *owner; // [set.count]
-    paradt__mesh cells;
-    paradt__meter meter;
-    uint32_t told;
-} paradt__remote_part;
-
-// Builds one region of a loaded set facet by facet.
-static paradt_status paradt__remote_front(paradt__remote_part *part, const paradt_options *options, size_t region,
-                                          paradt_stats *stats) {
-    paradt__set *set = &part->set;
-    paradt__memory *memory = &part->memory;
-    paradt__region_view view;
-    paradt__front front;
-    paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
-    paradt_status status;
-    part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
-    if (!part->owner) return PARADT_ERROR_MEMORY;
-    status = paradt__set_grade(set, PARADT__NEAR_SPHERE, memory);
-    if (!status) status = paradt__grid_build(&part->grid, set, memory);
-    if (status) return status;
-    paradt__regions_assign(set, &part->cuts, part->owner);
-    view.owner = part->owner;
-    view.cuts = &part->cuts;
-    view.region = (uint32_t)region;
-    status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
-    if (!status) status = paradt__choose_front(method)(&front);
-    paradt__count_front(stats, &front);
-    paradt__front_end(&front);
-    part->cells = front.mesh;
-    return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
-}
-
-// The cell of a set of one point, in region 0.
-static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
-    paradt_status status;
-    part->cells.corners = 1;
-    status = paradt__mesh_reserve(&part->cells, 1, 1, &part->memory);
-    if (status) return status;
-    part->cells.count = region ? 0 : part->set.count;
-    part->cells.vertices[0] = 0;
-    part->cells.links[0] = PARADT__HULL;
-    return PARADT_OK;
-}
-
 // The bytes that a result holds: each block begins with its size.
 static size_t paradt__remote_bytes(const paradt_triangulation *t) {
     const void *blocks[3] = {t->cells, t->neighbors, t->representative};
@@ -12230,60 +12295,6 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
         sum += bytes;
     }
     return sum;
-}
-
-// paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor
-// DeWall: `out` gets just the cells that it owns. Their neighbours in other regions are PARADT__OPEN. Hidden points are
-// not found: that takes the cells of all regions.
-static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
-                                           const paradt_options *options, size_t region) {
-    paradt__remote_part part;
-    paradt__mesh *cells = &part.cells;
-    paradt_stats stats;
-    paradt_status status = PARADT_ERROR_MEMORY;
-    double begun = paradt__now();
-    size_t i;
-    memset(out, 0, sizeof *out);
-    memset(&part, 0, sizeof part);
-    memset(&stats, 0, sizeof stats);
-    paradt__memory_begin(&part.memory, options);
-    paradt__meter_begin(&part.meter, options);
-    out->point_count = points->count;
-    out->allocator = part.memory.allocator;
-    out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
-    part.cuts.boxes = options->regions;
-    part.cuts.partition = options->partition;
-    if (out->representative)
-        status = paradt__set_load(&part.set, points, &part.cuts, &paradt__alone, &part.memory, out->representative,
-                                  &out->error_point);
-    if (!status)
-        status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
-                                        : paradt__remote_trivial(&part, region);
-    if (!status) {
-        for (i = 0; i < cells->count * (size_t)cells->corners; i++)
-            cells->vertices[i] = part.set.origin[cells->vertices[i]];
-        out->dim = part.set.space.dim;
-        out->cell_count = cells->count;
-        out->cells = cells->vertices;
-        out->neighbors = cells->links;
-        cells->vertices = cells->links = NULL;
-        stats.cells = out->cell_count;
-        stats.duplicates = points->count - part.set.count;
-        stats.peak_bytes = part.memory.peak;
-        stats.seconds = paradt__now() - begun;
-        out->stats = stats;
-    }
-    paradt__mesh_free(cells, &part.memory);
-    paradt__grid_free(&part.grid, &part.memory);
-    paradt__release(&part.memory, part.owner);
-    paradt__release(&part.memory, part.cuts.cut);
-    paradt__set_free(&part.set, &part.memory);
-    if (status) {
-        i = out->error_point;
-        paradt_free(out);
-        out->error_point = i;
-    }
-    return status;
 }
 
 #endif // PARADT_MPI_IMPLEMENTATION

@@ -2362,7 +2362,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
 // more where there are several ranks, as other methods triangulate twice then.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
     int dim = w->set.space.dim;
-    return dim > 0 && paradt__inserts(w->options.local.method, dim - (w->ranks > 1)) && w->options.local.regions <= 1;
+    const paradt__method *method = paradt__choose_method(w->options.local.method, dim - (w->ranks > 1), 0);
+    return dim > 0 && method->can & PARADT__CAN_LIVE && w->options.local.regions <= 1;
 }
 
 // Triangulates the known points. A rank without own points makes nothing.
@@ -3640,7 +3641,7 @@ static paradt_status paradt_mpi__build_region(paradt_mpi__work *w, double *rows)
     options = paradt_mpi__local_options(w);
     options.regions = (size_t)w->ranks;
     options.parallel_for = NULL;
-    status = paradt__remote_region(&w->local, &points, &options, (size_t)w->rank);
+    status = paradt__triangulate_region(&w->local, &points, &options, (size_t)w->rank);
     if (!status) paradt_mpi__account_local(w);
     paradt__release(&w->memory, weights);
     w->stats.triangulations = 1;
