@@ -904,9 +904,11 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 
 // The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL _Pragma("GCC unroll 10")
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
 #else
 #define PARADT__UNROLL
+#define PARADT__UNROLL_4
 #endif
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
@@ -1065,6 +1067,27 @@ PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const para
             PARADT__UNROLL
         for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
     }
+}
+
+// The same with numbers of any length
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
 }
 
 // sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
@@ -1778,20 +1801,16 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
-    PARADT__UNROLL
     for (int i = 0; i <= q->n; i++) {
         const double *x = i < q->n ? q->row[i] : q->base;
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) {
             uint64_t doubled = paradt__bits(x[j]) << 1; // without the sign
             top = doubled > top ? doubled : top;
         }
     }
     f->unit = paradt__max((int)(top >> 53), 1) - 1022 - 59; // coordinates are below 2^(biased exponent - 1022)
-    PARADT__UNROLL
     for (int j = 0; j < columns; j++) {
         int64_t base = paradt__fix(q->base[j], f->unit, &lost);
-        PARADT__UNROLL
         for (int i = 0; i < q->n; i++) {
             int64_t x = f->x[i][j] = paradt__fix(q->row[i][j], f->unit, &lost) - base;
             any |= (uint64_t)x;
@@ -1802,9 +1821,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
     spare = any ? paradt__trailing_zeros(any) : 0;
     spare = paradt__min(spare, (weights->unit - (weights->unit & 1)) / 2 - f->unit);
     if (spare < 0) return 0;
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) f->x[i][j] >>= spare;
     }
     f->unit += spare;
@@ -1826,10 +1843,8 @@ PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, co
 
 // Fills f->lift, which must fit in wide integers.
 PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
-        PARADT__UNROLL
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
         for (int side = 0; side < 2 && q->weighted; side++) {
             double w = side ? q->base[q->d] : q->row[i][q->d];
@@ -1860,7 +1875,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
 }
 
 // The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
-static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
+PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
     for (unsigned mask = 1; mask < 1u << n; mask++) {
@@ -1952,31 +1967,31 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__INLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
                                       const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
         int used = 8; // weights add less than so many products
-        if (lifted) paradt__clear(lift, y->lift_digits);
+        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                paradt__clear(sum, y->digits);
+                memset(sum, 0, (size_t)y->digits * sizeof *sum);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
-                paradt__store(x, sum, y->digits);
+                paradt__store_any(x, sum, y->digits);
             }
             if (j < q->k) out += y->digits;
             if (!lifted) continue;
             paradt__make_room(lift, y->lift_digits, &used, y->digits);
-            paradt__multiply_add(lift + offset, 1, x, y->digits, x, y->digits);
+            paradt__multiply_add_any(lift + offset, 1, x, y->digits, x, y->digits);
         }
         if (!lifted) continue;
         if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
-        paradt__store(out, lift, y->lift_digits);
+        paradt__store_any(out, lift, y->lift_digits);
         out += y->lift_digits;
     }
 }
@@ -2030,7 +2045,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            paradt__clear(sum, length);
+            memset(sum, 0, (size_t)length * sizeof *sum);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2040,9 +2055,9 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
                 }
                 const paradt__digit *minor = from + place[mask ^ 1u << i] * previous;
                 paradt__make_room(sum, length, &used, paradt__min(entry_digits, previous));
-                paradt__multiply_add(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
+                paradt__multiply_add_any(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
             }
-            paradt__store(to + count * length, sum, length);
+            paradt__store_any(to + count * length, sum, length);
             place[mask] = (uint16_t)count++;
         }
         previous = length;
@@ -2059,7 +2074,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    paradt__clear(sum, digits);
+    memset(sum, 0, (size_t)digits * sizeof *sum);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2068,9 +2083,9 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         m->first = half;
         const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
         paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
-        paradt__multiply_add(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+        paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
-    paradt__store(work, sum, digits);
+    paradt__store_any(work, sum, digits);
     return paradt__sign(work, digits);
 }
 
@@ -2083,8 +2098,8 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
-                                   paradt__wide *sum, int whole) {
+PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
+                                     paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2116,44 +2131,49 @@ PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__
 //   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
 //          (below 2^122) 2^62, sums of four products of them below 2^126.7
 //   w = 2  numbers of 117 bits, all digits balanced
+// p[2 w] = the determinant of the first two columns of two rows
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    paradt__wide sum[4];
+    paradt__clear(sum, 2 * w);
+    paradt__multiply_add(sum, 1, a, w, b + w, w);
+    paradt__multiply_add(sum, -1, b, w, a + w, w);
+    paradt__store(p, sum, 2 * w);
+}
+
+// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    paradt__wide sum[8];
+    paradt__clear(sum, 2 * w + third);
+    paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
+    paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
+    paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
+    paradt__store(t, sum, 2 * w + third);
+}
+
+// w: a constant
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
-    const int stride = k * w + (n > k ? 2 * w : 0), third = k > 2 ? w : 2 * w;
-    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = n > 2 ? x1 + stride : x0, *x3 = n > 3 ? x2 + stride : x0;
+    const int stride = k * w + (n > k ? 2 * w : 0);
+    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
     paradt__digit p01[4], p02[4], p12[4], p03[4], p13[4], p23[4], t012[8], t013[8], t023[8], t123[8], det[10];
     paradt__wide sum[10];
-// p = the determinant of the first two columns of two rows; t = of three rows, by those of two
-#define PARADT__PAIR(p, a, b)                                                                                          \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w);                                                                                     \
-        paradt__multiply_add(sum, 1, a, w, b + w, w);                                                                  \
-        paradt__multiply_add(sum, -1, b, w, a + w, w);                                                                 \
-        paradt__store(p, sum, 2 * w);                                                                                  \
-    } while (0)
-#define PARADT__TRIPLE(t, a, pbc, b, pac, c, pab)                                                                      \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w + third);                                                                             \
-        paradt__multiply_add(sum, 1, a + 2 * w, third, pbc, 2 * w);                                                    \
-        paradt__multiply_add(sum, -1, b + 2 * w, third, pac, 2 * w);                                                   \
-        paradt__multiply_add(sum, 1, c + 2 * w, third, pab, 2 * w);                                                    \
-        paradt__store(t, sum, 2 * w + third);                                                                          \
-    } while (0)
-    PARADT__PAIR(p01, x0, x1);
+    paradt__fixed_pair(p01, x0, x1, w);
     if (n == 2) return paradt__sign(p01, 2 * w);
-    PARADT__PAIR(p02, x0, x2);
-    PARADT__PAIR(p12, x1, x2);
-    if (n == 3) {
-        PARADT__TRIPLE(det, x0, p12, x1, p02, x2, p01);
-        return paradt__sign(det, 2 * w + third);
+    paradt__fixed_pair(p02, x0, x2, w);
+    paradt__fixed_pair(p12, x1, x2, w);
+    if (n == 3 && k == 2) {
+        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        return paradt__sign(t012, 4 * w);
     }
-    PARADT__PAIR(p03, x0, x3);
-    PARADT__PAIR(p13, x1, x3);
-    PARADT__PAIR(p23, x2, x3);
-    PARADT__TRIPLE(t123, x1, p23, x2, p13, x3, p12);
-    PARADT__TRIPLE(t023, x0, p23, x2, p03, x3, p02);
-    PARADT__TRIPLE(t013, x0, p13, x1, p03, x3, p01);
-    PARADT__TRIPLE(t012, x0, p12, x1, p02, x2, p01);
-#undef PARADT__PAIR
-#undef PARADT__TRIPLE
+    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    if (n == 3) return paradt__sign(t012, 3 * w);
+    paradt__fixed_pair(p03, x0, x3, w);
+    paradt__fixed_pair(p13, x1, x3, w);
+    paradt__fixed_pair(p23, x2, x3, w);
+    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2182,13 +2202,28 @@ PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, int n, int k) {
-    paradt__digit rows[4 * 10 + 2];
-    paradt__wide sum[6];
-    y->digits = 2;
-    y->lift_digits = 4;
-    paradt__load_rows(rows, sum, q, y);
-    return paradt__fixed_sign(rows, n, k, 2);
+// Rows of two digits a coordinate and four a lift
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q, const paradt__layout *y) {
+    const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
+    for (int i = 0; i < q->n; i++) {
+        paradt__wide lift[4] = {0};
+        for (int j = 0; j < (lifted ? q->d : q->k); j++) {
+            paradt__digit x[2];
+            paradt__short_difference(x, 2, q->row[i][j], q->base[j], y->unit);
+            if (j < q->k) *out++ = x[0], *out++ = x[1];
+            if (lifted) paradt__multiply_add(lift + offset, 1, x, 2, x, 2);
+        }
+        if (!lifted) continue;
+        if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
+        paradt__store(out, lift, 4);
+        out += 4;
+    }
+}
+
+PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layout *y) {
+    paradt__digit rows[4 * 10];
+    paradt__load_two(rows, q, y);
+    return paradt__fixed_sign(rows, q->n, q->k, 2);
 }
 #endif
 
@@ -2219,7 +2254,7 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
 #ifdef __SIZEOF_INT128__
     if (few && paradt__two_fit(&y, n, k)) {
         s->counters.exact_fixed++;
-        return paradt__fixed_two(&q, &y, n, k);
+        return paradt__fixed_two(&q, &y);
     }
 #endif
     s->counters.exact_general++;
