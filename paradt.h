@@ -3732,9 +3732,9 @@ static paradt_status paradt__loader_gather(paradt__loader *loader) {
 // permuted. set: zeroed. cuts: NULL, or how space is to be divided: the cuts are found then, and the points are in the
 // order of the boxes. representative: [points.count] see paradt__loader_merge. *bad: see paradt__loader_survey. After
 // an error the caller frees the set and the cuts.
-static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
-                                        const paradt__team *team, paradt__memory *memory, paradt_index *representative,
-                                        size_t *bad) {
+PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
+                                                  const paradt__team *team, paradt__memory *memory,
+                                                  paradt_index *representative, size_t *bad) {
     paradt__loader loader;
     paradt_status status;
     PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
