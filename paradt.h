@@ -2918,7 +2918,9 @@ static int paradt__is_among(int number, const int *numbers, int count) {
 // Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
-                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters,
+                                   const paradt__team *team) {
+    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -2926,6 +2928,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -2940,8 +2943,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
+//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters) {
+                             int *axes, paradt__counters *counters, const paradt__team *team) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -2957,7 +2961,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3405,16 +3409,21 @@ PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const p
     return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
+static int paradt__sort_cancels(const paradt__loader *loader, size_t task) {
+    return paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1);
+}
+
 // Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
-// becomes 0 then, and the others' 1. other: scratch for as many.
-static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
-                             int by_steps) {
+// becomes 0 then, and the others' 1; or if the call is to end. other: scratch for as many.
+static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
+                             size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3428,7 +3437,10 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    for (i = 0; i < count; i++) {
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
@@ -3444,8 +3456,7 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1))
-            return;
+        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3462,12 +3473,12 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
                 length = size;
                 size = was;
             }
-            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
+            if (size > 1 && paradt__split_run(loader, task, keyed + run, other + run, size, 0))
                 paradt__refine(loader, task, keyed + run, other + run, size);
         }
         looked_at += length;
         if (length == 1 ||
-            !paradt__split_run(loader, keyed + longest, other + longest, length, looked_at / PASSES > all))
+            !paradt__split_run(loader, task, keyed + longest, other + longest, length, looked_at / PASSES > all))
             return;
         keyed += longest;
         other += longest;
@@ -3843,7 +3854,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -5825,7 +5836,7 @@ static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int g
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
     if (!paradt__guess_simplex(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters);
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters, NULL);
     memcpy(goal, simplex, sizeof goal);
     paradt__turn_positive(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
@@ -8582,7 +8593,7 @@ static uint64_t paradt__bw_close(paradt__bw *bw, const paradt_index *origin) {
 // Points that span the set come first in the order.
 static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
-    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
         while (order[at] != basis[i]) at++;
@@ -9193,7 +9204,7 @@ static int paradt__spans(const paradt__set *set) {
     paradt__counters counters;
     memset(&counters, 0, sizeof counters);
     return set->count > (size_t)set->space.dim &&
-           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
 }
 
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
@@ -10734,7 +10745,7 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
 // Points that span the set, as positions in it once it is open.
 static void paradt__find_basis(paradt__work *work) {
     paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
     for (i = 0; i < count; i++) {
         size_t position = (size_t)work->basis[i], region = 0;
         while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;

@@ -1327,7 +1327,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
     int axes[PARADT_MAX_DIM], found, r;
-    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters, NULL);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
         memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
@@ -1343,7 +1343,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters, NULL);
     for (i = 0; i < (size_t)found; i++) {
         size_t position = (size_t)basis[i];
         origins[i] = position >= before && position < before + count ? own[position - before] : -1;
