@@ -5,8 +5,8 @@
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
 //
-// A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, the indices of four points a line:
+// A whole program, in C or C++. It triangulates the corners of a cube and prints the cells, the indices of four points
+// a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -15,7 +15,7 @@
 //     int main(void) {
 //         const double corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
 //                                       {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-//         paradt_points points = {.data = corners, .count = 8, .dim = 3};
+//         paradt_points points = paradt_points_f64(corners[0], 8, 3);
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
@@ -34,9 +34,12 @@
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          the functions are static: define it with PARADT_IMPLEMENTATION, in any number of files
+//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32; the same in every file of a program.
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
+//     none:
+//                            the functions are called otherwise then, so the linker finds those that don't agree.
 //                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
@@ -63,16 +66,25 @@
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. Coordinates are doubles, or
-// floats with scalar = PARADT_F32; those of one point are adjacent, and `stride` bytes lead from a point to the next,
-// so points may be members of larger structures. No alignment is needed. A vertex of a mesh with its position in front:
+// paradt_points describes an array of yours, which is only read, and only during a call. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. Coordinates of type
+// `scalar` stand side by side, and `stride` bytes lead from one point to the next, so points may be members of larger
+// structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
-//     paradt_points points = {mesh, 1000, 3, sizeof(struct vertex), PARADT_F32, NULL};
+//     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
+//     points.stride = sizeof(struct vertex);
 //
 // Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. Weights are doubles of any sign. To
-// add the same number to all of them changes nothing; all equal is Delaunay.
+// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has the
+// weight r * r. Weights may be negative. Adding the same number to all of them changes nothing, and where all are equal
+// the triangulation is Delaunay. They have a type and a stride of their own:
+//
+//     struct atom { double place[3]; float radius, weight; } atoms[1000];
+//     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
+//     points.stride = points.weight_stride = sizeof(struct atom);
+//     points.weights = &atoms[0].weight;
+//     points.weight_scalar = PARADT_F32;
 //
 // Coordinates and weights must be finite. -0.0 is 0.0.
 //
@@ -358,6 +370,14 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+#if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
+#error                                                                                                                 \
+    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#endif
+#if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
+#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#endif
+
 #ifndef PARADT_H
 #define PARADT_H
 
@@ -368,6 +388,9 @@
 extern "C" {
 #endif
 
+#ifdef PARADT_STATIC
+#define PARADT__IS_STATIC
+#endif
 #ifndef PARADT_DEF
 #if defined(PARADT_STATIC) && defined(__GNUC__)
 #define PARADT_DEF static __attribute__((unused)) // a file need not call all of them
@@ -382,7 +405,30 @@ extern "C" {
 #define PARADT_MAX_DIM 8
 
 #ifdef PARADT_INDEX64
+#define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
+// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+#define paradt_points_f64         paradt_points_f64_64
+#define paradt_points_f32         paradt_points_f32_64
+#define paradt_triangulate        paradt_triangulate_64
+#define paradt_free               paradt_free_64
+#define paradt_version            paradt_version_64
+#define paradt_status_string      paradt_status_string_64
+#define paradt_method_string      paradt_method_string_64
+#define paradt_check              paradt_check_64
+#define paradt_hash               paradt_hash_64
+#define paradt_hash_cell          paradt_hash_cell_64
+#define paradt_orient             paradt_orient_64
+#define paradt_insphere           paradt_insphere_64
+#define paradt_insphere_perturbed paradt_insphere_perturbed_64
+#define paradt_orient2            paradt_orient2_64
+#define paradt_orient3            paradt_orient3_64
+#define paradt_insphere2          paradt_insphere2_64
+#define paradt_insphere3          paradt_insphere3_64
+#define paradt_orient2f           paradt_orient2f_64
+#define paradt_orient3f           paradt_orient3f_64
+#define paradt_insphere2f         paradt_insphere2f_64
+#define paradt_insphere3f         paradt_insphere3f_64
 #else
 typedef int32_t paradt_index; // a point or a cell; negative: none
 #endif
@@ -441,12 +487,14 @@ typedef struct paradt_allocator {
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;      // first coordinate of the first point; may be NULL when count is 0
-    size_t count;          // number of points
-    int dim;               // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;         // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar;  // type of the coordinates; PARADT_F64
-    const double *weights; // [count] squares of lengths, any sign; NULL: Delaunay; else the regular triangulation
+    const void *data;     // first coordinate of the first point; may be NULL when count is 0
+    size_t count;         // number of points
+    int dim;              // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;        // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar; // type of the coordinates; PARADT_F64
+    const void *weights; // weight of the first point, the square of a length, any sign; NULL: Delaunay, without weights
+    size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
+    paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
 
 typedef struct paradt_options {
@@ -506,6 +554,11 @@ typedef struct paradt_fault {
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
+
+// Points in an array of doubles, or of floats: [count][dim], without weights. The compiler sees that the type is right.
+// Thread-safe.
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
@@ -570,6 +623,20 @@ PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2]
 // 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
+// The same for points of two and three dimensions that are given by their coordinates, also as floats: the sign of
+// paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q. Made to be called
+// by the million, as a walk does.
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]);
+
 #ifdef __cplusplus
 }
 #endif
@@ -607,6 +674,16 @@ int madvise(void *address, size_t length, int advice);
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
 #include <immintrin.h> // for copies of the inner functions that are chosen at run time
 #define PARADT__AVX2 __attribute__((target("avx2,fma,popcnt")))
+#endif
+
+// Casts and null pointers are written as C and C++ both have them.
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wzero-as-null-pointer-constant"
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuseless-cast"
+#endif
 #endif
 
 // Floating point rules cases out, with bounds that hold however sums of products are ordered and contracted, but a
@@ -1063,6 +1140,26 @@ static int paradt__precise(void) {
 PARADT__INLINE double paradt__rounded(double x) {
     volatile double rounded = x;
     return rounded;
+}
+
+// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
+// conversion.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
 }
 
 static uint64_t paradt__mix(uint64_t h) {
@@ -2336,6 +2433,108 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
     paradt__join(&joined, &s, dim, points, weights);
     return paradt__conflict(&s, joined.points) ? 1 : -1;
 }
+
+// --- few points of two or three dimensions, given by their coordinates
+
+// Makes the filters ready for k + 1 or k + 2 points of which no more is known than that no coordinate is 2^100 or more.
+// They decide by the error bound alone. Returns 0 where a coordinate is larger, or the filters can't be trusted.
+PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p, int count, int k) {
+    const double most = paradt__power(100);
+    int i, j, fits = 1;
+    for (i = 0; i < count; i++)
+        for (j = 0; j < k; j++) fits &= paradt__abs(p[i][j]) < most;
+    s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
+    s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
+    s->orient[k].quantum = s->insphere[k].quantum = 0;
+    s->orient[k].factor = paradt__rounding(k, k);
+    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    return fits && paradt__precise();
+}
+
+PARADT__INLINE int paradt__orient_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 1, k))
+        sign = k == 2 ? paradt__filter_orient2(&s, p) : paradt__filter_orient3(&s, p);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_orient(k, p);
+}
+
+PARADT__INLINE int paradt__insphere_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 2, k))
+        sign = k == 2 ? paradt__filter_insphere2(&s, p, 2, 0) : paradt__filter_insphere3(&s, p, 3, 0);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_insphere(k, p, NULL);
+}
+
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]) {
+    const double *p[] = {a, b, c};
+    return paradt__orient_few(p, 2);
+}
+
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
+    const double *p[] = {a, b, c, q};
+    return paradt__insphere_few(p, 2);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+// Points of floats as doubles
+typedef struct paradt__widened {
+    double memory[5][3];
+    const double *points[5];
+} paradt__widened;
+
+PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+    int i, j;
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < k; j++) {
+            uint32_t bits;
+            memcpy(&bits, p[i] + j, sizeof bits);
+            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+        }
+        w->points[i] = w->memory[i];
+    }
+}
+
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
+    const float *p[] = {a, b, c};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 3, 2);
+    return paradt__orient_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
+}
+
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
+    const float *p[] = {a, b, c, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 2);
+    return paradt__insphere_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]) {
+    const float *p[] = {a, b, c, d, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 5, 3);
+    return paradt__insphere_few(w.points, 3);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
 //
@@ -2735,32 +2934,16 @@ typedef struct paradt__source {
     size_t reserve;       // number of further points that the set's arrays are to have memory for
 } paradt__source;
 
+static size_t paradt__weight_size(const paradt_points *points) {
+    return points->weight_scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+}
+
 static paradt__source paradt__source_of(const paradt_points *points) {
     paradt__source source;
     source.points = *points;
-    source.weight_stride = sizeof(double);
+    source.weight_stride = points->weight_stride ? points->weight_stride : paradt__weight_size(points);
     source.reserve = 0;
     return source;
-}
-
-// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
-// conversion.
-static double paradt__widen(uint32_t bits) {
-    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
-    double x;
-    if (exponent == 255) {
-        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
-    } else if (exponent) {
-        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
-    } else if (!fraction) {
-        wide = sign;
-    } else {
-        int shift = 0;
-        while (!(fraction >> 23)) fraction <<= 1, shift++;
-        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
-    }
-    memcpy(&x, &wide, sizeof x);
-    return x;
 }
 
 PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t index) {
@@ -2806,8 +2989,15 @@ PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t inde
 
 // Reads the weight of a point, -0.0 as 0.0.
 static double paradt__weight(const paradt__source *source, size_t index) {
+    const char *address = (const char *)source->points.weights + index * source->weight_stride;
     uint64_t bits;
-    memcpy(&bits, (const char *)source->points.weights + index * source->weight_stride, sizeof bits);
+    if (source->points.weight_scalar == PARADT_F32) {
+        uint32_t narrow;
+        memcpy(&narrow, address, sizeof narrow);
+        bits = paradt__bits(paradt__widen(narrow));
+    } else {
+        memcpy(&bits, address, sizeof bits);
+    }
     return paradt__signless_zero(bits);
 }
 
@@ -10093,6 +10283,24 @@ PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
 }
 
+static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+    paradt_points points;
+    memset(&points, 0, sizeof points);
+    points.data = coordinates;
+    points.count = count;
+    points.dim = dim;
+    points.scalar = scalar;
+    return points;
+}
+
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+}
+
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F32);
+}
+
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
 #define PARADT__TEXT(name, text) text,
     static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
@@ -10150,6 +10358,10 @@ static const char *paradt__points_fault(const paradt_points *points) {
     if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
     if (points->stride && points->stride < size * (size_t)points->dim)
         return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    if ((unsigned)points->weight_scalar > PARADT_F32)
+        return "points.weight_scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->weight_stride && points->weight_stride < paradt__weight_size(points))
+        return "points.weight_stride is less than the bytes of a weight; it counts bytes, not weights";
     return NULL;
 }
 
@@ -12612,6 +12824,10 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
 #pragma GCC pop_options
 #elif defined(_MSC_VER)
 #pragma float_control(pop)
+#endif
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif // PARADT__IMPLEMENTED

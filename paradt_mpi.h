@@ -17,7 +17,7 @@
 //
 //     int main(int argc, char **argv) {
 //         static double x[1000][3];
-//         paradt_points points = {x, 1000, 3, 0, PARADT_F64, NULL};
+//         paradt_points points = paradt_points_f64(x, 1000, 3);
 //         paradt_mpi_triangulation t;
 //         int rank, i, j;
 //         MPI_Init(&argc, &argv);
@@ -202,6 +202,14 @@
 #include "paradt.h"
 
 #include <mpi.h>
+
+#ifdef PARADT_INDEX64 // see paradt.h
+#define paradt_mpi_triangulate paradt_mpi_triangulate_64
+#define paradt_mpi_free        paradt_mpi_free_64
+#define paradt_mpi_neighbor    paradt_mpi_neighbor_64
+#define paradt_mpi_hash        paradt_mpi_hash_64
+#define paradt_mpi_gather      paradt_mpi_gather_64
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -1601,8 +1609,9 @@ static paradt_status paradt_mpi__expect(paradt_mpi__work *w, double *work) {
     options.regions = 1;
     for (sample = 0; sample < PARADT_MPI__SAMPLES && count && !status; sample++) {
         const double *first = set->records + (set->count - count) / PARADT_MPI__SAMPLES * sample * set->width;
-        paradt_points points = {first, count, w->dim, set->width * sizeof *first, PARADT_F64, NULL};
+        paradt_points points = paradt_points_f64(first, count, w->dim);
         paradt_triangulation t;
+        points.stride = set->width * sizeof *first;
         for (i = 0; i < count && w->weighted; i++) weights[i] = first[i * set->width + (size_t)w->dim];
         if (w->weighted) points.weights = weights;
         status = paradt_triangulate(&t, &points, &options);

@@ -412,10 +412,11 @@ static void a_triangulation_of_thousands_of_points_is_accepted(void **state) {
         w[i] = random_unit() * 0.004;
     for (int dim = 2; dim <= 3; dim++)
         for (int weighted = 0; weighted < 2; weighted++) {
-            paradt_points points = {x, COUNT, dim, 0, PARADT_F64, weighted ? w : NULL};
+            paradt_points points = paradt_points_f64(x, COUNT, dim);
             paradt_options options;
             paradt_triangulation t;
             reports r = {0, 0, 0};
+            points.weights = weighted ? w : NULL;
             assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
             assert_true(weighted ? t.stats.hidden > 1000 : t.cell_count > COUNT);
             memset(&options, 0, sizeof options);

@@ -60,4 +60,60 @@ for way in gcc-c99 gcc-c11 gcc-gnu99 clang-c99 tcc-c99; do
     fi
 done
 
+# --- files of one program that disagree
+
+cat >"$work/use.c" <<'END'
+#include "paradt.h"
+int main(void) {
+    static const double x[] = {0, 0, 1, 0, 0, 1};
+    paradt_points points = {0};
+    paradt_triangulation t;
+    points.data = x;
+    points.count = 3;
+    points.dim = 2;
+    return paradt_triangulate(&t, &points, NULL) || paradt_check(&t, &points, NULL, NULL) || t.cells[1] + t.cells[2] > 3 ||
+           paradt_hash(&t) == 0 || (paradt_free(&t), paradt_version() != PARADT_VERSION);
+}
+END
+printf '#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/all.c"
+$CC -I. -c "$work/all.c" -o "$work/all_32.o" && $CC -DPARADT_INDEX64 -I. -c "$work/all.c" -o "$work/all_64.o" &&
+    $CC -I. -c "$work/use.c" -o "$work/use_32.o" && $CC -DPARADT_INDEX64 -I. -c "$work/use.c" -o "$work/use_64.o"
+for bits in 32 64; do
+    $CC "$work/use_$bits.o" "$work/all_$bits.o" -o "$work/agree" -lm >"$work/log" 2>&1 && "$work/agree" >>"$work/log" 2>&1
+    report $? "files_that_agree_on_${bits}_bits_are_linked" "$work/log"
+    ! $CC "$work/use_$((96 - bits)).o" "$work/all_$bits.o" -o "$work/disagree" -lm >"$work/log" 2>&1 &&
+        grep -q 'paradt_triangulate' "$work/log" && grep -q 'paradt_check' "$work/log" && grep -q 'paradt_free' "$work/log"
+    report $? "files_that_disagree_on_${bits}_bits_are_not_linked" "$work/log"
+done
+nm "$work/all_64.o" | awk '$2 == "T" && $3 !~ /_64$/' >"$work/log"
+[ ! -s "$work/log" ]
+report $? every_name_says_that_indices_have_64_bits "$work/log"
+$CC "$work/use_32.o" "$work/all_32.o" "$work/all_64.o" -o "$work/both" -lm >"$work/log" 2>&1 && "$work/both"
+report $? both_implementations_fit_into_one_program "$work/log"
+
+for macro in PARADT_STATIC PARADT_INDEX64; do
+    printf '#include "paradt.h"\n#define %s\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' $macro >"$work/late.c"
+    ! $CC -I. -c "$work/late.c" -o "$work/late.o" 2>"$work/log" && grep -q "error.*$macro is defined after" "$work/log"
+    report $? "${macro}_after_the_first_include_is_an_error" "$work/log"
+    printf '#define %s\n#include "paradt.h"\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' $macro >"$work/early.c"
+    $CC -I. -c "$work/early.c" -o "$work/early.o" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
+    report $? "${macro}_before_the_first_include_is_none" "$work/log"
+done
+
+# --- warnings of C++ that C code gives
+
+for compiler in g++ clang++; do
+    if has $compiler; then
+        $compiler -std=c++11 -Wall -Wextra -Wold-style-cast -Wzero-as-null-pointer-constant -Werror -fsyntax-only -I. \
+            -x c++ "$work/all.c" >"$work/log" 2>&1
+        # The pragmas end with the implementation.
+        ! echo 'int old(double x); int old(double x) { return (int)x; }' | $compiler -std=c++11 -Wold-style-cast -Werror \
+            -fsyntax-only -I. -DPARADT_IMPLEMENTATION -include paradt.h -x c++ - >>"$work/log.after" 2>&1 &&
+            [ ! -s "$work/log" ]
+        report $? "casts_of_c_are_no_warnings_with_$compiler" "$work/log"
+    else
+        skip "casts_of_c_are_no_warnings_with_$compiler" "$compiler is not installed"
+    fi
+done
+
 echo "1..$number"
