@@ -2868,7 +2868,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -3105,8 +3105,8 @@ static int paradt__is_among(int number, const int *numbers, int count) {
     return count > 0;
 }
 
-// Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
-// affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
+// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the affine
+// hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
                                    const paradt__team *team) {

@@ -927,7 +927,7 @@ static double paradt_mpi__lean(const paradt_mpi__box *box, double points, double
 static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter *c, paradt_mpi__box *box,
                             uint64_t total) {
     uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
-    double length[PARADT_MAX_DIM], longest = -1.0, mean = (double)c->mean;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length[PARADT_MAX_DIM], longest, mean = (double)c->mean;
     int axis;
     box->wanted = total / all * lower + total % all * lower / all;
     box->below = 0;
@@ -937,13 +937,12 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     box->enough = total / all / PARADT_MPI__PRECISION;
     if (!total) return;
     for (axis = 0; axis < w->dim; axis++) {
-        length[axis] =
-            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
-        if (length[axis] > longest) {
-            longest = length[axis];
-            box->axis = axis;
-        }
+        low[axis] = paradt__from_ordered_bits(box->low[axis]);
+        high[axis] = paradt__from_ordered_bits(box->high[axis]);
+        length[axis] = high[axis] * 0.5 - low[axis] * 0.5;
     }
+    box->axis = paradt__longest_axis(low, high, w->dim, 0);
+    longest = length[box->axis];
     if (w->options.local.partition == PARADT_UNIFORM) {
         double part = (double)lower / (double)all;
         box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[box->axis]) * (1.0 - part) +
