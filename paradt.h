@@ -5,8 +5,8 @@
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
 //
-// A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, the indices of four points a line:
+// A whole program, in C or C++. It triangulates the corners of a cube and prints the cells, the indices of four points
+// a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -15,7 +15,7 @@
 //     int main(void) {
 //         const double corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
 //                                       {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-//         paradt_points points = {.data = corners, .count = 8, .dim = 3};
+//         paradt_points points = paradt_points_f64(corners[0], 8, 3);
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
@@ -66,16 +66,25 @@
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. Coordinates are doubles, or
-// floats with scalar = PARADT_F32; those of one point are adjacent, and `stride` bytes lead from a point to the next,
-// so points may be members of larger structures. No alignment is needed. A vertex of a mesh with its position in front:
+// paradt_points describes an array of yours, which is only read, and only during a call. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. Coordinates of type
+// `scalar` stand side by side, and `stride` bytes lead from one point to the next, so points may be members of larger
+// structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
-//     paradt_points points = {mesh, 1000, 3, sizeof(struct vertex), PARADT_F32, NULL};
+//     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
+//     points.stride = sizeof(struct vertex);
 //
 // Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. Weights are doubles of any sign. To
-// add the same number to all of them changes nothing; all equal is Delaunay.
+// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has the
+// weight r * r. Weights may be negative. Adding the same number to all of them changes nothing, and where all are equal
+// the triangulation is Delaunay. They have a type and a stride of their own:
+//
+//     struct atom { double place[3]; float radius, weight; } atoms[1000];
+//     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
+//     points.stride = points.weight_stride = sizeof(struct atom);
+//     points.weights = &atoms[0].weight;
+//     points.weight_scalar = PARADT_F32;
 //
 // Coordinates and weights must be finite. -0.0 is 0.0.
 //
@@ -403,6 +412,8 @@ extern "C" {
 #define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
 // The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+#define paradt_points_f64         paradt_points_f64_64
+#define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
@@ -414,6 +425,14 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_orient             paradt_orient_64
 #define paradt_insphere           paradt_insphere_64
 #define paradt_insphere_perturbed paradt_insphere_perturbed_64
+#define paradt_orient2            paradt_orient2_64
+#define paradt_orient3            paradt_orient3_64
+#define paradt_insphere2          paradt_insphere2_64
+#define paradt_insphere3          paradt_insphere3_64
+#define paradt_orient2f           paradt_orient2f_64
+#define paradt_orient3f           paradt_orient3f_64
+#define paradt_insphere2f         paradt_insphere2f_64
+#define paradt_insphere3f         paradt_insphere3f_64
 #else
 typedef int32_t paradt_index; // a point or a cell; negative: none
 #endif
@@ -472,12 +491,14 @@ typedef struct paradt_allocator {
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;      // first coordinate of the first point; may be NULL when count is 0
-    size_t count;          // number of points
-    int dim;               // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;         // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar;  // type of the coordinates; PARADT_F64
-    const double *weights; // [count] squares of lengths, any sign; NULL: Delaunay; else the regular triangulation
+    const void *data;     // first coordinate of the first point; may be NULL when count is 0
+    size_t count;         // number of points
+    int dim;              // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;        // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar; // type of the coordinates; PARADT_F64
+    const void *weights; // weight of the first point, the square of a length, any sign; NULL: Delaunay, without weights
+    size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
+    paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
 
 typedef struct paradt_options {
@@ -537,6 +558,11 @@ typedef struct paradt_fault {
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
+
+// Points in an array of doubles, or of floats: [count][dim], without weights. The compiler sees that the type is right.
+// Thread-safe.
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
@@ -600,6 +626,20 @@ PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2]
 // The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
 // 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
+
+// The same for points of two and three dimensions that are given by their coordinates, also as floats: the sign of
+// paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q. Made to be called
+// by the million, as a walk does.
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]);
 
 #ifdef __cplusplus
 }
@@ -1144,6 +1184,26 @@ static int paradt__precise(void) {
 PARADT__INLINE double paradt__rounded(double x) {
     volatile double rounded = x;
     return rounded;
+}
+
+// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
+// conversion.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
 }
 
 static uint64_t paradt__mix(uint64_t h) {
@@ -1968,7 +2028,7 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
 PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
-                                      const paradt__layout *y) {
+                                        const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
@@ -2429,6 +2489,108 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
     paradt__join(&joined, &s, dim, points, weights);
     return paradt__conflict(&s, joined.points) ? 1 : -1;
 }
+
+// --- few points of two or three dimensions, given by their coordinates
+
+// Makes the filters ready for k + 1 or k + 2 points of which no more is known than that no coordinate is 2^100 or more.
+// They decide by the error bound alone. Returns 0 where a coordinate is larger, or the filters can't be trusted.
+PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p, int count, int k) {
+    const double most = paradt__power(100);
+    int i, j, fits = 1;
+    for (i = 0; i < count; i++)
+        for (j = 0; j < k; j++) fits &= paradt__abs(p[i][j]) < most;
+    s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
+    s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
+    s->orient[k].quantum = s->insphere[k].quantum = 0;
+    s->orient[k].factor = paradt__rounding(k, k);
+    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    return fits && paradt__precise();
+}
+
+PARADT__INLINE int paradt__orient_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 1, k))
+        sign = k == 2 ? paradt__filter_orient2(&s, p) : paradt__filter_orient3(&s, p);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_orient(k, p);
+}
+
+PARADT__INLINE int paradt__insphere_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 2, k))
+        sign = k == 2 ? paradt__filter_insphere2(&s, p, 2, 0) : paradt__filter_insphere3(&s, p, 3, 0);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_insphere(k, p, NULL);
+}
+
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]) {
+    const double *p[] = {a, b, c};
+    return paradt__orient_few(p, 2);
+}
+
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
+    const double *p[] = {a, b, c, q};
+    return paradt__insphere_few(p, 2);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+// Points of floats as doubles
+typedef struct paradt__widened {
+    double memory[5][3];
+    const double *points[5];
+} paradt__widened;
+
+PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+    int i, j;
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < k; j++) {
+            uint32_t bits;
+            memcpy(&bits, p[i] + j, sizeof bits);
+            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+        }
+        w->points[i] = w->memory[i];
+    }
+}
+
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
+    const float *p[] = {a, b, c};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 3, 2);
+    return paradt__orient_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
+}
+
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
+    const float *p[] = {a, b, c, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 2);
+    return paradt__insphere_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]) {
+    const float *p[] = {a, b, c, d, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 5, 3);
+    return paradt__insphere_few(w.points, 3);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
 //
@@ -2762,7 +2924,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -2828,32 +2990,16 @@ typedef struct paradt__source {
     size_t reserve;       // number of further points that the set's arrays are to have memory for
 } paradt__source;
 
+static size_t paradt__weight_size(const paradt_points *points) {
+    return points->weight_scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+}
+
 static paradt__source paradt__source_of(const paradt_points *points) {
     paradt__source source;
     source.points = *points;
-    source.weight_stride = sizeof(double);
+    source.weight_stride = points->weight_stride ? points->weight_stride : paradt__weight_size(points);
     source.reserve = 0;
     return source;
-}
-
-// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
-// conversion.
-static double paradt__widen(uint32_t bits) {
-    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
-    double x;
-    if (exponent == 255) {
-        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
-    } else if (exponent) {
-        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
-    } else if (!fraction) {
-        wide = sign;
-    } else {
-        int shift = 0;
-        while (!(fraction >> 23)) fraction <<= 1, shift++;
-        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
-    }
-    memcpy(&x, &wide, sizeof x);
-    return x;
 }
 
 PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t index) {
@@ -2899,8 +3045,15 @@ PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t inde
 
 // Reads the weight of a point, -0.0 as 0.0.
 static double paradt__weight(const paradt__source *source, size_t index) {
+    const char *address = (const char *)source->points.weights + index * source->weight_stride;
     uint64_t bits;
-    memcpy(&bits, (const char *)source->points.weights + index * source->weight_stride, sizeof bits);
+    if (source->points.weight_scalar == PARADT_F32) {
+        uint32_t narrow;
+        memcpy(&narrow, address, sizeof narrow);
+        bits = paradt__bits(paradt__widen(narrow));
+    } else {
+        memcpy(&bits, address, sizeof bits);
+    }
     return paradt__signless_zero(bits);
 }
 
@@ -3008,10 +3161,12 @@ static int paradt__is_among(int number, const int *numbers, int count) {
     return count > 0;
 }
 
-// Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
+// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
-                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters,
+                                   const paradt__team *team) {
+    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -3019,6 +3174,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -3033,8 +3189,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
+//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters) {
+                             int *axes, paradt__counters *counters, const paradt__team *team) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3050,7 +3207,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3498,16 +3655,21 @@ PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const p
     return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
+static int paradt__sort_cancels(const paradt__loader *loader, size_t task) {
+    return paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1);
+}
+
 // Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
-// becomes 0 then, and the others' 1. other: scratch for as many.
-static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
-                             int by_steps) {
+// becomes 0 then, and the others' 1; or if the call is to end. other: scratch for as many.
+static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
+                             size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3521,7 +3683,10 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    for (i = 0; i < count; i++) {
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
@@ -3537,8 +3702,7 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1))
-            return;
+        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3555,12 +3719,12 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
                 length = size;
                 size = was;
             }
-            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
+            if (size > 1 && paradt__split_run(loader, task, keyed + run, other + run, size, 0))
                 paradt__refine(loader, task, keyed + run, other + run, size);
         }
         looked_at += length;
         if (length == 1 ||
-            !paradt__split_run(loader, keyed + longest, other + longest, length, looked_at / PASSES > all))
+            !paradt__split_run(loader, task, keyed + longest, other + longest, length, looked_at / PASSES > all))
             return;
         keyed += longest;
         other += longest;
@@ -3825,9 +3989,9 @@ static paradt_status paradt__loader_gather(paradt__loader *loader) {
 // permuted. set: zeroed. cuts: NULL, or how space is to be divided: the cuts are found then, and the points are in the
 // order of the boxes. representative: [points.count] see paradt__loader_merge. *bad: see paradt__loader_survey. After
 // an error the caller frees the set and the cuts.
-static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
-                                        const paradt__team *team, paradt__memory *memory, paradt_index *representative,
-                                        size_t *bad) {
+PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
+                                                  const paradt__team *team, paradt__memory *memory,
+                                                  paradt_index *representative, size_t *bad) {
     paradt__loader loader;
     paradt_status status;
     PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
@@ -3936,7 +4100,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -6785,7 +6949,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
     paradt_index goal[PARADT_MAX_DIM + 1], q;
     PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
     if (!paradt__simplex_guess(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters);
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters, NULL);
     memcpy(goal, simplex, sizeof goal);
     paradt__simplex_orient(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
@@ -9346,7 +9510,7 @@ static void paradt__insertion_end(paradt__insertion *build) {
 // Points that span the set come first in the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
-    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
         while (order[at] != basis[i]) at++;
@@ -9861,7 +10025,7 @@ static int paradt__spans(const paradt__set *set) {
     paradt__counters counters;
     memset(&counters, 0, sizeof counters);
     return set->count > (size_t)set->space.dim &&
-           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
 }
 
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
@@ -11446,7 +11610,7 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
 // Finds points that span the set, as positions in it once it is open.
 static void paradt__find_basis(paradt__work *work) {
     paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
     for (i = 0; i < count; i++) {
         size_t position = (size_t)work->basis[i], region = 0;
         while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
@@ -11713,6 +11877,24 @@ PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
 }
 
+static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+    paradt_points points;
+    memset(&points, 0, sizeof points);
+    points.data = coordinates;
+    points.count = count;
+    points.dim = dim;
+    points.scalar = scalar;
+    return points;
+}
+
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+}
+
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F32);
+}
+
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
 #define PARADT__TEXT(name, text) text,
     static const char *const texts[] = {PARADT_STATUS_LIST(PARADT__TEXT)};
@@ -11770,6 +11952,10 @@ static const char *paradt__points_fault(const paradt_points *points) {
     if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
     if (points->stride && points->stride < size * (size_t)points->dim)
         return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    if ((unsigned)points->weight_scalar > PARADT_F32)
+        return "points.weight_scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->weight_stride && points->weight_stride < paradt__weight_size(points))
+        return "points.weight_stride is less than the bytes of a weight; it counts bytes, not weights";
     return NULL;
 }
 
