@@ -402,38 +402,6 @@ static int note_progress(void *user, double fraction) {
     return ++r->calls == r->cancel_at;
 }
 
-// Many cells and many hidden points: long walks, long hash chains, several reports a phase.
-static void a_triangulation_of_thousands_of_points_is_accepted(void **state) {
-    (void)state;
-    enum { COUNT = 20000 };
-    static double x[COUNT * 3], w[COUNT];
-    random_state = 11;
-    for (int i = 0; i < COUNT * 3; i++)
-        x[i] = random_unit();
-    for (int i = 0; i < COUNT; i++)
-        w[i] = random_unit() * 0.004;
-    for (int dim = 2; dim <= 3; dim++)
-        for (int weighted = 0; weighted < 2; weighted++) {
-            paradt_points points = paradt_points_f64(x, COUNT, dim);
-            paradt_options options;
-            paradt_triangulation t;
-            reports r = {0, 0, 0};
-            points.weights = weighted ? w : NULL;
-            assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
-            assert_true(weighted ? t.stats.hidden > 1000 : t.cell_count > COUNT);
-            memset(&options, 0, sizeof options);
-            options.progress = note_progress;
-            options.user = &r;
-            assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
-            assert_true(r.calls > 4);
-            paradt_index *neighbors = t.neighbors;
-            t.neighbors = NULL;
-            assert_int_equal(paradt_check(&t, &points, NULL, NULL), PARADT_OK);
-            t.neighbors = neighbors;
-            paradt_free(&t);
-        }
-}
-
 // --- anything else is refused: faults of representatives
 
 static void a_wrong_dim_is_refused(void **state) {
