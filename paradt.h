@@ -4406,16 +4406,21 @@ static size_t paradt__expected_places(size_t count, int dim) {
 
 // --- memory
 
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
-                                       paradt__memory *memory) {
+// Replaces a list, of which `used` elements are in use, by one of `count` elements at least.
+PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                                 paradt__memory *memory) {
     void *array = *list;
     size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
     if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
     *list = (paradt_index *)array;
     *capacity = larger;
     return PARADT_OK;
+}
+
+// Makes room for `count` elements in a list of which `used` are in use.
+PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                               paradt__memory *memory) {
+    return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -8787,17 +8792,16 @@ PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
 // Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
 // slots where nothing has been for long; these are fetched.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    enum { TOGETHER = 8 }; // handles: there is room for that many behind both lists
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, i;
-    paradt_status status =
-        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
-    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
+    size_t count = build->rim_count, killed = update->killed_count, kept = killed < count ? killed : count, i;
+    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < update->killed_count && i < count; i += 4) // there is room behind both
-        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
-    for (i = update->killed_count; i < count; i++) {
+    for (i = 0; i < kept; i += TOGETHER) memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = kept; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
