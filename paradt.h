@@ -622,6 +622,9 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
+// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+#define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
+
 // Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
 // function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
 #define PARADT__FETCH(array, index)                                                                                    \
@@ -1135,7 +1138,9 @@ static double paradt__now(void) {
 // No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
 // more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
 
-#define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
+// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+#define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
+#define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
@@ -1169,8 +1174,8 @@ typedef struct paradt__space {
     int64_t high[PARADT_MAX_DIM];                // ... largest coordinate of each axis, as measured
     double per_unit;                             // 2^-unit where it makes integers below 2^59 of all coordinates; 0
     double tiny;                                 // no filter's error by underflow exceeds it
-    paradt__bounds orient[PARADT_MAX_DIM + 1];   // of orientations in k dimensions
-    paradt__bounds insphere[PARADT_MAX_DIM + 1]; // of in-sphere tests in k dimensions
+    paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
+    paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
     double orient_certain;                       // the largest of orient's, k = 1..d, for estimates of others
     double orient_quantum;                       // the smallest of orient's
     paradt__counters counters;
@@ -1181,7 +1186,7 @@ typedef struct paradt__space {
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
 // ceil(log2(n!))
-static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
 
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
@@ -1262,7 +1267,7 @@ static double paradt__quantum(int exponent) {
 // h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
-    static const double hadamard[PARADT__MAX_ROWS + 1] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
@@ -1525,13 +1530,13 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 
 // What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
 // n > k, the lift over d coordinates.
-typedef struct paradt__task {
+typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
-} paradt__task;
+} paradt__determinant;
 
-static paradt__range paradt__measure_columns(const paradt__task *q, int first, int end) {
+static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
         for (int i = 0; i < q->n; i++) paradt__measure(&range, q->row[i][j]);
@@ -1553,7 +1558,7 @@ typedef struct paradt__fixed {
     int unit;      // of the coordinates; 2 * unit is the lifts'
     int bits;      // differences are below 2^bits
     int lift_bits; // lifts are below 2^lift_bits
-    int64_t x[PARADT__MAX_ROWS][PARADT_MAX_DIM];
+    int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
@@ -1567,7 +1572,7 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
 }
 
 // Fills f->x in the unit of the set.
-PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__task *q, int columns) {
+PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q, int columns) {
     f->unit = s->coordinates.unit;
     f->bits = s->coordinates.top + 1 - f->unit;
     PARADT__UNROLL
@@ -1579,7 +1584,7 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 }
 
 // Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, int columns,
+PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
@@ -1612,7 +1617,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
 }
 
 // Fills f but for the lifts. 0: differences or weights do not fit.
-PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__task *q) {
+PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
@@ -1624,7 +1629,7 @@ PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, co
 }
 
 // Fills f->lift, which must fit in wide integers.
-PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
+PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
@@ -1692,10 +1697,10 @@ typedef struct paradt__layout {
 // takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
-#define PARADT__SMALL_DIGITS (10240 / (int)sizeof(paradt__digit))
-#define PARADT__SMALL_SUM    (6144 / PARADT__RADIX)
+#define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
-static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task *q) {
+static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
     paradt__range x = s->coordinates, w = paradt__no_range;
@@ -1749,7 +1754,7 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
                                       const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
@@ -1780,7 +1785,7 @@ PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, c
 
 // Where the minors of the columns first, first + 1, ... of a task are made
 typedef struct paradt__minors {
-    const paradt__task *task;
+    const paradt__determinant *task;
     const paradt__layout *layout;
     const paradt__digit *rows;
     int first;
@@ -1872,7 +1877,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
 }
 
 // 1: so many digits, and sums of so many, are room for all minors at once
-static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, int digits, int sums) {
+static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
     int minors = paradt__minors_space(&m, q->n, 0) + paradt__minors_space(&m, q->n, 1);
@@ -1880,7 +1885,7 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
+PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
                                      paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
@@ -1892,13 +1897,14 @@ PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout
     return paradt__sign(determinant, digits);
 }
 
-PARADT__NOINLINE int paradt__general_small(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+    PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
@@ -1985,7 +1991,7 @@ PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
 }
 
 // Rows of two digits a coordinate and four a lift
-PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
     const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift[4] = {0};
@@ -2002,7 +2008,7 @@ PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q
     }
 }
 
-PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit rows[4 * 10];
     paradt__load_two(rows, q, y);
     return paradt__fixed_sign(rows, q->n, q->k, 2);
@@ -2013,7 +2019,7 @@ PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layo
 // ways for few columns are unrolled into code that is short and fast.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
-    const paradt__task q = {n, k, d, s->weighted, row, base};
+    const paradt__determinant q = {n, k, d, s->weighted, row, base};
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2040,7 +2046,8 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
     }
 #endif
     s->counters.exact_general++;
-    if (paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) return paradt__general_small(&q, &y);
+    if (PARADT_MAX_DIM <= 3 || k <= 3 || paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM))
+        return paradt__general_small(&q, &y);
     return paradt__general_large(&q, &y);
 }
 
@@ -2070,16 +2077,16 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
 }
 
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__exact_orient3(s, p);
+    if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
-    if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
+    if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
     if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
-    if (k == 2 && s->ambient == 3) return paradt__exact_flat3(s, p);
+    if (k == 2 && PARADT__IS(s->ambient, 3)) return paradt__exact_flat3(s, p);
     sign = paradt__exact_any(s, p, p[k + 1], k + 1);
     return k & 1 ? -sign : sign;
 }
@@ -2094,16 +2101,16 @@ PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, 
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_orient2(s, p)
-               : k == 3 ? paradt__filter_orient3(s, p)
-               : k == 4 ? paradt__filter4(s, p + 1, p[0], 4, 4)
+        sign = k == 2               ? paradt__filter_orient2(s, p)
+               : PARADT__IS(k, 3) ? paradt__filter_orient3(s, p)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p + 1, p[0], 4, 4)
                         : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
     return sign == PARADT__UNDECIDED ? paradt__exact_orient(s, p) : sign;
 }
 
 // The sign of det[p[1] - p[0]; ...; p[k] - p[0]], k = s->dim
 static int paradt__orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__orient_any(s, p, 3);
+    if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
     return paradt__orient_any(s, p, s->dim);
 }
@@ -2112,16 +2119,16 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     int sign = PARADT__UNDECIDED;
     s->counters.insphere_calls++;
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_insphere2(s, p, d, s->weighted)
-               : k == 3 ? paradt__filter_insphere3(s, p, d, s->weighted)
-               : k == 4 ? paradt__filter4(s, p, p[5], 5, d)
+        sign = k == 2               ? paradt__filter_insphere2(s, p, d, s->weighted)
+               : PARADT__IS(k, 3) ? paradt__filter_insphere3(s, p, d, s->weighted)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p, p[5], 5, d)
                         : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
 // Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
 static int paradt__insphere(paradt__space *s, const double *const *p) {
-    if (s->dim == 3 && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
+    if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
@@ -2130,7 +2137,7 @@ static int paradt__insphere(paradt__space *s, const double *const *p) {
 // for in lattices they can't be foreseen.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
-    if (s->dim == 3 && s->filtered) {
+    if (PARADT__IS(s->dim, 3) && s->filtered) {
         const double *y = p[query];
         for (i = 0; i < 4; i++) {
             const double *x = p[i];
