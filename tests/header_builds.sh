@@ -53,7 +53,7 @@ for family in gcc clang; do
     if [ $family = gcc ]; then
         builds gcc_O2 "gcc -std=c99 -O2 $c $smallest -o $work/gcc_O2 -lm"
     fi
-    builds "${family}_O2_ndebug_cxx" "$cxx -std=c++20 -O2 -DNDEBUG $common -x c++ $smallest -o $work/${family}_O2_ndebug_cxx -lm"
+    builds "${family}_O1_ndebug_cxx" "$cxx -std=c++20 -O1 -DNDEBUG $common -x c++ $smallest -o $work/${family}_O1_ndebug_cxx -lm"
     builds "${family}_no_simd" "$family -std=c99 -DPARADT_NO_SIMD $c $smallest -o $work/${family}_no_simd -lm"
     builds "${family}_assertions" "$family -std=c99 -DPARADT_VERIFY -include tests/asserts.h $c $smallest \
         -o $work/${family}_assertions -lm"
