@@ -250,6 +250,19 @@
 // the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
 // an upper bound, the sum of their peaks).
 //
+// paradt_memory_estimate says beforehand about how much a call will hold. Measured, for uniform points, in bytes a
+// point:
+//
+//                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
+//     PARADT_AUTO                                79            295        1,390        7,280
+//        2 regions                               90            327        2,740       14,560
+//        4 regions                               92            383        2,720       16,570
+//        8 regions                               95            728        2,800       21,640
+//     PARADT_INCODE                             109            295        1,390        7,280
+//        8 regions                              146            550        2,800       21,640
+//     PARADT_NO_NEIGHBORS, 8 regions, one
+//        after another                           68            225
+//
 // The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
 // is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
 // are not told: wasm-ld -z stack-size=262144.
@@ -415,6 +428,7 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_points_f64         paradt_points_f64_64
 #define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
+#define paradt_memory_estimate    paradt_memory_estimate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -573,6 +587,12 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 // `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
+
+// About how many bytes a call of paradt_triangulate with the same arguments would hold at most: more than it does for
+// points spread evenly in all dimensions, by up to a half in two and three dimensions, up to twice beyond. Other points
+// may take more. Of the points only count, dim and whether there are weights matter; data may be NULL. 0: an argument
+// is wrong. Thread-safe.
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
 
 // Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
 // NULL and all zero are fine. Thread safety: as free.
@@ -11993,6 +12013,44 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
         return PARADT_ERROR_TOO_LARGE;
     *text = NULL;
     return PARADT_OK;
+}
+
+// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    double each = (double)points->count / (double)work->regions;
+    int several = work->regions > 1;
+    if (first->front) {
+        if (points->dim == 2) return several ? 3.0 : 2.2;
+        return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
+    }
+    if (points->dim > 3) return several ? 5.0 : 2.0;
+    if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
+    if (!several) return 1.45;
+    if (work->one_by_one) return 1.2;
+    // Slices of the result that few points leave too empty are copied, so that both are held.
+    return each > 40000.0 ? 1.8 : each > 5000.0 ? 3.0 + 10000.0 / each : 5.0;
+}
+
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
+    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
+    paradt__work work;
+    paradt_points given;
+    const char *text;
+    double count, cells, bytes;
+    if (!points) return 0;
+    given = *points;
+    given.data = &given; // something
+    if (paradt__check_arguments(&given, options, &text)) return 0;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__plan(&work, &given);
+    count = (double)given.count;
+    cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
+    bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
+    bytes *= paradt__memory_factor(&work, &given);
+    if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    return (uint64_t)bytes + FIXED;
 }
 
 // Reads the points into the set.

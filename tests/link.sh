@@ -116,4 +116,28 @@ for compiler in g++ clang++; do
     fi
 done
 
+# --- a shared library
+
+if make -s lib BUILD="$work" CFLAGS=-O1 >"$work/log" 2>&1 && [ ! -s "$work/log" ]; then
+    sed -n 's/^PARADT_DEF.*[ *]\(paradt_[a-z0-9_]*\)(.*/\1/p' paradt.h | sort -u >"$work/declared"
+    nm -D --defined-only "$work/libparadt.so" | awk '$2 == "T" { print $3 }' | sort >"$work/exported"
+    diff "$work/declared" "$work/exported" >"$work/log"
+    report $? a_shared_library_shows_the_public_functions_alone "$work/log"
+    if has python3; then
+        python3 -c "
+import ctypes, sys
+library = ctypes.CDLL(sys.argv[1])
+library.paradt_orient2.argtypes = [ctypes.POINTER(ctypes.c_double)] * 3
+row = ctypes.c_double * 2
+assert library.paradt_version() == int(sys.argv[2])
+assert library.paradt_orient2(row(0, 0), row(1, 0), row(0, 1)) == 1
+" "$work/libparadt.so" "$(sed -n 's/^#define PARADT_VERSION \([0-9]*\).*/\1/p' paradt.h)" >"$work/log" 2>&1
+        report $? a_shared_library_is_loaded_by_another_language "$work/log"
+    else
+        skip a_shared_library_is_loaded_by_another_language "python3 is not installed"
+    fi
+else
+    report 1 make_lib "$work/log"
+fi
+
 echo "1..$number"
