@@ -34,53 +34,53 @@
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//     PARADT_STATIC          makes the functions private to this file. Define it with PARADT_IMPLEMENTATION before the
 //                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
-//     none:
-//                            the functions are called otherwise then, so the linker finds those that don't agree.
-//                            Insertion has no code for SSE2 and AVX2 then
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. Define it in all files of a program or
+//                            in none: the functions have other names with it, so the linker refuses files that
+//                            disagree. Insertion has no code for SSE2 and AVX2 then
+//     PARADT_MAX_DIM         the largest dimension, 2 to 8; code for larger ones is not compiled. The same in all files
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
-//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall: a third of the code; AUTO inserts in all dimensions
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a third of the code; PARADT_AUTO inserts in all dimensions
 //     PARADT_NO_CHECK        leaves out paradt_check
-//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
-//                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
+//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
+//                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
 // WHAT IT DOES
 //
 //     - Delaunay triangulations, and with weights regular triangulations, of points in 2 to 8 dimensions
 //     - exact for all finite doubles and floats: huge, subnormal, mixed, collinear, coplanar, cospherical, repeated
-//     - one result: the same points give the same set of cells by every method, any number of regions and threads, in
-//       any order, with any compiler and its flags
+//     - one result: the same points give the same set of cells by every method, with any number of regions and threads,
+//       in any order, with any compiler and its flags
 //     - cells with orientation and neighbours; for each point the one that stands for it when points coincide
 //     - divided into regions that are built alone, on threads that the program provides
-//     - a certificate: paradt_check proves a result to be the triangulation of its points, or says what is wrong
+//     - a certificate: paradt_check proves that a result is the triangulation of its points, or says what is wrong
 //     - no global state, no threads of its own, no output, no exit; memory from your allocator, within your limit
 //     - C99 and C++11
 //
 // CONTENTS
 //
-//     points, options, result, methods, regions and threads, degenerate input, numbers and compiler flags, memory,
-//     errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections marked
-//     "// >>name"; the licence
+//     points, options, result, walking, methods, regions and threads, degenerate input, numbers and compiler flags,
+//     memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
+//     marked "// >>name"; the licence
 //
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. paradt_points_f64 and
-// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. Coordinates of type
-// `scalar` stand side by side, and `stride` bytes lead from one point to the next, so points may be members of larger
-// structures. No alignment is needed. A mesh whose vertices begin with their position:
+// paradt_points describes an array of yours. It is read during a call only, and never written. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. The coordinates of a point
+// are adjacent and of the type `scalar`. `stride` bytes lead from one point to the next, so points may be members of
+// larger structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
 //     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
 //     points.stride = sizeof(struct vertex);
 //
-// Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has the
-// weight r * r. Weights may be negative. Adding the same number to all of them changes nothing, and where all are equal
-// the triangulation is Delaunay. They have a type and a stride of their own:
+// Weights make the triangulation regular (also called weighted Delaunay, or the dual of a power diagram): a point of
+// weight w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has
+// the weight r * r. Weights may be negative. Adding the same number to all weights changes nothing; where all are equal
+// the triangulation is Delaunay. Weights have a type and a stride of their own:
 //
 //     struct atom { double place[3]; float radius, weight; } atoms[1000];
 //     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
@@ -88,23 +88,23 @@
 //     points.weights = &atoms[0].weight;
 //     points.weight_scalar = PARADT_F32;
 //
-// Coordinates and weights must be finite. -0.0 is 0.0.
+// Coordinates and weights must be finite. -0.0 is the same as 0.0.
 //
 //
 // OPTIONS
 //
 // NULL, or all fields zero, is the default: the method that suits the input, one region, the calling thread, malloc.
-// Set what you need and leave the rest zero, and fields that later versions add will not surprise you:
+// Set what you need and leave the rest zero. Then fields that later versions add do not surprise you:
 //
 //     paradt_options options = {0}; // in C++: = {}
 //     options.method = PARADT_DEWALL;
 //     options.memory_limit = (size_t)1 << 30;
 //
 // `progress` is called now and then with the part of the call's work that is done, as far as that can be foretold: one
-// number from 0 to 1 for all regions and threads, which never falls. It cancels the work by returning nonzero: the call
-// then ends with PARADT_ERROR_CANCELLED, within a few hundredths of a second, and gives back all memory. It is called
-// from any thread that works, by one at a time; compilers that have no atomic operations call it from the first task of
-// a parallel_for only.
+// number from 0 to 1 for all regions and threads, which never falls and ends at 1. Returning nonzero cancels the work:
+// the call ends with PARADT_ERROR_CANCELLED within some hundredths of a second and gives back all memory. Any thread
+// that works may call `progress`, but never two threads concurrently. (Compilers without atomic operations: only the
+// first task of a parallel_for does.)
 //
 //
 // RESULT
@@ -114,37 +114,77 @@
 //
 //     t.cells[i * k + j]        vertex j of cell i
 //     t.neighbors[i * k + j]    the cell opposite that vertex
-//     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
-//
-// With PARADT_FACETS in options.flags neighbors hold half-facets: the place in the array of the same facet as its other
-// cell has it. Place f = i * k + j is the facet of cell f / k opposite its vertex f % k, and with g = t.neighbors[f]
-//
-//     g < 0                     the facet is on the hull (g is -1); else
-//     g / k                     the neighbour
-//     t.cells[g]                its vertex that is not in the facet
-//     t.neighbors[g]            f
-//
-// So programs that go from cell to cell, or around a ridge, need not search for the way back.
-//
-// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//     t.representative[p]       p where p is a vertex; the vertex at the same place; -1 where p is hidden
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
-// Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
-// orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
-// set of cells; paradt_hash is equal for equal sets.
+// The facets of a cell, in the order that is counterclockwise when seen from outside the cell (for a triangle: with the
+// triangle on the left):
 //
-// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
+//     opposite     v0          v1          v2          v3
+//     triangle     v1 v2       v2 v0       v0 v1
+//     tetrahedron  v1 v2 v3    v0 v3 v2    v0 v1 v3    v0 v2 v1
+//
+// Neighbours have all vertices but one in common. The order of the cells means nothing, and neither does the order of a
+// cell's vertices apart from the orientation: both may differ between methods, machines and versions. The set of cells
+// never differs; paradt_hash is equal for equal sets.
+//
+// With PARADT_FACETS in options.flags, neighbors hold half-facets: the position in `neighbors` of the same facet as its
+// other cell sees it. Position f = i * k + j is the facet of cell f / k opposite its vertex f % k. With
+// g = t.neighbors[f]:
+//
+//     g < 0             the facet is on the hull (g is -1); otherwise
+//     g / k             the cell on the other side
+//     t.cells[g]        the vertex of that cell that is not in the facet
+//     t.neighbors[g]    f
+//
+// So programs that go from cell to cell, or around a ridge, need not search for the way back.
+//
+// In dimension 0 a cell is a single vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
+// t.stats counts what was done, also when the call fails. Give the arrays back with paradt_free, not with free.
+//
+//
+// WALKING
+//
+// To find the cell that contains a place x, walk: start in any cell, best in one nearby, and cross a facet that has x
+// on its other side, until there is none. The orientation of the cell with x in the place of vertex j tells: negative
+// means that x is beyond the facet opposite that vertex. For tetrahedra, with double points[][3]:
+//
+//     paradt_index walk(const paradt_triangulation *t, const double (*points)[3], const double *x, paradt_index cell) {
+//         int j = 0;
+//         while (cell >= 0 && j < 4) {
+//             const double *p[4];
+//             for (j = 0; j < 4; j++)
+//                 p[j] = points[t->cells[4 * cell + j]];
+//             for (j = 0; j < 4; j++) {
+//                 const double *vertex = p[j];
+//                 p[j] = x;
+//                 if (paradt_orient3(p[0], p[1], p[2], p[3]) < 0)
+//                     break; // x is beyond the facet opposite vertex j
+//                 p[j] = vertex;
+//             }
+//             if (j < 4)
+//                 cell = t->neighbors[4 * cell + j];
+//         }
+//         return cell; // -1: x is outside of the hull
+//     }
+//
+// The walk ends, whichever of the facets it crosses: lift the points to the height |x|^2 - w, and take the planes of
+// the cells at the place x. The lifted cells are a convex surface, so each facet crossed leads to a plane that is
+// higher there, and no cell comes twice (Edelsbrunner 1990; ties are broken as under DEGENERATE INPUT). That needs
+// exact signs and a Delaunay or regular triangulation: a walk with rounded signs, or in other triangulations, may go in
+// circles.
 //
 //
 // METHODS
 //
 //     PARADT_AUTO           the one that suits the input: Bowyer-Watson in two and three dimensions; in more, InCoDe,
-//                           and Bowyer-Watson again where that gets stuck in ties, as on lattices
+//                           and Bowyer-Watson where InCoDe gets stuck in ties, as on lattices
 //     PARADT_INCODE         incremental construction: from a first cell, the neighbour across every facet without one
 //     PARADT_DEWALL         divide and conquer, merge first: the wall of cells across a plane, then each side of it
-//     PARADT_BOWYER_WATSON  insertion of one point after the other: the cells in conflict with it make room for those
-//                           between their rim and the point; a region adds points of others until its cells are right
+//     PARADT_BOWYER_WATSON  insertion of one point after the other: cells whose sphere contains the new point are
+//                           replaced by cells that join it to the hole's boundary
 //
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
 // in a hierarchical grid of the points, and never change a cell once it is made.
@@ -152,19 +192,16 @@
 //
 // REGIONS AND THREADS
 //
-// options.regions = k divides space into k boxes. Each box is built alone, every cell is owned by one of them, and what
-// they own is put together, and neighbours are linked across the seams. Some of the cells at a seam are made by more
-// than one region and kept by one: stats.cells_recomputed of them were made in vain, so (cells + cells_recomputed) /
-// cells is the factor of duplication, the price of the division. By InCoDe and DeWall a cell is owned by the box with
-// most of its vertices (>>incode has the rule), by insertion by the last box that has any. The first box then needs no
-// points but its own; it gets somewhat more of them. The others also get cells among others' points alone, which count
-// too, whether they are in the result or in none.
+// options.regions = k divides space into k boxes. Each box is built alone, each cell is owned by one box, and the owned
+// cells are put together and linked across the seams. Cells near a seam are made by several regions and kept by one:
+// stats.cells_recomputed were made in vain, so (cells + cells_recomputed) / cells is the factor of duplication, which
+// is the price of the division.
 //
-//     PARADT_BISECTION  boxes of equal numbers of points, by a sample of 65,536: each box is cut across the longest
+//     PARADT_BISECTION  boxes of equal numbers of points, estimated from a sample: each box is cut across the longest
 //                       side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
 //
-// The header starts no threads. To work on the regions at once, hand in a parallel_for: a function that runs
+// The header starts no threads. To work on the regions concurrently, hand in a parallel_for: a function that runs
 // task(context, i) for all i below count, on any threads and in any order, and returns when all have ended. With
 // OpenMP:
 //
@@ -175,154 +212,170 @@
 //         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
 //     }
 //
-// examples/paradt.c has one for POSIX threads. The allocator is then called concurrently from those threads, the
-// progress callback from one of them at a time. parallel_for is called some ten times, for large sets up to forty: the
-// insertion is done in legs, between which regions change hands, so that a slow processor, or one that others use, is
-// not waited for. Near surfaces, where regions tell each other what they lack, it is called some dozens of times more.
-// One region a thread is right where the points are alike everywhere; a few more even out regions that take longer. The
-// cells do not depend on the regions, nor on the threads.
+// examples/paradt.c has one for POSIX threads. Its threads call the allocator concurrently, and the progress callback
+// one at a time. parallel_for is called some ten times, for large sets up to forty times: insertion proceeds in legs,
+// and between two legs regions move from slow threads to fast ones. Near surfaces, where regions exchange what they
+// lack, it is called some dozens of times more. One region a thread is right where the points are alike everywhere; a
+// few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
 //
-// Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
-// points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
-// 1.
+// Insertion abandons the division where regions would have to ask each other for longer than all the rest takes: among
+// points exactly on a sphere, or almost on a line. One region then takes in the points of the others, and stats.regions
+// is 1.
 //
-// Any number of calls may run at once from any threads, each with its own result; points may be shared.
+// Any number of calls may run concurrently on any threads, each with its own result. They may share points.
 //
 //
 // DEGENERATE INPUT
 //
 // Ties. The Delaunay triangulation is the lower hull of the points lifted to the height |x|^2 - w. Where an empty
-// sphere has more points on it than a cell has vertices there are several, and one is chosen: the heights are raised by
-// infinitesimal amounts, that of a lexicographically larger point (by x, then y, ...) infinitely more than that of a
-// smaller one. Only heights move, never places: no cell is flat, and the hull is that of the points. With s the exact
-// in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
+// sphere has more points on it than a cell has vertices there are several such triangulations, and one is chosen: all
+// heights are raised by infinitesimal amounts, the height of a lexicographically larger point (by x, then y, ...) by
+// infinitely more than that of a smaller one. Only heights move, never places: no cell is flat, and the hull is that of
+// the points. With s the exact in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
 //
 //     s > 0 (inside), or s = 0 and, going through p0..pd and q from the lexicographically largest downward:
 //         q:  no conflict
 //         pi: let o be the orientation of the cell with q in the place of pi;
 //             o > 0: conflict, o < 0: no conflict, o = 0: go on
 //
-// and the triangulation is the set of cells that no point is in conflict with. The rule knows places and weights only,
-// no index and no history, so it decides alike for everybody. Weights have no part in the order.
-// paradt_insphere_perturbed is this test. (Devillers and Teillaud's rule, in every dimension.)
+// and the triangulation is the set of cells that no point is in conflict with. The rule looks at places and weights
+// only, at no index and no history, so whoever applies it decides alike. Weights play no part in the order.
+// paradt_insphere_perturbed is this test. (The rule of Devillers and Teillaud, in every dimension.)
 //
-// Equal points are one vertex. The smallest index stands for them; with weights that of the largest weight, and among
-// these the smallest index. stats.duplicates counts the others, `representative` names who stands for each.
+// Equal points are one vertex. The point of the smallest index stands for it; with weights the point of the largest
+// weight, and among these of the smallest index. stats.duplicates counts the others, and `representative` says who
+// stands for each.
 //
 // Hidden points. A weighted point may be a vertex of no cell; it and its duplicates have the representative -1.
 // stats.hidden counts places, not duplicates.
 //
-// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
-// cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
+// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and cells
+// have k + 1 vertices. Their orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
-// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for lower dimensions sets
+// PARADT_FULL_DIM in options.flags: then such points give PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
 //
-// What decides is the sign of a determinant. A filter in floating point settles nearly all of them, with an error bound
-// that holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with
-// subnormals flushed to zero; it is not used where the input's exponents could make it overflow. What it leaves open is
-// computed in integers, on the bits of the doubles, in three stages: small integers, a fixed number of words, any
+// Every decision is the sign of a determinant. A floating-point filter settles nearly all of them. Its error bound
+// holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with subnormals
+// flushed to zero; the filter is not used where the input's exponents could make it overflow. What it leaves open is
+// computed in integers, from the bits of the doubles, in three stages: small integers, a fixed number of words, any
 // number of words. So -O3, -Ofast, -ffast-math, -march=native, -m32 and a changed rounding mode change the time, not
 // the cells. Floats are widened exactly.
 //
-// The coordinates of lattices have few bits: for them even ties are settled in the filter or in small integers.
+// Coordinates of lattices have few bits: there the filter or small integers settle even ties.
 //
 //
 // MEMORY
 //
-// Everything comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Its
-// blocks must be aligned as malloc aligns them; it returns NULL when there is no more. It must be safe to call from
-// several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
-// keeps a copy of it for paradt_free.
+// All memory comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Blocks
+// must be aligned as those of malloc; the allocator returns NULL when there is no more. Where a parallel_for uses
+// several threads, the allocator must be safe to call concurrently. It has to live as long as the result, which keeps a
+// copy of it for paradt_free.
 //
 // Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
-// has them ready, and adds a third on a virtual machine whose host has to provide them anew. On Linux from 5.14 on
-// small pages are made somewhat ahead of their use, by madvise; that takes 3 to 5 hundredths off.
+// has them ready, and adds a third on a virtual machine whose host has to provide them first. On Linux from 5.14 on,
+// small pages are made somewhat ahead of their use, by madvise.
 //
-// The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// The arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
-// Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
-// don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
-// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and take a tenth to a fifth more
-// time; points that crowd as in a star cluster take a third to a half more.
-// memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
-// the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
-// an upper bound, the sum of their peaks).
+// The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
+// arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
+//
+// memory_limit bounds the bytes that one call holds at any time, the result included. Regions get equal shares of what
+// the points leave of it, so the more regions, the sooner the limit is reached. stats.peak_bytes is the most that was
+// held (with regions an upper bound: the sum of their peaks).
+//
+// With PARADT_NO_NEIGHBORS, insertion in two and three dimensions builds regions one after another unless they run
+// concurrently: as many as were asked for, or five from 500,000 points on. Each gives its links back before the next
+// begins. That takes a third off the memory, and adds a tenth to a fifth to the time, a third to a half where points
+// crowd as in a star cluster.
+//
+// paradt_memory_estimate says beforehand about how much a call will hold. Measured on uniform points, in bytes a point:
+//
+//                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
+//     PARADT_AUTO                                79            295        1,390        7,280
+//        2 regions                               90            327        2,740       14,560
+//        4 regions                               92            383        2,720       16,570
+//        8 regions                               95            728        2,800       21,640
+//     PARADT_INCODE                             109            295        1,390        7,280
+//        8 regions                              146            550        2,800       21,640
+//     PARADT_NO_NEIGHBORS, 8 regions,
+//        one after another                       68            225
 //
 // The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
-// is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
-// are not told: wasm-ld -z stack-size=262144.
+// is as deep as the logarithm of the number of points. 256 KB are enough in every dimension. Linkers for WebAssembly
+// give 64 KB unless they are told otherwise: wasm-ld -z stack-size=262144.
 //
 //
 // ERRORS
 //
-// Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
+// Functions that can fail return a paradt_status; PARADT_OK is 0. paradt_status_string describes the others, and
+// error_text in the result, or reason in paradt_fault, says more: for each ARGUMENT error which argument and why.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
-//     value;
-//                              error_text, and reason in paradt_fault, say which
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of range, a small stride, an unknown value
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
-//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
+//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit was reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
 //     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
-// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
-// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
-// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
-// leaks what the call holds.
+// harm). error_point, error_text and stats are filled. After PARADT_ERROR_MEMORY stats.peak_bytes is the most that was
+// held, and stats.needed_bytes what it would have been with the block that was refused: a smaller memory_limit fails at
+// this block again, and one of this size gets past it. Callbacks must return: an exception or longjmp out of them leaks
+// what the call holds.
 //
 //
 // COST
 //
-// For points that are spread without structure the work on a cell is expected not to grow with n: InCoDe and DeWall
-// look at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is
-// proportional to the number of cells, but for sorting the points. Exceptions: when all points lie exactly on one
-// sphere, or in a slanting plane but for rounding, every point ties with every sphere, and a search of InCoDe or DeWall
-// looks at all of them; and points whose coordinates or weights are too large or too far apart in size for floating
-// point (see NUMBERS) are searched one by one. Insertion has neither. How many cells there are depends on the points:
-// proportional to n for most input in a fixed dimension, with a factor that grows quickly with the dimension; at worst
-// they grow like n^ceil(d/2), for which a moment curve in any dimension, or two skew lines in space, are examples. The
-// counters of paradt_stats tell what a run cost in terms that do not depend on the machine:
+// For points that are spread without structure the expected work on a cell does not grow with n: InCoDe and DeWall look
+// at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is proportional to
+// the number of cells, apart from sorting the points. InCoDe and DeWall have two exceptions, which insertion has not.
+// When all points lie exactly on one sphere, or in a slanting plane but for rounding, every point ties with every
+// sphere, and a search looks at all of them. And points whose coordinates or weights are too large for floating point,
+// or too far apart in size (see NUMBERS), are searched one by one.
+//
+// The number of cells depends on the points. For most input in a fixed dimension it is proportional to n, with a factor
+// that grows quickly with the dimension. At worst it grows like n^ceil(d/2): examples are a moment curve in any
+// dimension, and two skew lines in space. The counters of paradt_stats tell what a run cost in terms that do not depend
+// on the machine:
 //
 //     distance_evaluations / cells   candidates looked at for a cell, eight a grid cell (InCoDe, DeWall; with regions
 //                                    insertion, too)
 //     grid_cells_visited / cells     how far these searches went
 //     exact_* / cells                predicates too close for floating point, orientations included
 //     perturbed                      ties
-//     cells_recomputed / cells       the price of regions, but for those that were given up
+//     cells_recomputed / cells       the price of regions, except where the division was abandoned
 //     active_peak                    the size of the front (InCoDe, DeWall)
 //
-// paradt_check takes expected linear time. The predicates alone (paradt_orient, paradt_insphere) measure their
-// arguments anew at each call; the triangulation does that once for all points, and is faster for each of them.
+// paradt_check takes expected linear time. The public predicates measure their arguments anew at each call; the
+// triangulation does that once for all points, and is faster for each of them. paradt_orient2, paradt_orient3 and the
+// like are the fastest to call from outside.
 //
 //
 // LIMITS
 //
-//     dimension   2 to 8
-//     points      2^30 - 1, with PARADT_INDEX64 as many as memory holds
-//     cells       cells * (dim + 1) below 2^31 (536,870,911 tetrahedra), with PARADT_INDEX64 as many as memory holds;
-//                 in Bowyer-Watson's method the facets of the hull count as cells too
-//     changes     a triangulation is computed as a whole; points are not added to it or taken away later
-//     constraints none: no edges or facets can be demanded
-//     methods     those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
-//     right shift of negative integers has to be arithmetic, doubles IEEE 754, as on all platforms met so far
+//     dimension    2 to 8
+//     points       2^30 - 1; with PARADT_INDEX64 as many as memory holds
+//     cells        cells * (dim + 1) below 2^31 (536,870,911 tetrahedra); with PARADT_INDEX64 as many as memory holds;
+//                  for insertion the facets of the hull count as cells too
+//     changes      a triangulation is computed as a whole; points are not added to it or taken away later
+//     constraints  none: no edges or facets can be demanded
+//     methods      those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
+//     machine      right shift of negative integers is arithmetic, doubles are IEEE 754, as on all platforms met so far
 //
 //
 // THE THESIS
 //
-// InCoDe, DeWall and their parallel forms as in "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
+// InCoDe, DeWall and their parallel forms follow "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
 // its parts are:
 //
-//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__guess_simplex grows it from the nearest
-//                                        neighbour by smallest spheres (paradt__smallest_sphere), descent makes it sure
+//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
+//                                        neighbour by smallest spheres, descent makes it sure
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
-//                 active face list       struct paradt__active, a hash table: paradt__active_match
+//                 active face list       struct paradt__facets, a hash table: paradt__facets_match
 //                 update of the AFL      paradt__front_add
 //                 uniform grid           paradt__grid_build: a hierarchy of boxes that adapts to the points
 //                 the loop               paradt__incode, with paradt__front_expand for each facet
@@ -330,15 +383,15 @@
 //                 simplex wall           paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
 //                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                 recursion              paradt__wall_build, from paradt__dewall
-//     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
+//     ParaInCoDe  regions                paradt__build_by_front; one of them: paradt__front_task
 //                 owner                  paradt__cell_owner, the box with most vertices instead of the one with the
 //                                        ULF vertex, and which facets a region needs for that: paradt__needs
 //                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
 //                 adaptive partition     the same with PARADT_BISECTION
-//                 joining                paradt__region_compact, paradt__regions_join
+//                 joining                paradt__collect_fronts
 //
 // Here every decision is exact, ties follow the perturbation, and one code serves all dimensions, with and without
-// weights. That a region reaches all the cells it owns is shown in >>incode.
+// weights. Why a region reaches all the cells that it owns is shown in >>reach.
 //
 //
 // CREDITS
@@ -372,12 +425,12 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+// These macros change the declarations, which are read at the first include.
 #if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
-#error                                                                                                                 \
-    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#error "PARADT_STATIC is defined after the first include of paradt.h in this file: define it before"
 #endif
 #if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
-#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#error "PARADT_INDEX64 is defined after the first include of paradt.h in this file: define it before"
 #endif
 
 #ifndef PARADT_H
@@ -412,11 +465,12 @@ extern "C" {
 
 #ifdef PARADT_INDEX64
 #define PARADT__IS_INDEX64
-typedef int64_t paradt_index; // a point or a cell; negative: none
-// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
+// The functions have other names, so that the linker refuses files that differ in PARADT_INDEX64.
 #define paradt_points_f64         paradt_points_f64_64
 #define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
+#define paradt_memory_estimate    paradt_memory_estimate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -436,7 +490,7 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_insphere2f         paradt_insphere2f_64
 #define paradt_insphere3f         paradt_insphere3f_64
 #else
-typedef int32_t paradt_index; // a point or a cell; negative: none
+typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
 
 // What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
@@ -448,7 +502,7 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
     X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
-    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
+    X(PARADT_ERROR_FLAT, "the points lie in a flat of lower dimension, and PARADT_FULL_DIM is set")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -462,43 +516,45 @@ typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATU
 
 typedef enum paradt_method { PARADT_METHOD_LIST(PARADT__ENUM_FIRST) PARADT_METHOD_COUNT } paradt_method;
 
-// What a coordinate is: a double or a float.
+// The type of coordinates and weights: double or float
 typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 
-// How space is divided into regions: into boxes of equal numbers of points, or of equal size.
+// How space is divided into regions: into boxes of equal numbers of points, or of equal size
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
-    PARADT_FACETS = 2,       // neighbors are half-facets: where the neighbour has the facet, too (see RESULT)
-    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
+    PARADT_FACETS = 2,       // neighbors are half-facets (see RESULT), not cells; not with PARADT_NO_NEIGHBORS
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
-// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
-// from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
+// Tasks do not wait for each other, so one thread is enough. It is called for one step of the work after another (for
+// how many, see REGIONS AND THREADS), from the thread that called paradt_triangulate.
+//   user  that of the options
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// fraction: 0..1, the part of the whole call's work that is done; an estimate that never falls, and 1 at the end. A
-// nonzero return cancels. With a parallel_for it is called from any of its threads, but never by two at a time. user:
-// that of the options.
+// Is told how far a call is. A nonzero return cancels it. With a parallel_for any of its threads makes the call, but
+// never two of them concurrently.
+//   user      that of the options
+//   fraction  0..1, the part of the whole call's work that is done: an estimate that never falls, and 1 at the end
 typedef int (*paradt_progress)(void *user, double fraction);
 
-// Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
+// Where memory comes from. Give both functions or neither. The threads of a parallel_for call them concurrently.
 typedef struct paradt_allocator {
-    void *(*alloc)(void *user, size_t size); // NULL: malloc; bytes, never 0; aligned as malloc does, or NULL on failure
+    void *(*alloc)(void *user, size_t size); // NULL: malloc; size: bytes, never 0; aligned as by malloc; NULL: no more
     void (*free)(void *user, void *memory);  // NULL: free; never called with NULL
     void *user;                              // handed to both
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;     // first coordinate of the first point; may be NULL when count is 0
-    size_t count;         // number of points
-    int dim;              // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;        // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar; // type of the coordinates; PARADT_F64
-    const void *weights; // weight of the first point, the square of a length, any sign; NULL: Delaunay, without weights
+    const void *data;            // first coordinate of the first point; may be NULL when count is 0
+    size_t count;                // number of points
+    int dim;                     // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;               // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar;        // type of the coordinates; PARADT_F64
+    const void *weights;         // weight of the first point, the square of a radius, any sign; NULL: without weights
     size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
     paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
@@ -510,7 +566,7 @@ typedef struct paradt_options {
     paradt_parallel_for parallel_for; // NULL: regions run one after another in the calling thread
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
-    size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
+    size_t memory_limit;              // bytes that a call may hold at any time; 0: no limit
     unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
@@ -520,24 +576,24 @@ typedef struct paradt_stats {
     uint64_t cells;                // cells of the triangulation
     uint64_t hull_facets;          // facets with a cell on one side only
     uint64_t duplicates;           // points at the place of another
-    uint64_t hidden;               // places of weighted points that are no vertex
+    uint64_t hidden;               // places of weighted points that are not vertices
     uint64_t distance_evaluations; // Delaunay distances computed by searches, in lanes of eight
     uint64_t grid_cells_visited;   // grid cells whose points were looked at
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
-    uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
+    uint64_t insphere_calls;       // in-sphere predicates; in 3D insertion those that cached spheres could not decide
     uint64_t exact_small;          // predicates settled in small integers, or found to be 0 by the filter on lattices
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
-    uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
+    uint64_t cells_recomputed;     // cells that regions made and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
-    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
-    double seconds_build;          // making cells, with regions joining them too
-    double seconds_finish;         // hidden points, translating indices
+    double seconds_build;          // making cells, and joining those of regions
+    double seconds_finish;         // finding hidden points, freeing memory
     double seconds;                // all of it
 } paradt_stats;
 
@@ -545,103 +601,116 @@ typedef struct paradt_triangulation {
     int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
     size_t cell_count;            // number of cells
     paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex, or its half-facet; -1: hull
+    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex; -1: hull; NULL: not wanted
     size_t point_count;           // number of points, as given
-    paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
+    paradt_index *representative; // [point_count] the point itself, or the one that stands for it; -1: hidden
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
-    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
+    const char *error_text;       // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
     paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
+// What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
 
-// Points in an array of doubles, or of floats: [count][dim], without weights. The compiler sees that the type is right.
-// Thread-safe.
+// Return points without weights that are tightly packed in an array: [count][dim]. The compiler checks that their type
+// is the right one. Thread-safe.
 PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
 PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
 
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
-//            0, but error_point, error_text and stats are filled.
-//   points   read during the call only.
-//   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
-// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+//   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
+//   are
+//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//   points   read during the call only
+//   options  NULL: the defaults
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
+// with its own `out`. Cost: sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
-// NULL and all zero are fine. Thread safety: as free.
+// Returns about how many bytes paradt_triangulate would hold at most if it were called with the same arguments: for
+// points spread evenly in all dimensions rather too many than too few, by up to a half in two and three dimensions and
+// up to twice beyond. Other points may take more. Of the points only count and dim matter; data may be NULL. Returns 0
+// where an argument is wrong. Thread-safe.
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
+
+// Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
+// -1. NULL, and a triangulation that is all zero, are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
 
-// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+// Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
 PARADT_DEF int paradt_version(void);
 
-// A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
+// Returns a sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
 
-// The method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
+// Returns the method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_method_string(paradt_method method);
 
 // Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
-// representatives, hidden points, dimension. PARADT_OK: it is. PARADT_ERROR_INVALID: it is not, and *fault says what
-// was found first.
-//   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
-//   points         those it was made of.
-//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags:
-//                  what neighbors hold. The rest is only checked.
-//   fault          NULL: not wanted. Says what is wrong with an argument, too.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
-// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+// representatives, hidden points, dimension. Returns PARADT_OK if it is. Returns PARADT_ERROR_INVALID if it is not, and
+// *fault says what was found first.
+//   triangulation  of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
+//   points         those that it was made from
+//   options        NULL: the defaults. allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags,
+//                  which says what neighbors hold. The rest is only checked.
+//   fault          NULL: not wanted. It says which argument is wrong, too.
+// Errors: INVALID; and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of concurrent calls. Cost: expected linear time. It shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
 
-// A hash of the set of cells as sets of point indices: the sum of paradt_hash_cell over the cells. It does not depend
-// on the order of cells and vertices, the size of indices, nor the machine, and needs no neighbours. Without cells it
-// is 0. Thread-safe. Cost: linear time.
+// Returns a hash of the set of cells, each as a set of point indices: the sum of paradt_hash_cell over the cells, 0
+// without cells. It depends neither on the order of cells and vertices nor on the size of indices or the machine, and
+// needs no neighbours. Thread-safe. Cost: linear time.
 PARADT_DEF uint64_t paradt_hash(const paradt_triangulation *triangulation);
 
-// The hash of one cell. vertices: [count] in any order; count: 0..PARADT_MAX_DIM + 1. For programs that hold the cells
-// in parts, or with other numbers: sums of the parts add up to the hash of the whole. Thread-safe.
+// Returns the hash of one cell. For programs that hold the cells in parts, or with other numbers: sums of the parts add
+// up to the hash of the whole. Thread-safe.
+//   vertices  [count] in any order
+//   count     0..PARADT_MAX_DIM + 1
 PARADT_DEF uint64_t paradt_hash_cell(const uint64_t *vertices, int count);
 
-// The predicates: exact for all finite doubles; others are undefined behaviour, and so is a dim out of
-// 2..PARADT_MAX_DIM. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. Each call costs a
-// pass over its arguments and the filter; the exact stages only when that can't decide.
+// The predicates are exact for all finite doubles. Other values, and a dim out of 2..PARADT_MAX_DIM, are undefined
+// behaviour. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. A call costs a pass over
+// its arguments and the filter; the exact stages only when the filter can not decide.
 
-// The sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1: positively
-// oriented, in the plane counterclockwise; 0: flat.
+// Returns the sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1:
+// positively oriented, in the plane counterclockwise; 0: flat.
 PARADT_DEF int paradt_orient(int dim, const double *const *points /* [dim + 1] */);
 
-// 1 when points[dim + 1] is inside of the sphere through the first dim + 1, which are positively oriented; 0 on it; -1
-// outside. With the first dim + 1 negatively oriented, the opposite. weights: NULL, or [dim + 2]; then inside means
-// below the hyperplane through the first dim + 1 when all are lifted to |x|^2 - weight (the power test).
+// Returns 1 when points[dim + 1] is inside the sphere through the first dim + 1 points, which are positively oriented;
+// 0 when it is on the sphere; -1 when it is outside. Where the first dim + 1 are negatively oriented, the opposite.
+//   weights  NULL, or [dim + 2]: then inside means below the hyperplane through the first dim + 1 when all are lifted
+//   to
+//            |x|^2 - weight (the power test)
 PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
-// The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
-// 1 points must be positively oriented, and none of them equal to points[dim + 1].
+// Returns the same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The
+// first dim + 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
-// The same for points of two and three dimensions that are given by their coordinates, also as floats: the sign of
-// paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q. Made to be called
-// by the million, as a walk does.
+// Return the signs of paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q,
+// in two and three dimensions, of doubles and floats. Coordinates instead of pointers to pointers, and much faster: for
+// programs that call them by the million, as a walk does.
 PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
-PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
 PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
 PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
                                 const double q[3]);
-PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
-PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
-PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
                                  const float q[3]);
+#endif
 
 #ifdef __cplusplus
 }
@@ -649,8 +718,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 
 #endif // PARADT_H
 
-// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each begins
-// with what it is for, what it relies on and where the idea comes from. Each uses only what stands above it.
+// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name". Each begins with
+// what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
+
+// READING THE IMPLEMENTATION
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -2545,20 +2616,9 @@ PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double
     return paradt__orient_few(p, 2);
 }
 
-PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
-    const double *p[] = {a, b, c, d};
-    return paradt__orient_few(p, 3);
-}
-
 PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
     const double *p[] = {a, b, c, q};
     return paradt__insphere_few(p, 2);
-}
-
-PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
-                                const double q[3]) {
-    const double *p[] = {a, b, c, d, q};
-    return paradt__insphere_few(p, 3);
 }
 
 // Points of floats as doubles
@@ -2586,18 +2646,30 @@ PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c
     return paradt__orient_few(w.points, 2);
 }
 
-PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
-    const float *p[] = {a, b, c, d};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 3);
-    return paradt__orient_few(w.points, 3);
-}
-
 PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
     const float *p[] = {a, b, c, q};
     paradt__widened w;
     paradt__widen_points(&w, p, 4, 2);
     return paradt__insphere_few(w.points, 2);
+}
+
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
 }
 
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
@@ -2607,6 +2679,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
     paradt__widen_points(&w, p, 5, 3);
     return paradt__insphere_few(w.points, 3);
 }
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
@@ -12037,6 +12110,44 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
         return PARADT_ERROR_TOO_LARGE;
     *text = NULL;
     return PARADT_OK;
+}
+
+// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    double each = (double)points->count / (double)work->regions;
+    int several = work->regions > 1;
+    if (first->front) {
+        if (points->dim == 2) return several ? 3.0 : 2.2;
+        return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
+    }
+    if (points->dim > 3) return several ? 5.0 : 2.0;
+    if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
+    if (!several) return 1.45;
+    if (work->one_by_one) return 1.2;
+    // Slices of the result that few points leave too empty are copied, so that both are held.
+    return each > 40000.0 ? 1.8 : each > 5000.0 ? 3.0 + 10000.0 / each : 5.0;
+}
+
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
+    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
+    paradt__work work;
+    paradt_points given;
+    const char *text;
+    double count, cells, bytes;
+    if (!points) return 0;
+    given = *points;
+    given.data = &given; // something
+    if (paradt__check_arguments(&given, options, &text)) return 0;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__plan(&work, &given);
+    count = (double)given.count;
+    cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
+    bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
+    bytes *= paradt__memory_factor(&work, &given);
+    if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    return (uint64_t)bytes + FIXED;
 }
 
 // Reads the points into the set.
