@@ -3105,8 +3105,8 @@ static int paradt__is_among(int number, const int *numbers, int count) {
     return count > 0;
 }
 
-// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the affine
-// hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
+// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the
+// affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
                                    const paradt__team *team) {
@@ -3342,9 +3342,10 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
-static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
-                                   int axis, const double *low, const double *high) {
+// Returns the coordinate at which to cut a box, above for the first half of `boxes`, one of which is to have `extra`
+// points more.
+static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                        int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
@@ -3366,7 +3367,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
     cut->axis = paradt__longest_axis(below, above, c->dim, 0);
-    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    cut->at = paradt__cutter_coordinate(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index position = c->order[i];
         c->order[i] = c->order[middle];
@@ -3418,13 +3419,14 @@ typedef struct paradt__loader {
     size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
     size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
-    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;               // bits of a key's first digit, at most
-    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;                // values that the first digit may have
+    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;   // [points.count]
+    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;         // bits of a key's first digit, at most
+    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;          // values that the first digit may have
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
@@ -3442,9 +3444,9 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
     paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
-// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
-// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+// Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
+// the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
+// its pages are touched only once.
 static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
@@ -3464,9 +3466,9 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
+    // that fill the records has as many new pages to touch.
+    loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
@@ -3635,11 +3637,11 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     return 1;
 }
 
-// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
-// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
-// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
-// 64 / levels passes.
+// Ends the sorting: points with equal keys are sorted again, until they differ or are known to be equal. On return a
+// key is 1 if the point equals the one before, else 0. The longest run is left to the loop, so that the recursion is no
+// deeper than the logarithm of count. If most points stay together pass after pass, the reason is a few distant points,
+// with others behind them, on scale after scale. After many such passes the lattice goes by steps from one double to
+// the next, which leaves at most 64 / levels passes.
 static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
                            size_t count) {
     enum { PASSES = 20 };
@@ -3708,9 +3710,9 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
-// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
-// all: measured on uniform points.
+// Returns how many points of the sample box 0 is to get more than other boxes. By insertion its region takes no points
+// of others and asks about no cell, which saves the work for some 2.2 times the points in a margin beside a cut through
+// all, as measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
     int64_t *keys = (int64_t *)(void *)loader->keyed;
@@ -3753,9 +3755,9 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
-// places if they lie on surfaces. Where they fill space they share more, but still few.
+// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
+// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
+// large a part of them share places. Where points fill space a larger part does, but still a small one.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -3806,7 +3808,7 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task.
 static void paradt__place_digits(const paradt__loader *loader) {
     size_t digit, task, before = 0;
     for (digit = 0; digit < loader->digits; digit++) {
@@ -3819,10 +3821,11 @@ static void paradt__place_digits(const paradt__loader *loader) {
     PARADT_ASSERT(before == loader->source->points.count);
 }
 
+// Scatters the keys of a task by their first digits, into the scratch buffer.
 static void paradt__scatter_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__keyed *keyed = loader->keyed;
-    paradt__keyed *other = loader->other;
+    paradt__keyed *scratch = loader->scratch;
     size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
@@ -3831,7 +3834,7 @@ static void paradt__scatter_task(void *context, size_t task) {
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
-        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+        scratch[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
     }
 }
 
@@ -3846,8 +3849,8 @@ static void paradt__sort_task(void *context, size_t task) {
         if (!count || ends[digit] <= first || ends[digit] > last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+        paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->scratch + begin, count);
     }
 }
 
@@ -3874,6 +3877,7 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
+// Reads the records of a task's positions, and counts those that repeat the one before.
 static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
