@@ -402,7 +402,11 @@ extern "C" {
 #endif
 
 #define PARADT_VERSION 100 // major * 10000 + minor * 100 + patch
-#define PARADT_MAX_DIM 8
+#ifndef PARADT_MAX_DIM
+#define PARADT_MAX_DIM 8 // the largest dimension, 2..8; code for larger ones is not compiled
+#elif PARADT_MAX_DIM < 2 || PARADT_MAX_DIM > 8
+#error "PARADT_MAX_DIM must be 2 to 8"
+#endif
 
 #ifdef PARADT_INDEX64
 #define PARADT__IS_INDEX64
@@ -921,11 +925,30 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
 // shifts of negative integers are taken to be arithmetic, as all compilers have them.
 
+// X(d) for each dimension that the implementation is compiled for
+#if PARADT_MAX_DIM == 2
+#define PARADT__DIMENSIONS(X) X(2)
+#elif PARADT_MAX_DIM == 3
+#define PARADT__DIMENSIONS(X) X(2) X(3)
+#elif PARADT_MAX_DIM == 4
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4)
+#elif PARADT_MAX_DIM == 5
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5)
+#elif PARADT_MAX_DIM == 6
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6)
+#elif PARADT_MAX_DIM == 7
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7)
+#else
+#define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
+#endif
+
 // The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL _Pragma("GCC unroll 10")
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
 #else
 #define PARADT__UNROLL
+#define PARADT__UNROLL_4
 #endif
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
@@ -1084,6 +1107,27 @@ PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const para
             PARADT__UNROLL
         for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
     }
+}
+
+// The same with numbers of any length
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
 }
 
 // sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
@@ -1817,20 +1861,16 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
-    PARADT__UNROLL
     for (int i = 0; i <= q->n; i++) {
         const double *x = i < q->n ? q->row[i] : q->base;
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) {
             uint64_t doubled = paradt__bits(x[j]) << 1; // without the sign
             top = doubled > top ? doubled : top;
         }
     }
     f->unit = paradt__max((int)(top >> 53), 1) - 1022 - 59; // coordinates are below 2^(biased exponent - 1022)
-    PARADT__UNROLL
     for (int j = 0; j < columns; j++) {
         int64_t base = paradt__fix(q->base[j], f->unit, &lost);
-        PARADT__UNROLL
         for (int i = 0; i < q->n; i++) {
             int64_t x = f->x[i][j] = paradt__fix(q->row[i][j], f->unit, &lost) - base;
             any |= (uint64_t)x;
@@ -1841,9 +1881,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
     spare = any ? paradt__trailing_zeros(any) : 0;
     spare = paradt__min(spare, (weights->unit - (weights->unit & 1)) / 2 - f->unit);
     if (spare < 0) return 0;
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) f->x[i][j] >>= spare;
     }
     f->unit += spare;
@@ -1865,10 +1903,8 @@ PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, co
 
 // Fills f->lift, which must fit in wide integers.
 PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
-        PARADT__UNROLL
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
         for (int side = 0; side < 2 && q->weighted; side++) {
             double w = side ? q->base[q->d] : q->row[i][q->d];
@@ -1899,7 +1935,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
 }
 
 // The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
-static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
+PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
     for (unsigned mask = 1; mask < 1u << n; mask++) {
@@ -1991,31 +2027,31 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__INLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
-                                      const paradt__layout *y) {
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
+                                        const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
         int used = 8; // weights add less than so many products
-        if (lifted) paradt__clear(lift, y->lift_digits);
+        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                paradt__clear(sum, y->digits);
+                memset(sum, 0, (size_t)y->digits * sizeof *sum);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
-                paradt__store(x, sum, y->digits);
+                paradt__store_any(x, sum, y->digits);
             }
             if (j < q->k) out += y->digits;
             if (!lifted) continue;
             paradt__make_room(lift, y->lift_digits, &used, y->digits);
-            paradt__multiply_add(lift + offset, 1, x, y->digits, x, y->digits);
+            paradt__multiply_add_any(lift + offset, 1, x, y->digits, x, y->digits);
         }
         if (!lifted) continue;
         if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
-        paradt__store(out, lift, y->lift_digits);
+        paradt__store_any(out, lift, y->lift_digits);
         out += y->lift_digits;
     }
 }
@@ -2069,7 +2105,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            paradt__clear(sum, length);
+            memset(sum, 0, (size_t)length * sizeof *sum);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2079,9 +2115,9 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
                 }
                 const paradt__digit *minor = from + place[mask ^ 1u << i] * previous;
                 paradt__make_room(sum, length, &used, paradt__min(entry_digits, previous));
-                paradt__multiply_add(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
+                paradt__multiply_add_any(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
             }
-            paradt__store(to + count * length, sum, length);
+            paradt__store_any(to + count * length, sum, length);
             place[mask] = (uint16_t)count++;
         }
         previous = length;
@@ -2098,7 +2134,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    paradt__clear(sum, digits);
+    memset(sum, 0, (size_t)digits * sizeof *sum);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2107,9 +2143,9 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         m->first = half;
         const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
         paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
-        paradt__multiply_add(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+        paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
-    paradt__store(work, sum, digits);
+    paradt__store_any(work, sum, digits);
     return paradt__sign(work, digits);
 }
 
@@ -2122,8 +2158,8 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
-                                   paradt__wide *sum, int whole) {
+PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
+                                     paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2155,44 +2191,49 @@ PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__
 //   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
 //          (below 2^122) 2^62, sums of four products of them below 2^126.7
 //   w = 2  numbers of 117 bits, all digits balanced
+// p[2 w] = the determinant of the first two columns of two rows
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    paradt__wide sum[4];
+    paradt__clear(sum, 2 * w);
+    paradt__multiply_add(sum, 1, a, w, b + w, w);
+    paradt__multiply_add(sum, -1, b, w, a + w, w);
+    paradt__store(p, sum, 2 * w);
+}
+
+// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    paradt__wide sum[8];
+    paradt__clear(sum, 2 * w + third);
+    paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
+    paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
+    paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
+    paradt__store(t, sum, 2 * w + third);
+}
+
+// w: a constant
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
-    const int stride = k * w + (n > k ? 2 * w : 0), third = k > 2 ? w : 2 * w;
-    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = n > 2 ? x1 + stride : x0, *x3 = n > 3 ? x2 + stride : x0;
+    const int stride = k * w + (n > k ? 2 * w : 0);
+    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
     paradt__digit p01[4], p02[4], p12[4], p03[4], p13[4], p23[4], t012[8], t013[8], t023[8], t123[8], det[10];
     paradt__wide sum[10];
-// p = the determinant of the first two columns of two rows; t = of three rows, by those of two
-#define PARADT__PAIR(p, a, b)                                                                                          \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w);                                                                                     \
-        paradt__multiply_add(sum, 1, a, w, b + w, w);                                                                  \
-        paradt__multiply_add(sum, -1, b, w, a + w, w);                                                                 \
-        paradt__store(p, sum, 2 * w);                                                                                  \
-    } while (0)
-#define PARADT__TRIPLE(t, a, pbc, b, pac, c, pab)                                                                      \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w + third);                                                                             \
-        paradt__multiply_add(sum, 1, a + 2 * w, third, pbc, 2 * w);                                                    \
-        paradt__multiply_add(sum, -1, b + 2 * w, third, pac, 2 * w);                                                   \
-        paradt__multiply_add(sum, 1, c + 2 * w, third, pab, 2 * w);                                                    \
-        paradt__store(t, sum, 2 * w + third);                                                                          \
-    } while (0)
-    PARADT__PAIR(p01, x0, x1);
+    paradt__fixed_pair(p01, x0, x1, w);
     if (n == 2) return paradt__sign(p01, 2 * w);
-    PARADT__PAIR(p02, x0, x2);
-    PARADT__PAIR(p12, x1, x2);
-    if (n == 3) {
-        PARADT__TRIPLE(det, x0, p12, x1, p02, x2, p01);
-        return paradt__sign(det, 2 * w + third);
+    paradt__fixed_pair(p02, x0, x2, w);
+    paradt__fixed_pair(p12, x1, x2, w);
+    if (n == 3 && k == 2) {
+        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        return paradt__sign(t012, 4 * w);
     }
-    PARADT__PAIR(p03, x0, x3);
-    PARADT__PAIR(p13, x1, x3);
-    PARADT__PAIR(p23, x2, x3);
-    PARADT__TRIPLE(t123, x1, p23, x2, p13, x3, p12);
-    PARADT__TRIPLE(t023, x0, p23, x2, p03, x3, p02);
-    PARADT__TRIPLE(t013, x0, p13, x1, p03, x3, p01);
-    PARADT__TRIPLE(t012, x0, p12, x1, p02, x2, p01);
-#undef PARADT__PAIR
-#undef PARADT__TRIPLE
+    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    if (n == 3) return paradt__sign(t012, 3 * w);
+    paradt__fixed_pair(p03, x0, x3, w);
+    paradt__fixed_pair(p13, x1, x3, w);
+    paradt__fixed_pair(p23, x2, x3, w);
+    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2221,13 +2262,28 @@ PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, int n, int k) {
-    paradt__digit rows[4 * 10 + 2];
-    paradt__wide sum[6];
-    y->digits = 2;
-    y->lift_digits = 4;
-    paradt__load_rows(rows, sum, q, y);
-    return paradt__fixed_sign(rows, n, k, 2);
+// Rows of two digits a coordinate and four a lift
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q, const paradt__layout *y) {
+    const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
+    for (int i = 0; i < q->n; i++) {
+        paradt__wide lift[4] = {0};
+        for (int j = 0; j < (lifted ? q->d : q->k); j++) {
+            paradt__digit x[2];
+            paradt__short_difference(x, 2, q->row[i][j], q->base[j], y->unit);
+            if (j < q->k) *out++ = x[0], *out++ = x[1];
+            if (lifted) paradt__multiply_add(lift + offset, 1, x, 2, x, 2);
+        }
+        if (!lifted) continue;
+        if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
+        paradt__store(out, lift, 4);
+        out += 4;
+    }
+}
+
+PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layout *y) {
+    paradt__digit rows[4 * 10];
+    paradt__load_two(rows, q, y);
+    return paradt__fixed_sign(rows, q->n, q->k, 2);
 }
 #endif
 
@@ -2258,7 +2314,7 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
 #ifdef __SIZEOF_INT128__
     if (few && paradt__two_fit(&y, n, k)) {
         s->counters.exact_fixed++;
-        return paradt__fixed_two(&q, &y, n, k);
+        return paradt__fixed_two(&q, &y);
     }
 #endif
     s->counters.exact_general++;
@@ -4246,126 +4302,663 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>cells and the active face list
+// >>mesh
 //
-// Cells are stored as they are made. A facet is named by its handle: (dim + 1) * cell + i is the facet of `cell`
-// opposite its vertex i. A facet is active while the cell on its other side is not known. The active face list (AFL) is
-// a hash table with chains, keyed by the facet's vertices. The chain is chosen by the smallest vertex, so that facets
-// close to each other in grid order are close in memory too: the front moves over the table as it moves over the
-// points. The rest of the key, a sum over the vertices that does not depend on their order, spreads the facets of one
-// vertex where there are many (in high dimension), and tells facets in a chain apart. The table itself says where to go
-// on: at its lowest chain. Work lists, for methods with an order of their own, are linked lists of handles; a facet
-// that was matched meanwhile stays in its list and is passed over when it comes up. Doors: paradt__cells_*,
-// paradt__active_*, paradt__list_*.
+// The triangulation, whoever builds it: its cells, how they hang together, which places are free. All methods build
+// one, the result is delivered from one, and every construction on a triangulation starts from one.
+//
+// A cell has a place, a row of `corners` vertices and a row of as many links. `corners` is the mesh's own number. The
+// facet opposite vertex i of the cell at a place is named by its handle, corners * place + i. So a handle is a
+// half-facet: a facet as one of its two cells sees it. Its link is the mirror, the handle of the same facet as the
+// other cell sees it. Two cells with the facet b c d in common, corners = 4:
+//
+//     place       0            1
+//     vertices    a  b  c  d   d  c  e  b
+//     handles     0  1  2  3   4  5  6  7
+//     links       6  .  .  .   .  .  0  .        links[0] = 6, links[6] = 0: the facet b c d, twice
+//
+// A link is PARADT__HULL where the hull has no cell on the other side, and PARADT__OPEN where that cell is not known.
+// A mesh may be closed: then ghosts stand on the hull's facets, cells with the vertex PARADT__INFINITE in the place of
+// a point beyond the facet, and no link is negative. Inside and outside are one case so.
+//
+// What holds between two changes, and what paradt__mesh_verify checks in debug builds:
+//     - links[links[handle]] is the handle;
+//     - the two handles of a facet name the same vertices, and the cells see it with opposite orientation;
+//     - a ghost has one infinite vertex;
+//     - a place that is free has PARADT__DEAD for its first vertex, and stands once in `spare`, unless the mesh is
+//     about
+//       to be compacted: then dead places stand in no list.
+// Marks are bits of a cell; each has one owner, who clears it.
+//
+// The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
+// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
+// paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row, PARADT__VERIFY,
+// PARADT__VERIFY_SMALL.
 
-// A position that no point of a set has
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX))
+#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
-typedef struct paradt__cells {
-    int corners;             // dim + 1
-    size_t count, capacity;  // cells
-    paradt_index *vertices;  // [capacity][corners]
-    paradt_index *neighbors; // [capacity][corners]
-    int lent;                // the arrays are parts of others: left behind when more room is needed, and not freed
-} paradt__cells;
-
+// Links that are no handles
 enum {
     PARADT__HULL = -1, // no cell on the other side
     PARADT__OPEN = -2  // the cell on the other side is not known
 };
 
-typedef struct paradt__slot { // of an open-addressed table of facets
-    uint32_t key;
-    paradt_index handle; // PARADT__OPEN: free
-} paradt__slot;
+// Vertices that are no positions
+enum {
+    PARADT__INFINITE = -1, // that of ghosts
+    PARADT__DEAD = -3      // the first vertex at a free place
+};
 
-typedef struct paradt__link {
-    paradt_index handle, next;
-    paradt_index smallest; // vertex of the facet
-    uint32_t key;
-} paradt__link;
+// Marks of a cell
+enum {
+    PARADT__CONFLICT = 1, // in conflict with the point that is being inserted
+    PARADT__WAITING = 2,  // in the list of cells to be asked about
+    PARADT__ASKED = 4,    // known to be one of T(P)
+    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
+    PARADT__DROPPED = 16, // not kept in the end; used by ranks
+    PARADT__WRONG = 32    // in the list of cells that are not of T(P)
+};
 
-typedef struct paradt__active {
-    paradt_index *heads; // [mask + 1] first link of each chain, or PARADT__OPEN
-    paradt__link *links;
-    size_t mask, capacity;
-    paradt_index fresh, spare; // first link never used, first one given back
-    int spread;                // a vertex has 2^spread chains
-    size_t lowest;             // the chains before it are empty
-    size_t count, peak;        // active facets
-} paradt__active;
+#ifdef PARADT_INDEX64
+typedef uint64_t paradt__tag;
+#else
+typedef uint32_t paradt__tag; // an index without its sign: comparing two in one step, dividing by shifts
+#endif
 
-typedef struct paradt__node {
-    paradt_index handle, next;
-} paradt__node;
+// Whether four indices fit into a register that every processor of the kind has
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#define PARADT__FOUR_AT_ONCE 1
+#else
+#define PARADT__FOUR_AT_ONCE 0
+#endif
 
-typedef struct paradt__lists {
-    paradt__node *nodes;
-    size_t capacity;
-    paradt_index fresh, spare; // first node never used, first node given back
-} paradt__lists;
+typedef struct paradt__mesh {
+    int corners;            // vertices a cell
+    size_t count, capacity; // places in use or free; places that there is memory for
+    paradt_index *vertices; // [capacity][corners]
+    paradt_index *links;    // [capacity][corners] handles of the mirrors
+    int lent;             // vertices and links are parts of others' arrays: left behind when the mesh grows, not freed
+    int marked;           // there are marks
+    unsigned char *marks; // [capacity] bits; 0 at first
+    size_t paged;         // places whose rows have their pages already
+    paradt_index *spare;  // [spare_capacity] free places
+    size_t spare_count, spare_capacity;
+} paradt__mesh;
 
-static void paradt__cells_free(paradt__cells *cells, paradt__memory *memory) {
-    if (!cells->lent) {
-        paradt__release(memory, cells->vertices);
-        paradt__release(memory, cells->neighbors);
-    }
-    memset(cells, 0, sizeof *cells);
+// --- how many cells to expect
+
+// Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
+// the Poisson-Delaunay mosaic); near the hull there are fewer.
+static double paradt__cells_a_point(int dim) {
+    static const double mean[] = {1.0, 1.0, 2.0, 6.7677, 31.78, 186.1, 1297.0, 10470.0, 96000.0};
+    return mean[dim];
 }
 
-// Arrays of its own in the place of lent ones
-static paradt_status paradt__cells_own(paradt__cells *cells, size_t capacity, paradt__memory *memory) {
-    paradt__cells own = *cells;
-    size_t used = cells->count * (size_t)cells->corners * sizeof(paradt_index);
-    own.vertices = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
-    own.neighbors = (paradt_index *)paradt__alloc(memory, capacity * (size_t)cells->corners, sizeof(paradt_index));
-    own.capacity = capacity;
-    own.lent = 0;
-    if (!own.vertices || !own.neighbors) {
-        paradt__cells_free(&own, memory);
-        return PARADT_ERROR_MEMORY;
-    }
-    if (used) {
-        memcpy(own.vertices, cells->vertices, used);
-        memcpy(own.neighbors, cells->neighbors, used);
-    }
-    *cells = own;
+// The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
+// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
+// eight.
+static double paradt__off_hull(double points, int dim) {
+    double layer = pow(points + 1.0, -1.0 / dim);
+    return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
+}
+
+// Places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
+static size_t paradt__expected_places(size_t count, int dim) {
+    return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
+}
+
+// --- memory
+
+// Room for `count` elements in a list of which `used` are in use
+static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                       paradt__memory *memory) {
+    void *array = *list;
+    size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
+    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
+    if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
+    *list = (paradt_index *)array;
+    *capacity = larger;
     return PARADT_OK;
 }
 
-// How many cells have facets that can be numbered
+static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
+    memset(mesh, 0, sizeof *mesh);
+    mesh->corners = corners;
+    mesh->marked = marked;
+}
+
+// Frees what only changes need: marks and the list of free places.
+static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__release(memory, mesh->marks);
+    paradt__release(memory, mesh->spare);
+    mesh->marks = NULL;
+    mesh->spare = NULL;
+    mesh->spare_count = mesh->spare_capacity = 0;
+}
+
+static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__mesh_rest(mesh, memory);
+    if (!mesh->lent) {
+        paradt__release(memory, mesh->vertices);
+        paradt__release(memory, mesh->links);
+    }
+    memset(mesh, 0, sizeof *mesh);
+}
+
+// The most cells whose facets can be numbered
 static size_t paradt__most_cells(int corners) {
     return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
 }
 
-// Makes room for the cells that are needed, and for as many as are wanted if these can be numbered.
-static paradt_status paradt__cells_reserve(paradt__cells *cells, size_t needed, size_t wanted, paradt__memory *memory) {
-    size_t corners = (size_t)cells->corners, used = cells->count * corners, most = paradt__most_cells(cells->corners);
+// Replaces one of the two arrays of rows by a larger one.
+static paradt_status paradt__mesh_grow_rows(const paradt__mesh *mesh, paradt_index **rows, size_t capacity,
+                                            paradt__memory *memory) {
+    size_t corners = (size_t)mesh->corners, used = mesh->count * corners;
+    void *array = mesh->lent ? NULL : *rows;
+    if (!paradt__grow(memory, &array, mesh->lent ? 0 : used, capacity * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    if (mesh->lent && used) memcpy(array, *rows, used * sizeof(paradt_index));
+    *rows = (paradt_index *)array;
+    return PARADT_OK;
+}
+
+// Makes room for `needed` places, and for as many as are wanted if these can be numbered.
+static paradt_status paradt__mesh_reserve(paradt__mesh *mesh, size_t needed, size_t wanted, paradt__memory *memory) {
+    size_t before = mesh->capacity, most = paradt__most_cells(mesh->corners);
     size_t capacity = wanted < needed ? needed : wanted < most ? wanted : most;
-    void *array = cells->vertices;
+    paradt_index *vertices = mesh->vertices, *links = mesh->links;
+    void *marks = mesh->marks;
+    paradt_status status;
     if (needed > most) return PARADT_ERROR_TOO_LARGE;
-    if (cells->lent) return paradt__cells_own(cells, capacity, memory);
-    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)array;
-    array = cells->neighbors;
-    if (!paradt__grow(memory, &array, used, capacity * corners, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-    cells->neighbors = (paradt_index *)array;
-    cells->capacity = capacity;
+    status = paradt__mesh_grow_rows(mesh, &vertices, capacity, memory);
+    if (status) return status;
+    if (!mesh->lent) mesh->vertices = vertices;
+    status = paradt__mesh_grow_rows(mesh, &links, capacity, memory);
+    if (status) {
+        if (mesh->lent) paradt__release(memory, vertices);
+        return status;
+    }
+    mesh->vertices = vertices;
+    mesh->links = links;
+    mesh->lent = 0;
+    mesh->capacity = capacity;
+    mesh->paged = mesh->count;
+    if (!mesh->marked) return PARADT_OK;
+    if (!paradt__grow(memory, &marks, before, capacity, 1)) {
+        mesh->capacity = before; // of the marks: nothing reads rows behind that
+        return PARADT_ERROR_MEMORY;
+    }
+    mesh->marks = (unsigned char *)marks;
+    paradt__make_pages(mesh->marks, before, capacity);
+    memset(mesh->marks + before, 0, capacity - before);
     return PARADT_OK;
 }
 
 // Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
-PARADT__INLINE paradt_status paradt__cells_room(paradt__cells *cells, paradt__memory *memory) {
-    if (PARADT__LIKELY(cells->count < cells->capacity)) return PARADT_OK;
-    return paradt__cells_reserve(cells, cells->count + 1, cells->capacity + cells->capacity / 4 + 64, memory);
+PARADT__INLINE paradt_status paradt__mesh_room(paradt__mesh *mesh, paradt__memory *memory) {
+    if (PARADT__LIKELY(mesh->count < mesh->capacity)) return PARADT_OK;
+    return paradt__mesh_reserve(mesh, mesh->count + 1, mesh->capacity + mesh->capacity / 4 + 64, memory);
 }
+
+// Lends an empty mesh rows of other arrays. Its marks, which are its own, are not cleared yet.
+static paradt_status paradt__mesh_lend(paradt__mesh *mesh, paradt_index *vertices, paradt_index *links, size_t capacity,
+                                       paradt__memory *memory) {
+    PARADT_ASSERT(!mesh->count && !mesh->vertices);
+    mesh->marks = (unsigned char *)paradt__alloc(memory, capacity, 1);
+    if (!mesh->marks) return PARADT_ERROR_MEMORY;
+    mesh->vertices = vertices;
+    mesh->links = links;
+    mesh->capacity = capacity;
+    mesh->lent = 1;
+    return PARADT_OK;
+}
+
+// Makes the pages of the marks that came with lent rows, and clears them. By the thread that is going to use them.
+static void paradt__mesh_clear_marks(paradt__mesh *mesh) {
+    paradt__make_pages(mesh->marks, 0, mesh->capacity);
+    memset(mesh->marks, 0, mesh->capacity);
+}
+
+// Makes the pages of some more rows than are needed. The last page may lie behind them in part; then it is not made
+// now, and the cells on it do not count as paged.
+static void paradt__mesh_make_pages(paradt__mesh *mesh, size_t needed) {
+    enum { AHEAD = 1 << 17 }; // bytes
+    size_t row = (size_t)mesh->corners * sizeof(paradt_index), end = needed + AHEAD / row + PARADT__PAGE / row;
+    if (end > mesh->capacity) end = mesh->capacity;
+    paradt__make_pages(mesh->vertices, mesh->paged * row, end * row);
+    paradt__make_pages(mesh->links, mesh->paged * row, end * row);
+    mesh->paged = end < mesh->capacity ? end - PARADT__PAGE / row : end;
+}
+
+// --- cells, facets, ghosts
+
+// The place of the cell that a handle's facet belongs to. Divisions by what is not a constant are slow.
+PARADT__INLINE paradt_index paradt__mesh_cell(const paradt__mesh *mesh, paradt_index handle) {
+    return mesh->corners == 4 ? handle >> 2 : handle / mesh->corners;
+}
+
+// The vertices of the cell at a place
+PARADT__INLINE const paradt_index *paradt__mesh_row(const paradt__mesh *mesh, paradt_index place) {
+    PARADT_ASSERT(place >= 0 && (size_t)place < mesh->count);
+    return mesh->vertices + (size_t)place * (size_t)mesh->corners;
+}
+
+// Ties two half-facets to each other.
+PARADT__INLINE void paradt__mesh_tie(paradt__mesh *mesh, paradt_index a, paradt_index b) {
+    mesh->links[a] = b;
+    mesh->links[b] = a;
+}
+
+// Takes a place for a new cell: a free one, or the next.
+PARADT__INLINE paradt_index paradt__mesh_take(paradt__mesh *mesh) {
+    PARADT_ASSERT(mesh->spare_count || mesh->count < mesh->capacity);
+    if (mesh->spare_count) return mesh->spare[--mesh->spare_count];
+    return (paradt_index)mesh->count++;
+}
+
+// Makes sure that so many places can be given back.
+static paradt_status paradt__mesh_spare_room(paradt__mesh *mesh, size_t count, paradt__memory *memory) {
+    return paradt__list_room(&mesh->spare, mesh->spare_count, &mesh->spare_capacity, mesh->spare_count + count, memory);
+}
+
+// Gives the place of a cell back; there is room for it in the list.
+PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, size_t corners) {
+    mesh->vertices[(size_t)place * corners] = PARADT__DEAD;
+    mesh->spare[mesh->spare_count++] = place;
+}
+
+// Number of the vertices of a cell or ghost that are in [0, end)
+PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
+    int count = 0;
+    size_t i;
+    for (i = 0; i < corners; i++) count += (paradt__tag)vertices[i] < (paradt__tag)end;
+    return count;
+}
+
+// Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
+PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
+                                          paradt_index end) {
+    paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
+    int i, among = 1;
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        const __m128i sign = _mm_set1_epi32(INT32_MIN), most = _mm_set1_epi32((int)(span ^ (paradt__tag)INT32_MIN));
+        __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
+        return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
+    }
+#else
+    if (corners == 4) {
+        return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
+               ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
+    }
+#endif
+    for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
+    return among;
+}
+
+// Is there a cell, neither a ghost nor a free place?
+PARADT__INLINE int paradt__is_finite_cell(const paradt_index *vertices, int corners) {
+    return paradt__vertices_among(vertices, corners, 0, PARADT__NOWHERE);
+}
+
+// The place of the infinite vertex in the cell, or -1: it is no ghost
+PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
+    int i;
+    for (i = 0; i < corners; i++) {
+        if (cell[i] == PARADT__INFINITE) return i;
+    }
+    return -1;
+}
+
+// The vertices of the facet opposite `opposite`, in the cell's order.
+PARADT__INLINE void paradt__facet_without(const paradt_index *cell, int corners, int opposite, paradt_index *facet) {
+    int i, count = 0;
+    for (i = 0; i < corners; i++) {
+        if (i != opposite) facet[count++] = cell[i];
+    }
+}
+
+// Do two handles, each of a mesh of its own, name the same set of vertices?
+PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index a, const paradt_index *others,
+                                      paradt_index b, int corners) {
+    int skip_a = (int)(a % corners), skip_b = (int)(b % corners), i, j, missing = 0;
+    const paradt_index *x = vertices + (a - skip_a), *y = others + (b - skip_b);
+    for (i = 0; i < corners; i++) {
+        int met = i == skip_a;
+        for (j = 0; j < corners; j++) met |= (y[j] == x[i]) & (j != skip_b);
+        missing |= !met;
+    }
+    return !missing;
+}
+
+// --- the star of a vertex
+
+enum {
+    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
+    PARADT__STAR_PLACES = 512
+};
+
+typedef struct paradt__star {
+    size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
+    paradt_index handles[PARADT__STAR_CELLS + PARADT_MAX_DIM + 1]; // of the facet by which each cell was entered
+    paradt_index table[PARADT__STAR_PLACES];                       // places of the cells, hashed; -1: free
+} paradt__star;
+
+// Adds the cell of a handle, unless the star has it.
+PARADT__INLINE void paradt__star_add(paradt__star *star, paradt_index handle, paradt_index cell) {
+    size_t at = (uint32_t)cell * 0x9E3779B1u >> 23;
+    for (; star->table[at] != cell; at = (at + 1) % PARADT__STAR_PLACES) {
+        if (star->table[at] >= 0) continue;
+        star->table[at] = cell;
+        star->handles[star->count++] = handle;
+        return;
+    }
+}
+
+// Collects the cells and ghosts around a vertex of the cell at `first`, through the facets that have the vertex. The
+// first is entered by the facet opposite its first other vertex; every vertex of the star but the first cell's stands
+// opposite to an entry.
+static void paradt__star_of(const paradt__mesh *mesh, paradt_index first, paradt_index vertex, paradt__star *star) {
+    paradt_index corners = mesh->corners, base = first * corners, i;
+    size_t next;
+    star->count = 0;
+    memset(star->table, -1, sizeof star->table);
+    paradt__star_add(star, base + (mesh->vertices[base] == vertex), first);
+    for (next = 0; next < star->count && star->count <= PARADT__STAR_CELLS; next++) {
+        base = star->handles[next] - star->handles[next] % corners;
+        for (i = base; i < base + corners; i++) {
+            PARADT_ASSERT(mesh->links[i] >= 0);
+            if (mesh->vertices[i] != vertex) paradt__star_add(star, mesh->links[i], mesh->links[i] / corners);
+        }
+    }
+}
+
+// --- compacting and closing
+
+// Fetches the row of a place ahead of its use, of vertices and links.
+PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *links, size_t row,
+                                      size_t corners) {
+    PARADT__FETCH(vertices, row * corners);
+    PARADT__FETCH(links, row * corners);
+}
+
+// Passes over all cells ask for rows so far ahead: processors do that themselves, but only within a page.
+enum { PARADT__ROWS_AHEAD = 128 };
+
+// Fetches the row of a place that comes soon in a list.
+PARADT__INLINE void paradt__mesh_fetch_listed(const paradt__mesh *mesh, const paradt_index *list, size_t count,
+                                              size_t at) {
+    enum { AHEAD = 8 };
+    if (at + AHEAD < count)
+        paradt__fetch_row(mesh->vertices, mesh->links, (size_t)list[at + AHEAD], (size_t)mesh->corners);
+}
+
+// Drops the cell at a place that is to be compacted away. Its mirrors become `becomes`: PARADT__OPEN or PARADT__HULL.
+PARADT__INLINE void paradt__mesh_drop(const paradt__mesh *mesh, size_t place, size_t corners, paradt_index becomes) {
+    const paradt_index *links = mesh->links + place * corners;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        if (links[j] >= 0) mesh->links[links[j]] = becomes; // else the cell there was dropped before
+    }
+    mesh->vertices[place * corners] = PARADT__DEAD;
+}
+
+// Drops the ghost at a place, if there is one: its facet becomes the hull's. Returns whether a cell is there.
+PARADT__INLINE int paradt__mesh_keeps(const paradt__mesh *mesh, size_t place, size_t corners, uint64_t *ghosts) {
+    paradt_index *vertices = mesh->vertices + place * corners;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mesh->links[mesh->links[place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)]] = PARADT__HULL;
+    vertices[0] = PARADT__DEAD;
+    ++*ghosts;
+    return 0;
+}
+
+// Moves a cell to a free place before it. Rows before `numbered` have been emitted with numbers for links. As a rule
+// the cells just before this one are moved next: their neighbours, which are anywhere, are fetched ahead.
+PARADT__INLINE void paradt__mesh_move(const paradt__mesh *mesh, size_t place, size_t from, size_t corners,
+                                      size_t numbered) {
+    enum { AHEAD = 8 };
+    paradt_index *vertices = mesh->vertices, *links = mesh->links;
+    const paradt_index *soon = links + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
+    size_t j;
+    for (j = 0; j < corners; j++) PARADT__FETCH(links, soon[j]);
+    memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
+    memcpy(links + place * corners, links + from * corners, corners * sizeof *links);
+    for (j = 0; j < corners; j++) {
+        paradt_index mirror = links[place * corners + j];
+        if (mirror >= 0)
+            links[mirror] = (paradt_index)((size_t)mirror < numbered * corners ? place : place * corners + j);
+    }
+}
+
+// Fills those of the listed places that are dead and below mesh->count, which is the number of cells already, with the
+// last cells. end: where these end. Returns where they end afterwards.
+PARADT__INLINE size_t paradt__mesh_fill_listed(const paradt__mesh *mesh, const paradt_index *places, size_t count,
+                                               size_t end, size_t corners) {
+    size_t i;
+    for (i = 0; i < count; i++) {
+        size_t place = (size_t)places[i];
+        if (place >= mesh->count || mesh->vertices[place * corners] != PARADT__DEAD) continue;
+        do end--;
+        while (mesh->vertices[end * corners] == PARADT__DEAD);
+        paradt__mesh_move(mesh, place, end, corners, 0);
+    }
+    return end;
+}
+
+static void paradt__mesh_fill_gaps(const paradt__mesh *mesh, const paradt_index *places, size_t count, size_t *end) {
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    if (copy.corners == 4) *end = paradt__mesh_fill_listed(&copy, places, count, *end, 4);
+    else *end = paradt__mesh_fill_listed(&copy, places, count, *end, (size_t)copy.corners);
+}
+
+// Where the rows of emitted cells go, and in what form
+typedef struct paradt__rows {
+    paradt_index *vertices, *links;
+    paradt_index offset; // what is added to a link for the cells before these
+    int divisor, shift;  // a handle divided by that, or with four corners shifted, is the link that is wanted
+} paradt__rows;
+
+// Rows for cells of the mesh from number `first` on. facets: links remain half-facets; else they become the numbers of
+// the cells on the other side.
+static paradt__rows paradt__mesh_rows(int corners, int facets, paradt_index *vertices, paradt_index *links,
+                                      size_t first) {
+    paradt__rows to;
+    to.vertices = vertices;
+    to.links = links;
+    to.offset = (paradt_index)(facets ? first * (size_t)corners : first);
+    to.divisor = facets ? 1 : corners;
+    to.shift = facets ? 0 : 2;
+    return to;
+}
+
+// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: not). Returns whether a
+// facet of it has no mirror.
+PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place, size_t corners,
+                                         const paradt_index *origin, const paradt__rows *to) {
+    const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
+    paradt_index *new_vertices = to->vertices + place * corners, *new_links = to->links + place * corners, any = 0;
+    size_t j;
+    paradt__fetch_row(mesh->vertices, mesh->links, place + PARADT__ROWS_AHEAD, corners);
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)links), bare = _mm_srai_epi32(handles, 31);
+        __m128i mirrors = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
+        mirrors = _mm_add_epi32(mirrors, _mm_set1_epi32(to->offset));
+        any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
+        _mm_storeu_si128((__m128i *)(void *)new_links,
+                         _mm_or_si128(_mm_and_si128(bare, handles), _mm_andnot_si128(bare, mirrors)));
+    } else
+#endif
+        for (j = 0; j < corners; j++) {
+            paradt_index handle = links[j];
+            any |= handle;
+            new_links[j] =
+                handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor) + to->offset;
+        }
+    for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
+    return any < 0;
+}
+
+// Drops the ghosts, closes the gaps from the end, and emits the cells in place: links in the form that is wanted,
+// vertices translated by `origin`. All in one pass, for the cells don't fit into a cache. Returns the number of ghosts.
+PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_index *origin, int facets,
+                                               size_t corners) {
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    const paradt__rows to = paradt__mesh_rows(copy.corners, facets, copy.vertices, copy.links, 0);
+    size_t end = copy.count, i;
+    uint64_t ghosts = 0;
+    for (i = 0; i < end; i++) {
+        if (!paradt__mesh_keeps(&copy, i, corners, &ghosts)) {
+            for (end--; end > i && !paradt__mesh_keeps(&copy, end, corners, &ghosts);) end--;
+            if (end == i) break;
+            paradt__mesh_move(&copy, i, end, corners, facets ? 0 : i);
+        }
+        paradt__mesh_emit_row(&copy, i, corners, origin, &to);
+    }
+    mesh->count = end;
+    return ghosts;
+}
+
+static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets) {
+    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, 4);
+    return paradt__mesh_close_any(mesh, origin, facets, (size_t)mesh->corners);
+}
+
+// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
+// is none.
+PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own,
+                                               size_t place) {
+    for (; place < mesh->count; place++) {
+        const paradt_index *vertices = mesh->vertices + place * corners;
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+        if (vertices[0] != PARADT__DEAD) break;
+    }
+    return place;
+}
+
+// Appends the cells of another mesh, which has no free places.
+static void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
+    size_t corners = (size_t)mesh->corners, i;
+    paradt_index offset = (paradt_index)(mesh->count * corners), *to = mesh->links + offset;
+    PARADT_ASSERT(mesh->count + part->count <= mesh->capacity && mesh->corners == part->corners);
+    if (!part->count) return;
+    memcpy(mesh->vertices + offset, part->vertices, part->count * corners * sizeof *to);
+    for (i = 0; i < part->count * corners; i++) to[i] = part->links[i] < 0 ? part->links[i] : part->links[i] + offset;
+    mesh->count += part->count;
+}
+
+// --- the validator
+
+#if defined(PARADT_VERIFY)
+// 1 where sorting the row takes an odd number of exchanges; -1: two vertices are equal
+static int paradt__parity(const paradt_index *row, int count) {
+    int i, j, odd = 0;
+    for (i = 0; i < count; i++) {
+        for (j = i + 1; j < count; j++) {
+            if (row[i] == row[j]) return -1;
+            odd ^= row[i] > row[j];
+        }
+    }
+    return odd;
+}
+
+// Does what the head of the section says hold at a place?
+static int paradt__mesh_is_sound_at(const paradt__mesh *mesh, size_t place) {
+    int corners = mesh->corners, i, j, infinite = 0;
+    const paradt_index *vertices = mesh->vertices + place * (size_t)corners;
+    paradt_index facet[PARADT_MAX_DIM + 1], other[PARADT_MAX_DIM + 1];
+    for (i = 0; i < corners; i++) infinite += vertices[i] == PARADT__INFINITE;
+    if (infinite > 1 || paradt__parity(vertices, corners) < 0) return 0;
+    for (i = 0; i < corners; i++) {
+        paradt_index handle = (paradt_index)(place * (size_t)corners) + i, mirror = mesh->links[handle];
+        int opposite = (int)(mirror % corners);
+        if (mirror == PARADT__HULL || mirror == PARADT__OPEN) continue;
+        if (mirror < 0 || (size_t)mirror >= mesh->count * (size_t)corners || mesh->links[mirror] != handle) return 0;
+        if (!paradt__same_facet(mesh->vertices, handle, mesh->vertices, mirror, corners)) return 0;
+        // With one name for the vertices off the facet, the rows are permutations of each other, an odd one.
+        for (j = 0; j < corners; j++) {
+            facet[j] = j == i ? PARADT__NOWHERE : vertices[j];
+            other[j] = j == opposite ? PARADT__NOWHERE : mesh->vertices[mirror - opposite + j];
+        }
+        if (paradt__parity(facet, corners) == paradt__parity(other, corners)) return 0;
+    }
+    return 1;
+}
+
+// Is the mesh sound? closed: it has ghosts and no open facets; unmarked: these marks are clear.
+static int paradt__mesh_verify(const paradt__mesh *mesh, int closed, unsigned char unmarked) {
+    size_t corners = (size_t)mesh->corners, dead = 0, i, j;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * corners] == PARADT__DEAD) {
+            dead++;
+            continue;
+        }
+        if (!paradt__mesh_is_sound_at(mesh, i) || (mesh->marks && mesh->marks[i] & unmarked)) return 0;
+        for (j = 0; j < corners && closed; j++) {
+            if (mesh->links[i * corners + j] < 0) return 0;
+        }
+    }
+    return dead == mesh->spare_count;
+}
+
+enum { PARADT__VERIFIED_PLACES = 200 }; // a larger mesh is not verified after every change
+
+#define PARADT__VERIFY(mesh, closed, unmarked) PARADT_ASSERT(paradt__mesh_verify(mesh, closed, unmarked))
+#define PARADT__VERIFY_SMALL(mesh, closed, unmarked)                                                                   \
+    PARADT_ASSERT((mesh)->count > PARADT__VERIFIED_PLACES || paradt__mesh_verify(mesh, closed, unmarked))
+#else
+#define PARADT__VERIFY(mesh, closed, unmarked)       ((void)0)
+#define PARADT__VERIFY_SMALL(mesh, closed, unmarked) ((void)0)
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>facets
+//
+// A table of facets that wait for their mirrors, by their vertices: the active face list of the thesis (AFL), the
+// ridges of a cavity, the open facets of regions. An entry is a handle in a mesh. paradt__facets_match finds the entry
+// with the same vertices as a handle and takes it out, or else enters the handle; so every facet of a complete
+// triangulation is entered once and taken out once, and a table that has done its work is empty without being cleared.
+//
+// The table is hashed with chains. The chain is chosen by the facet's smallest vertex, so that facets close to each
+// other in grid order are close in memory too: the front moves over the table as it moves over the points. The rest of
+// the key, a sum over the vertices that does not depend on their order, spreads the facets of one vertex where there
+// are many (in high dimension), and tells facets in a chain apart. A table begun for no vertices is spread by that key
+// alone: all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
+// chain. Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
+
+typedef struct paradt__facet_entry {
+    paradt_index handle, next;
+    paradt_index smallest; // vertex of the facet; 0 where the table is spread by the key alone
+    uint32_t key;
+} paradt__facet_entry;
+
+typedef struct paradt__facets {
+    paradt_index *heads; // [mask + 1] first entry of each chain, or PARADT__OPEN
+    paradt__facet_entry *entries;
+    size_t mask, capacity;
+    paradt_index fresh, spare; // first entry never used, first one given back
+    int spread;                // a vertex has 2^spread chains
+    int by_key;                // vertices do not matter
+    size_t lowest;             // the chains before it are empty
+    size_t count, peak;        // facets
+} paradt__facets;
+
+// How the table finds a facet
+typedef struct paradt__facet_key {
+    paradt_index smallest;
+    uint32_t key;
+} paradt__facet_key;
 
 PARADT__INLINE uint64_t paradt__vertex_key(paradt_index vertex) {
     return ((uint64_t)vertex + 1) * UINT64_C(0x9e3779b97f4a7c15);
 }
 
 // The sum of products alone would be linear in the vertices; a square mixes it.
-PARADT__INLINE uint32_t paradt__facet_key(uint64_t sum) {
+PARADT__INLINE uint32_t paradt__facet_hash(uint64_t sum) {
     return (uint32_t)(((sum ^ sum >> 29) * UINT64_C(0xbf58476d1ce4e5b9)) >> 32);
 }
 
@@ -4376,139 +4969,7 @@ PARADT__INLINE uint64_t paradt__cell_sum(const paradt_index *vertices, int corne
     return sum;
 }
 
-// Do the two handles name the same set of vertices?
-PARADT__INLINE int paradt__same_facet(const paradt__cells *cells, paradt_index a, paradt_index b, int corners) {
-    int skip_a = (int)(a % corners), skip_b = (int)(b % corners), i, j, missing = 0;
-    const paradt_index *x = cells->vertices + (a - skip_a), *y = cells->vertices + (b - skip_b);
-    for (i = 0; i < corners; i++) {
-        int met = i == skip_a;
-        for (j = 0; j < corners; j++) met |= (y[j] == x[i]) & (j != skip_b);
-        missing |= !met;
-    }
-    return !missing;
-}
-
-static void paradt__active_free(paradt__active *active, paradt__memory *memory) {
-    paradt__release(memory, active->heads);
-    paradt__release(memory, active->links);
-    active->heads = NULL;
-    active->links = NULL;
-}
-
-PARADT__INLINE paradt_index *paradt__active_chain(const paradt__active *active, paradt_index smallest, uint32_t key) {
-    size_t place = (size_t)smallest << active->spread | (key & (((size_t)1 << active->spread) - 1));
-    return active->heads + (place & active->mask);
-}
-
-// Makes the table anew, with `chains` of them.
-static paradt_status paradt__active_rehash(paradt__active *active, size_t chains, paradt__memory *memory) {
-    paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = active->heads;
-    size_t count = old ? active->mask + 1 : 0, i;
-    if (!heads) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
-    active->heads = heads;
-    active->mask = chains - 1;
-    active->lowest = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index at = old[i];
-        while (at >= 0) {
-            paradt__link *link = active->links + at;
-            paradt_index next = link->next, *head = paradt__active_chain(active, link->smallest, link->key);
-            link->next = *head;
-            *head = at;
-            at = next;
-        }
-    }
-    paradt__release(memory, old);
-    return PARADT_OK;
-}
-
-enum { PARADT__ACTIVE_SPREAD = 1 }; // to begin with: a small table stays in the cache
-
-// vertices: how many there may be active facets at.
-static paradt_status paradt__active_begin(paradt__active *active, size_t vertices, paradt__memory *memory) {
-    size_t chains = 64;
-    memset(active, 0, sizeof *active);
-    active->spare = PARADT__OPEN;
-    active->spread = PARADT__ACTIVE_SPREAD;
-    while (chains >> PARADT__ACTIVE_SPREAD < vertices) chains *= 2;
-    return paradt__active_rehash(active, chains, memory);
-}
-
-// Room for the facets of one more cell. There are at least as many chains as facets.
-PARADT__INLINE paradt_status paradt__active_room(paradt__active *active, paradt__memory *memory) {
-    void *links = active->links;
-    size_t capacity = active->capacity ? active->capacity * 2 : 256;
-    paradt_status status = PARADT_OK;
-    if (!PARADT__LIKELY(active->count + PARADT_MAX_DIM + 1 <= active->mask)) {
-        active->spread++;
-        status = paradt__active_rehash(active, (active->mask + 1) * 2, memory);
-    }
-    if (PARADT__LIKELY((size_t)active->fresh + PARADT_MAX_DIM + 1 <= active->capacity) || status) return status;
-    if (!paradt__grow(memory, &links, (size_t)active->fresh, capacity, sizeof *active->links))
-        return PARADT_ERROR_MEMORY;
-    active->links = (paradt__link *)links;
-    active->capacity = capacity;
-    return PARADT_OK;
-}
-
-// Takes a link out of its chain.
-PARADT__INLINE paradt_index paradt__active_unlink(paradt__active *active, paradt_index *from) {
-    paradt_index at = *from, handle = active->links[at].handle;
-    *from = active->links[at].next;
-    active->links[at].next = active->spare;
-    active->spare = at;
-    active->count--;
-    return handle;
-}
-
-// The active facet with the same vertices as `handle`, which is active no more, or PARADT__OPEN: then `handle` is
-// active from now on. chain: that of the smallest vertex and the key.
-PARADT__INLINE paradt_index paradt__active_match(paradt__active *active, const paradt__cells *cells,
-                                                 paradt_index *chain, paradt_index smallest, uint32_t key,
-                                                 paradt_index handle, int corners) {
-    paradt_index *from = chain, at;
-    paradt__link *link;
-    while ((at = *from) >= 0) {
-        link = active->links + at;
-        if (link->key == key && link->smallest == smallest &&
-            paradt__same_facet(cells, link->handle, handle, corners)) {
-            return paradt__active_unlink(active, from);
-        }
-        from = &link->next;
-    }
-    at = active->spare;
-    if (at >= 0) active->spare = active->links[at].next;
-    else at = active->fresh++;
-    link = active->links + at;
-    link->handle = handle;
-    link->smallest = smallest;
-    link->key = key;
-    link->next = *chain;
-    *chain = at;
-    if ((size_t)(chain - active->heads) < active->lowest) active->lowest = (size_t)(chain - active->heads);
-    if (++active->count > active->peak) active->peak = active->count;
-    return PARADT__OPEN;
-}
-
-// Takes out a facet that is active.
-PARADT__INLINE void paradt__active_remove(paradt__active *active, paradt_index smallest, uint32_t key,
-                                          paradt_index handle) {
-    paradt_index *from = paradt__active_chain(active, smallest, key);
-    while (active->links[*from].handle != handle) from = &active->links[*from].next;
-    paradt__active_unlink(active, from);
-}
-
-// Takes out a facet at the lowest vertex that there is one at, up to the wrap; PARADT__OPEN: no facet is active.
-PARADT__INLINE paradt_index paradt__active_first(paradt__active *active) {
-    size_t at = active->lowest;
-    if (!active->count) return PARADT__OPEN;
-    while (active->heads[at] < 0) at++;
-    active->lowest = at;
-    return paradt__active_unlink(active, active->heads + at);
-}
-
-// Smallest vertex of a cell, but for the one at `without`.
+// Smallest vertex of a cell, but for the one at `without`
 PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int corners, int without) {
     paradt_index smallest = PARADT__NOWHERE;
     int i;
@@ -4519,41 +4980,288 @@ PARADT__INLINE paradt_index paradt__smallest_but(const paradt_index *cell, int c
     return smallest;
 }
 
-static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
-    paradt__release(memory, lists->nodes);
-    memset(lists, 0, sizeof *lists);
+// The key of the facet of a handle
+PARADT__INLINE paradt__facet_key paradt__facet_key_of(const paradt__facets *facets, const paradt__mesh *mesh,
+                                                      paradt_index handle) {
+    int opposite = (int)(handle % mesh->corners);
+    const paradt_index *cell = mesh->vertices + (handle - opposite);
+    paradt__facet_key key;
+    key.key = paradt__facet_hash(paradt__cell_sum(cell, mesh->corners) - paradt__vertex_key(cell[opposite]));
+    key.smallest = facets->by_key ? 0 : paradt__smallest_but(cell, mesh->corners, opposite);
+    return key;
 }
 
-static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
-                                       paradt__memory *memory) {
-    paradt_index node = lists->spare;
-    if (node >= 0 && lists->capacity) {
-        lists->spare = lists->nodes[node].next;
-    } else {
-        if ((size_t)lists->fresh == lists->capacity) {
-            void *nodes = lists->nodes;
-            size_t capacity = lists->capacity ? lists->capacity * 2 : 256;
-            if (!paradt__grow(memory, &nodes, lists->capacity, capacity, sizeof(paradt__node)))
-                return PARADT_ERROR_MEMORY;
-            if (!lists->capacity) lists->spare = PARADT__OPEN;
-            lists->nodes = (paradt__node *)nodes;
-            lists->capacity = capacity;
+static void paradt__facets_free(paradt__facets *facets, paradt__memory *memory) {
+    paradt__release(memory, facets->heads);
+    paradt__release(memory, facets->entries);
+    facets->heads = NULL;
+    facets->entries = NULL;
+}
+
+PARADT__INLINE paradt_index *paradt__facets_chain(const paradt__facets *facets, paradt__facet_key key) {
+    size_t place = (size_t)key.smallest << facets->spread | (key.key & (((size_t)1 << facets->spread) - 1));
+    return facets->heads + (place & facets->mask);
+}
+
+// Makes the table anew, with `chains` of them.
+static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains, paradt__memory *memory) {
+    paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = facets->heads;
+    size_t count = old ? facets->mask + 1 : 0, i;
+    if (!heads) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < chains; i++) heads[i] = PARADT__OPEN;
+    facets->heads = heads;
+    facets->mask = chains - 1;
+    facets->lowest = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index at = old[i];
+        while (at >= 0) {
+            paradt__facet_entry *entry = facets->entries + at;
+            paradt__facet_key key = {entry->smallest, entry->key};
+            paradt_index next = entry->next, *head = paradt__facets_chain(facets, key);
+            entry->next = *head;
+            *head = at;
+            at = next;
         }
-        node = lists->fresh++;
     }
-    lists->nodes[node].handle = handle;
-    lists->nodes[node].next = *head;
-    *head = node;
+    paradt__release(memory, old);
     return PARADT_OK;
 }
 
-// The list must not be empty.
-static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
-    paradt_index node = *head, handle = lists->nodes[node].handle;
-    *head = lists->nodes[node].next;
-    lists->nodes[node].next = lists->spare;
-    lists->spare = node;
+enum { PARADT__FACETS_SPREAD = 1 }; // to begin with: a small table stays in the cache
+
+// vertices: how many there may be facets at; 0: the table is spread by keys alone.
+static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertices, int by_key, paradt__memory *memory) {
+    size_t chains = 64;
+    memset(facets, 0, sizeof *facets);
+    facets->spare = PARADT__OPEN;
+    facets->by_key = by_key;
+    facets->spread = by_key ? 6 : PARADT__FACETS_SPREAD;
+    while (chains >> PARADT__FACETS_SPREAD < vertices) chains *= 2;
+    return paradt__facets_rehash(facets, chains, memory);
+}
+
+// Room for so many more facets. There are at least as many chains as facets.
+PARADT__INLINE paradt_status paradt__facets_room(paradt__facets *facets, size_t more, paradt__memory *memory) {
+    void *entries = facets->entries;
+    size_t capacity = facets->capacity ? facets->capacity * 2 : 256, chains = (facets->mask + 1) * 2;
+    paradt_status status = PARADT_OK;
+    if (!PARADT__LIKELY(facets->count + more <= facets->mask)) {
+        for (facets->spread++; chains <= facets->count + more; facets->spread++) chains *= 2;
+        status = paradt__facets_rehash(facets, chains, memory);
+    }
+    if (PARADT__LIKELY((size_t)facets->fresh + more <= facets->capacity) || status) return status;
+    if (capacity < (size_t)facets->fresh + more) capacity = (size_t)facets->fresh + more;
+    if (!paradt__grow(memory, &entries, (size_t)facets->fresh, capacity, sizeof *facets->entries))
+        return PARADT_ERROR_MEMORY;
+    facets->entries = (paradt__facet_entry *)entries;
+    facets->capacity = capacity;
+    return PARADT_OK;
+}
+
+// Takes an entry out of its chain. Returns its handle.
+PARADT__INLINE paradt_index paradt__facets_unlink(paradt__facets *facets, paradt_index *from) {
+    paradt_index at = *from, handle = facets->entries[at].handle;
+    *from = facets->entries[at].next;
+    facets->entries[at].next = facets->spare;
+    facets->spare = at;
+    facets->count--;
     return handle;
+}
+
+// Takes out the facet with the same vertices as `handle` and returns it; or enters the handle, for which there is room,
+// and returns PARADT__OPEN. chain: that of the key
+PARADT__INLINE paradt_index paradt__facets_match(paradt__facets *facets, const paradt__mesh *mesh, paradt_index *chain,
+                                                 paradt__facet_key key, paradt_index handle, int corners) {
+    paradt_index *from = chain, at;
+    paradt__facet_entry *entry;
+    while ((at = *from) >= 0) {
+        entry = facets->entries + at;
+        if (entry->key == key.key && entry->smallest == key.smallest &&
+            paradt__same_facet(mesh->vertices, entry->handle, mesh->vertices, handle, corners)) {
+            return paradt__facets_unlink(facets, from);
+        }
+        from = &entry->next;
+    }
+    at = facets->spare;
+    if (at >= 0) facets->spare = facets->entries[at].next;
+    else at = facets->fresh++;
+    PARADT_ASSERT((size_t)at < facets->capacity);
+    entry = facets->entries + at;
+    entry->handle = handle;
+    entry->smallest = key.smallest;
+    entry->key = key.key;
+    entry->next = *chain;
+    *chain = at;
+    if ((size_t)(chain - facets->heads) < facets->lowest) facets->lowest = (size_t)(chain - facets->heads);
+    if (++facets->count > facets->peak) facets->peak = facets->count;
+    return PARADT__OPEN;
+}
+
+// Ties a facet to its mirror, if the table has that, or enters it.
+PARADT__INLINE void paradt__facets_tie(paradt__facets *facets, paradt__mesh *mesh, paradt__facet_key key,
+                                       paradt_index handle, int corners) {
+    paradt_index mirror = paradt__facets_match(facets, mesh, paradt__facets_chain(facets, key), key, handle, corners);
+    if (mirror >= 0) paradt__mesh_tie(mesh, handle, mirror);
+}
+
+// Finds the entry with the same vertices as a handle of another mesh. Returns its handle, or PARADT__OPEN.
+PARADT__INLINE paradt_index paradt__facets_find(const paradt__facets *facets, const paradt__mesh *mesh,
+                                                paradt__facet_key key, const paradt_index *vertices,
+                                                paradt_index handle, int corners) {
+    paradt_index at = *paradt__facets_chain(facets, key);
+    for (; at >= 0; at = facets->entries[at].next) {
+        const paradt__facet_entry *entry = facets->entries + at;
+        if (entry->key == key.key && paradt__same_facet(mesh->vertices, entry->handle, vertices, handle, corners))
+            return entry->handle;
+    }
+    return PARADT__OPEN;
+}
+
+// Takes out a facet that is in the table.
+PARADT__INLINE void paradt__facets_remove(paradt__facets *facets, paradt__facet_key key, paradt_index handle) {
+    paradt_index *from = paradt__facets_chain(facets, key);
+    while (facets->entries[*from].handle != handle) {
+        PARADT_ASSERT(facets->entries[*from].next >= 0);
+        from = &facets->entries[*from].next;
+    }
+    paradt__facets_unlink(facets, from);
+}
+
+// Takes out a facet at the lowest vertex that there is one at, up to the wrap; PARADT__OPEN: the table is empty.
+PARADT__INLINE paradt_index paradt__facets_first(paradt__facets *facets) {
+    size_t at = facets->lowest;
+    if (!facets->count) return PARADT__OPEN;
+    while (facets->heads[at] < 0) at++;
+    facets->lowest = at;
+    return paradt__facets_unlink(facets, facets->heads + at);
+}
+
+enum { PARADT__JOINED = 8 }; // facets whose mirrors are looked for together
+
+// Ties open facets to their mirrors, if these were seen before. Each step waits for memory, for all facets together.
+// numbered: links are numbers of cells, as when they are delivered
+static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *mesh, const paradt_index *handles,
+                                         size_t count, int numbered, paradt__memory *memory) {
+    const paradt_index divisor = numbered ? mesh->corners : 1;
+    paradt_index *chain[PARADT__JOINED];
+    paradt__facet_key key[PARADT__JOINED];
+    paradt_status status = paradt__facets_room(facets, PARADT__JOINED, memory);
+    size_t i;
+    PARADT_ASSERT(count <= PARADT__JOINED);
+    for (i = 0; i < count && !status; i++) {
+        key[i] = paradt__facet_key_of(facets, mesh, handles[i]);
+        chain[i] = paradt__facets_chain(facets, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] >= 0) PARADT__PREFETCH(facets->entries + *chain[i]);
+    }
+    for (i = 0; i < count && !status; i++) {
+        if (*chain[i] < 0) continue;
+        PARADT__PREFETCH(mesh->vertices + facets->entries[*chain[i]].handle);
+        PARADT__PREFETCH(mesh->links + facets->entries[*chain[i]].handle);
+    }
+    for (i = 0; i < count && !status; i++) {
+        paradt_index mirror = paradt__facets_match(facets, mesh, chain[i], key[i], handles[i], mesh->corners);
+        if (mirror < 0) continue;
+        mesh->links[handles[i]] = mirror / divisor;
+        mesh->links[mirror] = handles[i] / divisor;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>scene
+//
+// A mesh whose vertices are points: what walks, conflict tests and changes work on. Points are positions: their record
+// is records + position * width, and all have been measured with `space`.
+//
+// The mesh is a closed one of T(P), P the points so far: every cell is positively oriented, never flat, and has no
+// point of P in conflict with it; a ghost has the vertices of its hull facet, and the infinite vertex on the outer
+// side. Each change hands out an update: the cells it killed and those it made.
+//
+// A ghost is in conflict with the points strictly beyond its hull facet. In the plane of the facet, it is in conflict
+// with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
+// the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
+// with an affine function through the facet's lifted vertices alone.
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+
+typedef struct paradt__scene {
+    paradt__space space;   // its own, for the counters
+    const double *records; // [points][width]
+    size_t width;
+    paradt__mesh mesh;
+    paradt_index hint; // a cell near the point inserted last
+} paradt__scene;
+
+// What a change did to the mesh. A cell is named by the handle of any of its facets. Places of killed cells may be
+// those of cells made.
+typedef struct paradt__update {
+    paradt_index *killed; // [killed_capacity]
+    size_t killed_count, killed_capacity;
+    paradt_index *made; // [made_capacity]
+    size_t made_count, made_capacity;
+} paradt__update;
+
+static void paradt__update_free(paradt__update *update, paradt__memory *memory) {
+    paradt__release(memory, update->killed);
+    paradt__release(memory, update->made);
+    memset(update, 0, sizeof *update);
+}
+
+PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, paradt_index point) {
+    PARADT_ASSERT(point >= 0);
+    return scene->records + (size_t)point * scene->width;
+}
+
+// Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
+static int paradt__side(paradt__scene *scene, paradt_index cell, int place, const double *x) {
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) p[i] = i == place ? x : paradt__scene_record(scene, vertices[i]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Is the cell or ghost in conflict with x?
+static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const double *x) {
+    int corners = scene->mesh.corners, ghost, i, side;
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 2];
+    ghost = paradt__ghost_place(vertices, corners);
+    if (ghost >= 0) {
+        side = paradt__side(scene, cell, ghost, x);
+        if (side) return side > 0;
+        cell = paradt__mesh_cell(&scene->mesh, scene->mesh.links[(size_t)cell * (size_t)corners + (size_t)ghost]);
+        vertices = paradt__mesh_row(&scene->mesh, cell);
+    }
+    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(scene, vertices[i]);
+    p[corners] = x;
+    return paradt__conflict(&scene->space, p);
+}
+
+// Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
+// visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
+// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+    const paradt__mesh *mesh = &scene->mesh;
+    int corners = mesh->corners, i, from = -1;
+    for (;;) {
+        size_t base = (size_t)cell * (size_t)corners;
+        int ghost = paradt__ghost_place(mesh->vertices + base, corners);
+        PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
+        if (ghost >= 0) {
+            if (paradt__side(scene, cell, ghost, x) > 0) return cell;
+            i = ghost;
+        } else {
+            for (i = 0; i < corners; i++) {
+                if (i != from && paradt__side(scene, cell, i, x) < 0) break;
+            }
+            if (i == corners) return cell;
+        }
+        from = (int)(mesh->links[base + (size_t)i] % corners);
+        cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -4872,63 +5580,58 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>search kernels
 //
-// MakeSimplex of the thesis: given a facet, the point on its outer side with the smallest signed Delaunay distance dd,
-// and, by the same means, a point in conflict with a given cell.
+// The search's inner loops: each looks at the eight boxes of a group, or at the eight points of a grid cell, and rules
+// out those that certainly do not matter. Boxes and points stand in lanes (see >>grid), so a kernel is a few loops of
+// eight straight steps, which compilers turn into vector code. Beside each kernel stands its copy in AVX2, which is
+// chosen at run time where the processor has AVX2. There is one set of kernels for each dimension and grade.
 //
-// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
-// through f are a pencil: F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
-// A(u) = lift(u) - base . u vanishes on f. x is inside the sphere t where F_t < 0. Outside of f, x lies on the sphere
-// t(x) = A(x) / N(x); the smallest t is the smallest dd, since the centre moves outward along the normal with t.
+// A query is a facet and a sphere through it. Let o be the facet's first vertex, u = x - o, and gain the weight of x
+// less that of o. The query has two functions of x:
 //
-// Floating point only ever rules points out. Let K be a bound on the relative rounding of the sums below
-// (PARADT__ROUND). Computed `base` and `normal` miss f by the residuals r_i = lift(e_i) - base . e_i and s_i = normal .
-// e_i on the edges e_i = p_i - o. Let e*_i be the dual basis of the edges in their span. Then the true A and N differ
-// from the computed by at most sum_i |r_i| |e*_i . u| <= (sum_i |r_i| |e*_i|_max) |u|_1 = base_slack |u|_1, likewise
-// normal_slack, to which comes K sum_j |normal_j u_j| and so on for rounding, and for sagittas f_floor for their own
-// error. The dual basis is itself computed; while |e_i|_1 |e*_i|_max, the inverse sine of the facet's angles, stays
-// below 2^36, its relative error is below 2^-10 and a factor of 2 covers it. A facet more needle-like than that gets
-// slacks so large that nothing is ruled out and all is decided exactly. A point whose F is certainly positive for the
-// current sphere can't be the apex and is passed over; one whose F is certainly negative replaces the apex; all others
-// are settled by the exact perturbed predicate, which is a total order on the pencil. The same bounds, taken over a
-// box, rule out boxes: those on the inner side, and those outside the sphere. The order in which points are seen only
-// matters for speed. Doors: paradt__search_begin, paradt__search_apex, paradt__search_conflict.
+//     F(u) = sum_j u_j (u_j - centre_j) - gain    negative inside the sphere
+//     N(u) = sum_j normal_j u_j                   positive outside the facet
+//
+// With sagittas (see >>reference sphere) the lift |u|^2 - gain is the difference of the sagittas of o and x, so F(u) is
+// that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
+// of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
+// one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
+// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
 
-// u = 2^-52 holds in every rounding mode. A term of a sum passes a difference (u), at most 2 products (2u), at most d +
-// 2 additions in any order, and once more as much where the same quantity is computed for a box and for a point in it.
+// u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
+// at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
-#define PARADT__NEEDLE     68719476736.0          // 2^36
-#define PARADT__STEEP      2.0370359763344861e90  // 2^300: spheres that flat are left to the predicates
 
 typedef struct paradt__lane_query {
     double origin[PARADT_MAX_DIM];
     double normal[PARADT_MAX_DIM];
-    size_t outer[PARADT_MAX_DIM];      // where a box has N's largest value: offset of the row of low or high sides
-    double centre[PARADT_MAX_DIM];     // F(u) = sum_j u_j (u_j - centre_j): twice the centre of the current sphere
-    double slack[PARADT_MAX_DIM];      // |error of F| <= sum_j |u_j| (K |u_j| + slack_j)
-    double reach[PARADT_MAX_DIM];      // |error of N| <= sum_j |u_j| reach_j
-    double weight;                     // of the origin
-    double clear;                      // N of a point that is a good candidate is more than this
-    double f_floor;                    // error that F has everywhere
-    double n_floor;                    // N of a point outside is at least this
-    double disc[PARADT_MAX_DIM];       // with sagittas: a point outside has sum_j u_j (u_j - disc_j) of at most
-    double disc_slack[PARADT_MAX_DIM]; // disc_floor + sum_j |u_j| (K |u_j| + disc_slack_j)
-    double disc_floor;
-    double extent[PARADT_MAX_DIM];  // with sagittas: the length of the set along each axis
-    double weight_slack;            // ... and the error of a difference of two
-    double curve;                   // with sagittas, on the reference sphere: F(u) = curve |u|^2 - tangent . u
-    double tangent[PARADT_MAX_DIM]; // - (1 - curve) (s(u) - s(0)), s the sagitta
-    double summit[PARADT_MAX_DIM];  // if curve > 0: where curve |u|^2 - tangent . u is least; else 0
-    double curve_slack;             // error of that form of F beyond F's own
-    double round;                   // K
+    size_t outer[PARADT_MAX_DIM];     // of a box's sides on the axis, where the one with the larger N starts in a group
+    double centre[PARADT_MAX_DIM];    // twice the sphere's centre
+    double slack[PARADT_MAX_DIM];     // |error of F| <= f_floor + sum_j |u_j| (K |u_j| + slack_j) + K |gain|
+    double reach[PARADT_MAX_DIM];     // |error of N| <= sum_j |u_j| reach_j
+    double weight;                    // of the origin, or its sagitta; 0 without grades
+    double clear;                     // N of a point that is worth a try as the first apex exceeds this
+    double f_floor;                   // error that F has everywhere
+    double n_floor;                   // N of a point outside is at least this
+    double cap[PARADT_MAX_DIM];       // with sagittas: of a point outside, sum_j u_j (u_j - cap_j) is at most
+    double cap_slack[PARADT_MAX_DIM]; // ... cap_floor + sum_j |u_j| (K |u_j| + cap_slack_j)
+    double cap_floor;                 // ... PARADT__NO_BOUND: nothing is known of that sum
+    double extent[PARADT_MAX_DIM];    // with sagittas: length of the set along each axis
+    double weight_slack;              // ... and the error of a difference of two sagittas
+    double curve;                     // with sagittas: on the reference sphere F(u) = curve |u|^2 - tangent . u
+    double tangent[PARADT_MAX_DIM];   // ... - (1 - curve) (s(x) - s(o)), s the sagitta
+    double summit[PARADT_MAX_DIM];    // where curve |u|^2 - tangent . u is least, if curve > 0; else 0
+    double curve_slack;               // error of this form of F beyond F's own
+    double round;                     // K
 } paradt__lane_query;
 
+// What a kernel tells of the boxes of a group
 typedef struct paradt__lane_bounds {
-    double f[PARADT__LANES]; // a box: bounds on the errors of F and N in it
-    double n[PARADT__LANES];
-    double promise[PARADT__LANES]; // how far below zero F may be
+    double f[PARADT__LANES];       // bound on the error of F in the box
+    double n[PARADT__LANES];       // bound on the error of N in the box
+    double promise[PARADT__LANES]; // how far below zero F may be in the box
 } paradt__lane_bounds;
 
 typedef unsigned (*paradt__group_kernel)(const paradt__lane_query *q, const double *group, paradt__lane_bounds *bounds);
@@ -4937,13 +5640,13 @@ typedef unsigned (*paradt__cell_kernel)(const paradt__lane_query *q, const doubl
 typedef double (*paradt__best_kernel)(const paradt__lane_query *q, const double *cell);
 
 typedef struct paradt__kernels {
-    paradt__group_kernel group;
-    paradt__cell_kernel cell;
-    paradt__best_kernel best;
+    paradt__group_kernel group; // the mask of a group's boxes that may hold a point outside the facet and in the sphere
+    paradt__cell_kernel cell;   // the mask of a grid cell's points that may be outside the facet and in the sphere
+    paradt__best_kernel best;   // the grid cell's point that gives the smallest sphere; see paradt__kernel_best_plain
 } paradt__kernels;
 
-// The lanes whose value is not negative.
-PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
+// Returns the mask of the lanes whose value is not negative.
+PARADT__INLINE unsigned paradt__kernel_mask(const double *value) {
 #if defined(__SSE2__) && !defined(PARADT_NO_SIMD)
     unsigned mask = (unsigned)_mm_movemask_pd(_mm_loadu_pd(value));
     mask |= (unsigned)_mm_movemask_pd(_mm_loadu_pd(value + 2)) << 2;
@@ -4958,9 +5661,10 @@ PARADT__INLINE unsigned paradt__lane_mask(const double *value) {
 #endif
 }
 
-// Which of eight boxes may hold a point outside the facet and inside the sphere?
-PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, const double *group,
-                                                 paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient, int grade) {
+// Returns the mask of the boxes that may hold a point outside the facet and inside the sphere.
+PARADT__INLINE unsigned paradt__kernel_group_plain(const paradt__lane_query *q, const double *group,
+                                                   paradt__lane_bounds *PARADT__RESTRICT bounds, int ambient,
+                                                   int grade) {
     double margin[PARADT__LANES], f[PARADT__LANES], n[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -4996,13 +5700,14 @@ PARADT__INLINE unsigned paradt__test_group_plain(const paradt__lane_query *q, co
         bounds->promise[lane] = promise;
         margin[lane] = promise < outside ? promise : outside;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same with sagittas. The lifts are of one size in all of the set, so one bound on the errors does: that at the
-// distance of its whole extent. N is affine, so one corner of a box decides; F is taken as paradt__set_curve has it.
-PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, const double *group,
-                                                  paradt__lane_bounds *bounds, int ambient) {
+// The same with sagittas. All lifts of the set are of one size, so one bound on the errors suffices: the bound at the
+// distance of the set's whole extent. N is affine, so one corner of a box decides. F is taken in the form with `curve`;
+// see paradt__pencil_set_curve.
+PARADT__INLINE unsigned paradt__kernel_group_sagittas(const paradt__lane_query *q, const double *group,
+                                                      paradt__lane_bounds *bounds, int ambient) {
     const double *grades = group + ambient * 2 * PARADT__LANES, *outer[PARADT_MAX_DIM];
     double margin[PARADT__LANES], f_bound = q->f_floor + q->weight_slack, n_bound = -q->n_floor;
     double gain = 1.0 - q->curve;
@@ -5046,26 +5751,26 @@ PARADT__INLINE unsigned paradt__test_graded_group(const paradt__lane_query *q, c
         bounds->f[lane] = f_bound;
         bounds->n[lane] = n_bound;
     }
-    if (q->disc_floor < PARADT__NO_BOUND) {
+    if (q->cap_floor < PARADT__NO_BOUND) {
         for (lane = 0; lane < PARADT__LANES; lane++) {
-            double g = -q->disc_floor;
+            double g = -q->cap_floor;
             for (j = 0; j < ambient; j++) {
                 double low = group[j * 2 * PARADT__LANES + lane] - q->origin[j];
                 double high = group[(j * 2 + 1) * PARADT__LANES + lane] - q->origin[j];
-                double x = q->disc[j] * 0.5, reach = -low > high ? -low : high;
+                double x = q->cap[j] * 0.5, reach = -low > high ? -low : high;
                 x = x > low ? x : low;
                 x = x < high ? x : high;
-                g += x * (x - q->disc[j]) - reach * (q->round * reach + q->disc_slack[j]);
+                g += x * (x - q->cap[j]) - reach * (q->round * reach + q->cap_slack[j]);
             }
             margin[lane] = -g < margin[lane] ? -g : margin[lane];
         }
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The same for the eight points of a grid cell, with the bounds that hold in its box.
-PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
-                                                double n_bound, int ambient, int grade) {
+// The same for the eight points of a grid cell. f_bound, n_bound: the bounds on the errors that hold in its box
+PARADT__INLINE unsigned paradt__kernel_cell_plain(const paradt__lane_query *q, const double *cell, double f_bound,
+                                                  double n_bound, int ambient, int grade) {
     double margin[PARADT__LANES];
     int lane, j;
     for (lane = 0; lane < PARADT__LANES; lane++) {
@@ -5080,13 +5785,14 @@ PARADT__INLINE unsigned paradt__test_cell_plain(const paradt__lane_query *q, con
         n = n + n_bound;
         margin[lane] = f < n ? f : n;
     }
-    return paradt__lane_mask(margin);
+    return paradt__kernel_mask(margin);
 }
 
-// The smallest parameter t of the eight points of a grid cell, less that of the current sphere (that of the base, while
-// there is no apex), among those that are clearly outside; its last three bits are the lane. PARADT__FAR or so: none.
-PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, const double *cell, int ambient,
-                                                 int grade) {
+// Of the eight points of a grid cell that are clearly outside the facet, finds the one on the sphere with the smallest
+// parameter t in the pencil. Returns F / N, which is that t less the current sphere's; the last three bits are the
+// lane. Returns about PARADT__FAR when no point is clearly outside.
+PARADT__INLINE double paradt__kernel_best_plain(const paradt__lane_query *q, const double *cell, int ambient,
+                                                int grade) {
     double ratio[PARADT__LANES], heights[PARADT__LANES];
     uint64_t bits[PARADT__LANES];
     int lane, j;
@@ -5111,11 +5817,11 @@ PARADT__INLINE double paradt__best_of_cell_plain(const paradt__lane_query *q, co
 }
 
 #if defined(PARADT__AVX2)
-// The twins of the three above for processors with AVX2, four lanes at a time.
+// The same three for processors with AVX2, four lanes at a time.
 #define PARADT__ALL(value) _mm256_set1_pd(value)
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_query *q, const double *group,
-                                                             paradt__lane_bounds *bounds, int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lane_query *q, const double *group,
+                                                               paradt__lane_bounds *bounds, int ambient, int grade) {
     const __m256d sign = PARADT__ALL(-0.0), round = PARADT__ALL(q->round);
     __m256d f[2], n[2], f_bound[2], n_bound[2];
     unsigned mask = 0;
@@ -5159,8 +5865,9 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_group_avx2(const paradt__lane_
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
-                                                   int grade, __m256d *f, __m256d *n) {
+// Computes F and N of four points.
+PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_query *q, const double *lanes, int ambient,
+                                                          int grade, __m256d *f, __m256d *n) {
     int j;
     *f = *n = _mm256_setzero_pd();
     for (j = 0; j < ambient; j++) {
@@ -5176,13 +5883,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__lift_avx2(const paradt__lane_query *q, 
     }
 }
 
-PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_query *q, const double *cell,
-                                                            double f_bound, double n_bound, int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane_query *q, const double *cell,
+                                                              double f_bound, double n_bound, int ambient, int grade) {
     unsigned mask = 0;
     int half;
     for (half = 0; half < PARADT__LANES; half += 4) {
         __m256d f, n;
-        paradt__lift_avx2(q, cell + half, ambient, grade, &f, &n);
+        paradt__kernel_lift_avx2(q, cell + half, ambient, grade, &f, &n);
         f = _mm256_sub_pd(PARADT__ALL(f_bound), f);
         n = _mm256_add_pd(n, PARADT__ALL(n_bound));
         mask |= (unsigned)_mm256_movemask_pd(_mm256_min_pd(f, n)) << half;
@@ -5190,14 +5897,14 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__test_cell_avx2(const paradt__lane_q
     return ~mask & 255;
 }
 
-PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_query *q, const double *cell,
-                                                             int ambient, int grade) {
+PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_query *q, const double *cell,
+                                                            int ambient, int grade) {
     const __m256d beyond = PARADT__ALL(PARADT__FAR), number = _mm256_castsi256_pd(_mm256_set1_epi64x(7));
     __m256d best[2], n;
     __m128d pair;
     int half;
     for (half = 0; half < 2; half++) {
-        paradt__lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
+        paradt__kernel_lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
         best[half] =
             _mm256_blendv_pd(beyond, _mm256_div_pd(best[half], n), _mm256_cmp_pd(n, PARADT__ALL(q->clear), _CMP_GT_OQ));
         best[half] =
@@ -5211,130 +5918,144 @@ PARADT__AVX2 PARADT__INLINE double paradt__best_of_cell_avx2(const paradt__lane_
 #undef PARADT__ALL
 #endif
 
-// One set of kernels for each dimension, with and without weights, and each instruction set that can be chosen at run
-// time. All of them rule out by the same bounds, so all lead to the same cells.
+// The kernels of one instruction set for dimension d and grade w
 #define PARADT__KERNEL_SET(isa, attribute, d, w)                                                                       \
-    attribute static unsigned paradt__group_##isa##d##w(const paradt__lane_query *q, const double *group,              \
-                                                        paradt__lane_bounds *bounds) {                                 \
-        if (w == PARADT__SAGITTA) return paradt__test_graded_group(q, group, bounds, d);                               \
-        return paradt__test_group##isa(q, group, bounds, d, w);                                                        \
+    attribute static unsigned paradt__kernel_group_##isa##_##d##_##w(const paradt__lane_query *q, const double *group, \
+                                                                     paradt__lane_bounds *bounds) {                    \
+        if (w == PARADT__SAGITTA) return paradt__kernel_group_sagittas(q, group, bounds, d);                           \
+        return paradt__kernel_group_##isa(q, group, bounds, d, w);                                                     \
     }                                                                                                                  \
-    attribute static unsigned paradt__cell_##isa##d##w(const paradt__lane_query *q, const double *cell,                \
-                                                       double f_bound, double n_bound) {                               \
-        return paradt__test_cell##isa(q, cell, f_bound, n_bound, d, w);                                                \
+    attribute static unsigned paradt__kernel_cell_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell,   \
+                                                                    double f_bound, double n_bound) {                  \
+        return paradt__kernel_cell_##isa(q, cell, f_bound, n_bound, d, w);                                             \
     }                                                                                                                  \
-    attribute static double paradt__best_##isa##d##w(const paradt__lane_query *q, const double *cell) {                \
-        return paradt__best_of_cell##isa(q, cell, d, w);                                                               \
+    attribute static double paradt__kernel_best_##isa##_##d##_##w(const paradt__lane_query *q, const double *cell) {   \
+        return paradt__kernel_best_##isa(q, cell, d, w);                                                               \
     }
-#define PARADT__KERNEL_PAIR(isa, attribute, d)                                                                         \
+#define PARADT__KERNEL_SETS(isa, attribute, d)                                                                         \
     PARADT__KERNEL_SET(isa, attribute, d, 0)                                                                           \
-    PARADT__KERNEL_SET(isa, attribute, d, 1) PARADT__KERNEL_SET(isa, attribute, d, 2)
-#define PARADT__KERNELS(isa, attribute)                                                                                \
-    PARADT__KERNEL_PAIR(isa, attribute, 2)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 3)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 4)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 5)                                                                             \
-    PARADT__KERNEL_PAIR(isa, attribute, 6) PARADT__KERNEL_PAIR(isa, attribute, 7) PARADT__KERNEL_PAIR(isa, attribute, 8)
+    PARADT__KERNEL_SET(isa, attribute, d, 1)                                                                           \
+    PARADT__KERNEL_SET(isa, attribute, d, 2)
 #define PARADT__KERNEL_NAMES(isa, d, w)                                                                                \
-    { paradt__group_##isa##d##w, paradt__cell_##isa##d##w, paradt__best_##isa##d##w }
-#define PARADT__KERNEL_ROW(isa, d)                                                                                     \
-    { PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2) }
-#define PARADT__KERNEL_TABLE(isa)                                                                                      \
     {                                                                                                                  \
-        PARADT__KERNEL_ROW(isa, 2), PARADT__KERNEL_ROW(isa, 3), PARADT__KERNEL_ROW(isa, 4),                            \
-            PARADT__KERNEL_ROW(isa, 5), PARADT__KERNEL_ROW(isa, 6), PARADT__KERNEL_ROW(isa, 7),                        \
-            PARADT__KERNEL_ROW(isa, 8)                                                                                 \
+        paradt__kernel_group_##isa##_##d##_##w, paradt__kernel_cell_##isa##_##d##_##w,                                 \
+            paradt__kernel_best_##isa##_##d##_##w                                                                      \
     }
+#define PARADT__KERNEL_ROW(isa, d)                                                                                     \
+    {PARADT__KERNEL_NAMES(isa, d, 0), PARADT__KERNEL_NAMES(isa, d, 1), PARADT__KERNEL_NAMES(isa, d, 2)},
 
-PARADT__KERNELS(_plain, )
+#define PARADT__KERNEL_SETS_PLAIN(d) PARADT__KERNEL_SETS(plain, , d)
+#define PARADT__KERNEL_ROW_PLAIN(d)  PARADT__KERNEL_ROW(plain, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_PLAIN)
 #if defined(PARADT__AVX2)
-PARADT__KERNELS(_avx2, PARADT__AVX2)
+#define PARADT__KERNEL_SETS_AVX2(d) PARADT__KERNEL_SETS(avx2, PARADT__AVX2, d)
+#define PARADT__KERNEL_ROW_AVX2(d)  PARADT__KERNEL_ROW(avx2, d)
+PARADT__DIMENSIONS(PARADT__KERNEL_SETS_AVX2)
 #endif
 
-static paradt__kernels paradt__choose_kernels(int ambient, int grade) {
-    static const paradt__kernels plain[][3] = PARADT__KERNEL_TABLE(_plain);
+// Returns the fastest kernels that the processor has. ambient: coordinates a point; grade: as that of a set
+static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
+    static const paradt__kernels plain[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_PLAIN)};
 #if defined(PARADT__AVX2)
-    static const paradt__kernels avx2[][3] = PARADT__KERNEL_TABLE(_avx2);
+    static const paradt__kernels avx2[][3] = {PARADT__DIMENSIONS(PARADT__KERNEL_ROW_AVX2)};
+#endif
+    PARADT_ASSERT(ambient >= 2 && ambient <= PARADT_MAX_DIM && grade >= 0 && grade <= 2);
+#if defined(PARADT__AVX2)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2[ambient - 2][grade];
 #endif
     return plain[ambient - 2][grade];
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>search
+// >>pencil
 //
-// Doors: to be listed.
+// The spheres through a facet, and how far floating point can be trusted with them.
+//
+// Let o be a vertex of the facet f, u = x - o, and lift(u) = |u|^2 less the difference of the weights. The spheres
+// through f are the pencil F_t(u) = A(u) - t N(u), where N(u) = normal . u vanishes on f and is positive outside, and
+// A(u) = lift(u) - base . u vanishes on f. x is inside sphere t where F_t < 0. Outside of f, x lies on the sphere t(x)
+// = A(x) / N(x). The centre moves outward along the normal with t, so the smallest t is the smallest signed Delaunay
+// distance dd of the thesis.
+//
+// Let K bound the relative rounding of the sums below (PARADT__ROUND). Let e_i = p_i - o be the edges of f at o, and
+// e*_i their dual basis in their span. The computed `base` and `normal` do not vanish on f but have residuals r_i =
+// lift(e_i) - base . e_i and s_i = normal . e_i. So the true A differs from the computed one by at most
+//
+//     sum_i |r_i| |e*_i . u| <= base_slack |u|_1,    base_slack = sum_i |r_i| |e*_i|_max
+//
+// and N likewise by normal_slack |u|_1, with s_i for r_i. To these come the rounding, K sum_j |normal_j u_j| and the
+// like, and f_floor for the error that sagittas have themselves. The dual basis is itself computed. The product |e_i|_1
+// |e*_i|_max is the inverse sine of the facet's angles: while it stays below 2^36, the relative error of the dual basis
+// is below 2^-10, and a factor of 2 in the slacks covers it. A facet more needle-like than that gets slacks so large
+// that nothing is ruled out and all is decided exactly.
+//
+// A search keeps one pencil and sets it facet by facet. Doors: paradt__pencil_begin, paradt__pencil_set_facet,
+// paradt__pencil_set_sphere, paradt__pencil_set_whole_sphere, paradt__pencil_is_inside, paradt__pencil_is_outside,
+// paradt__pencil_boxes_beyond, paradt__pencil_is_confined.
 
-typedef struct paradt__search {
+#define PARADT__NEEDLE 68719476736.0         // 2^36
+#define PARADT__STEEP  2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+
+// The dimension that the inner functions have copies for, where all coordinates orient and nothing follows them
+enum { PARADT__PLAIN_DIM = PARADT_MAX_DIM < 3 ? PARADT_MAX_DIM : 3 };
+
+typedef struct paradt__pencil {
     const paradt__set *set;
-    const paradt__grid *grid;
-    paradt__space space; // this search's own, for its counters
-    int plain3;          // three coordinates and no weights: the shape that has its own copies of the inner functions
-    paradt__kernels test;
-    size_t begin, end;     // positions that matter: the whole set, or the part that a DeWall works on
-    double heaviest;       // no point that may be found is heavier
-    uint8_t *const *alive; // [level][group] which of its boxes have points that may be an apex; NULL: all
-    uint64_t distance_evaluations, grid_cells_visited;
-
-    // the facet and its pencil
-    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices; room for an apex and one more
-    paradt_index facet[PARADT_MAX_DIM];
-    int outside;  // sign of the orientation (facet, x) for x outside
-    int conflict; // both sides count, and the first point found in conflict with the sphere is the answer
-    int found;    // there is one
+    paradt__space space; // the set's, but with the counters of this pencil
+    int plain;           // the set has PARADT__PLAIN_DIM coordinates, of which all orient, and no grades
+    const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices, then the current sphere's point
+    int outside;                               // sign of the orientation (facet, x) for x outside
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
-
-    paradt_index apex; // best so far, or PARADT__OPEN
-    unsigned changes;  // times the sphere changed
-    unsigned growths;  // times a bound on the errors became larger by that
+    unsigned changes; // how often the sphere was set for this facet; 0: there is none yet
+    unsigned growths; // how often a bound on the errors was enlarged by that, for all facets
     paradt__lane_query q;
-} paradt__search;
+} paradt__pencil;
 
-static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+// Prepares pencils for facets of the set, or of sets of the same space and grade.
+static void paradt__pencil_begin(paradt__pencil *p, const paradt__set *set) {
     int j;
-    memset(s, 0, sizeof *s);
-    s->set = set;
-    s->grid = grid;
-    s->heaviest = grid->heaviest;
-    s->space = set->space;
-    memset(&s->space.counters, 0, sizeof s->space.counters);
-    s->test = paradt__choose_kernels(set->space.ambient, set->grade);
-    s->end = set->count;
-    s->plain3 = set->space.dim == 3 && set->space.ambient == 3 && !set->grade;
-    s->q.round = PARADT__ROUND(set->space.ambient);
-    s->q.f_floor = 4.0 * set->grade_error;
-    s->q.weight_slack = 2.0 * s->q.round * set->grade_limit;
+    memset(p, 0, sizeof *p);
+    p->set = set;
+    p->space = set->space;
+    memset(&p->space.counters, 0, sizeof p->space.counters);
+    p->plain = set->space.dim == PARADT__PLAIN_DIM && set->space.ambient == PARADT__PLAIN_DIM && !set->grade;
+    p->q.round = PARADT__ROUND(set->space.ambient);
+    p->q.f_floor = 4.0 * set->grade_error;
+    p->q.weight_slack = 2.0 * p->q.round * set->grade_limit;
     for (j = 0; j < set->space.ambient; j++) {
         if (set->space.low[j] > set->space.high[j]) continue;
-        s->q.extent[j] =
+        p->q.extent[j] =
             1.0000001 * (paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]));
     }
 }
 
-// One edge's share of the slacks; 0 when the facet is a needle. lift_size: the sum of the sizes of the lift's terms.
-PARADT__INLINE int paradt__add_residual(paradt__search *s, const double *edge, double lift, double lift_size,
-                                        const double *dual, int dim) {
+// Adds the terms of one edge to the slacks. lift_size: sum of the sizes of the lift's terms. Returns 0 if the facet is
+// a needle.
+PARADT__INLINE int paradt__pencil_add_residual(paradt__pencil *p, const double *edge, double lift, double lift_size,
+                                               const double *dual, int dim) {
     double r = lift, r_size = lift_size, n = 0.0, n_size = 0.0, length = 0.0, dual_size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
         double d = paradt__abs(dual[j]);
-        r -= s->base[j] * edge[j];
-        r_size += paradt__abs(s->base[j] * edge[j]);
-        n += s->q.normal[j] * edge[j];
-        n_size += paradt__abs(s->q.normal[j] * edge[j]);
+        r -= p->base[j] * edge[j];
+        r_size += paradt__abs(p->base[j] * edge[j]);
+        n += p->q.normal[j] * edge[j];
+        n_size += paradt__abs(p->q.normal[j] * edge[j]);
         length += paradt__abs(edge[j]);
         dual_size = d > dual_size ? d : dual_size;
     }
-    s->base_slack += 2.0 * dual_size * (paradt__abs(r) + s->q.round * r_size + s->q.f_floor);
-    s->normal_slack += 2.0 * dual_size * (paradt__abs(n) + s->q.round * n_size);
+    p->base_slack += 2.0 * dual_size * (paradt__abs(r) + p->q.round * r_size + p->q.f_floor);
+    p->normal_slack += 2.0 * dual_size * (paradt__abs(n) + p->q.round * n_size);
     return length * dual_size < PARADT__NEEDLE;
 }
 
-// A triangle in 3D: normal = e1 x e2, and the dual basis from cross products with it. 0: it is flat.
-PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_DIM], double d[][PARADT_MAX_DIM]) {
+#if PARADT_MAX_DIM >= 3
+// Computes the normal, e1 x e2, and the dual basis d of a triangle in 3D by cross products. Returns 0 if it is flat.
+PARADT__INLINE int paradt__pencil_of_triangle(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                              double d[][PARADT_MAX_DIM]) {
     const double *e = edges[0], *f = edges[1];
-    double *n = s->q.normal, size, inverse;
+    double *n = p->q.normal, size, inverse;
     int j;
     n[0] = e[1] * f[2] - e[2] * f[1];
     n[1] = e[2] * f[0] - e[0] * f[2];
@@ -5348,22 +6069,14 @@ PARADT__INLINE int paradt__pencil3(paradt__search *s, double edges[][PARADT_MAX_
     d[1][0] = (n[1] * e[2] - n[2] * e[1]) * inverse;
     d[1][1] = (n[2] * e[0] - n[0] * e[2]) * inverse;
     d[1][2] = (n[0] * e[1] - n[1] * e[0]) * inverse;
-    for (j = 0; j < 3 && s->outside < 0; j++) n[j] = -n[j];
+    for (j = 0; j < 3 && p->outside < 0; j++) n[j] = -n[j];
     return 1;
 }
+#endif
 
-static double paradt__longest(const double *vector, int dim) {
-    double longest = 0.0;
-    int j;
-    for (j = 0; j < dim; j++) {
-        double length = paradt__abs(vector[j]);
-        longest = length > longest ? length : longest;
-    }
-    return longest;
-}
-
-// A unit vector across the span of the orthonormal rows: the axis farthest from the span, less its part in it, twice.
-static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
+// Computes a unit vector perpendicular to the orthonormal rows: takes the axis farthest from their span and subtracts,
+// twice, its projection on the span.
+static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count, int dim, double *normal) {
     int axis, best = 0, i, j, pass;
     double least = 2.0, length = 0.0;
     for (axis = 0; axis < dim; axis++) {
@@ -5384,9 +6097,11 @@ static void paradt__normal_to(const double rows[][PARADT_MAX_DIM], int count, in
     for (j = 0; j < dim; j++) normal[j] *= length;
 }
 
-// Any dimension: edges = L Q by modified Gram-Schmidt; the dual basis is the columns of Q^T L^-1. The ratios of the
-// edges to the diagonal of L are bounded first, so that nothing overflows on the way to finding a needle.
-static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM], int dim) {
+// Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
+// Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
+// first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
+static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -5400,7 +6115,7 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
         }
         for (j = 0; j < dim; j++) length += q[i][j] * q[i][j];
         l[i][i] = sqrt(length);
-        if (!(l[i][i] * PARADT__NEEDLE > paradt__longest(edges[i], dim))) return 0;
+        if (!(l[i][i] * PARADT__NEEDLE > paradt__largest(edges[i], dim))) return 0;
         for (j = 0; j < dim; j++) q[i][j] /= l[i][i];
     }
     // Dual vector i is y Q with L y = unit i.
@@ -5414,298 +6129,467 @@ static int paradt__pencil(paradt__search *s, double edges[][PARADT_MAX_DIM], dou
             for (j = 0; j < dim; j++) dual[i][j] += y[k] * q[k][j];
         }
     }
-    paradt__normal_to((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, s->q.normal);
+    paradt__pencil_normal((const double(*)[PARADT_MAX_DIM])q, dim - 1, dim, p->q.normal);
     return 1;
 }
 
-// Turns the normal away from `inner`; where the side of that is in doubt, N rules out nothing.
-static void paradt__turn_normal(paradt__search *s, const double *inner, int dim) {
+// Makes the normal point away from `inner`. Where the side of `inner` is in doubt, N will rule out nothing.
+static void paradt__pencil_orient_normal(paradt__pencil *p, const double *inner, int dim) {
     double side = 0.0, size = 0.0;
     int j;
     for (j = 0; j < dim; j++) {
-        double u = inner[j] - s->q.origin[j];
-        side += s->q.normal[j] * u;
-        size += paradt__abs(u) * (s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack);
+        double u = inner[j] - p->q.origin[j];
+        side += p->q.normal[j] * u;
+        size += paradt__abs(u) * (p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack);
     }
-    for (j = 0; j < dim && side > size; j++) s->q.normal[j] = -s->q.normal[j];
-    if (side >= -size && side <= size) s->normal_slack = PARADT__NO_BOUND;
+    for (j = 0; j < dim && side > size; j++) p->q.normal[j] = -p->q.normal[j];
+    if (side >= -size && side <= size) p->normal_slack = PARADT__NO_BOUND;
 }
 
-// Nothing is known about the pencil in floating point: all is left to the predicates.
-static void paradt__pencil_unknown(paradt__search *s) {
-    memset(s->q.normal, 0, sizeof s->q.normal);
-    memset(s->base, 0, sizeof s->base);
-    s->base_slack = s->normal_slack = PARADT__NO_BOUND;
+// Nothing is known about the pencil in floating point: leaves everything to the predicates.
+static void paradt__pencil_forget(paradt__pencil *p) {
+    memset(p->q.normal, 0, sizeof p->q.normal);
+    memset(p->base, 0, sizeof p->base);
+    p->base_slack = p->normal_slack = PARADT__NO_BOUND;
 }
 
-// Where N is a determinant of the coordinates (`determinant`) and these are multiples of one power of two, as in
-// lattices, N is too; if its error is less than half of the smallest one that is not 0, its sign is known everywhere.
-PARADT__INLINE void paradt__set_floors(paradt__search *s, int determinant) {
-    const paradt__space *space = &s->space;
-    s->q.n_floor =
+// Sets the least N of a point outside. If the coordinates are multiples of one power of two, as in lattices, and N is a
+// determinant of them (`determinant`), N is such a multiple, too. If, besides, its error is less than half of the
+// smallest such multiple that is not 0, the sign of N is known everywhere.
+PARADT__INLINE void paradt__pencil_set_floor(paradt__pencil *p, int determinant) {
+    const paradt__space *space = &p->space;
+    p->q.n_floor =
         determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
 }
 
-// Near a sphere with centre c, the part outside of a facet that faces away from c is a cap, which lies in the smallest
-// sphere through the facet: for G(u) = |u|^2 - disc . u with that sphere's disc = twice its centre, and all u on the
-// sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c and sagittas s, so that G(u) = -(2 w + disc) . u + s0 - s(u). 2 w
-// + disc is mu times the normal up to a rest. If mu > 0, N(u) > 0 has G(u) <= |rest| |u| + s0 - s(u). This rules out
-// boxes that the facet's plane cuts far from the facet, as it cuts boxes of every size near the hull.
-static void paradt__set_disc(paradt__search *s, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                             int dim) {
+// Finds the sphere that holds the cap of the reference sphere outside of the facet. Near a reference sphere with centre
+// c, the points outside of a facet that faces away from c are such a cap, and the cap lies in the smallest sphere
+// through the facet. Let G(u) = |u|^2 - cap . u with cap = twice the centre of that smallest sphere, w = o - c, and s
+// the sagittas. All u of the set have |u|^2 = -2 w . u + s(o) - s(u), so G(u) = -(2 w + cap) . u + s(o) - s(u). Now
+// 2 w + cap is mu times the normal, up to a rest. If mu > 0, N(u) > 0 implies G(u) <= |rest| |u| + s(o) - s(u). This
+// rules out boxes that the facet's plane cuts far from the facet; near the hull it cuts boxes of every size.
+static void paradt__pencil_set_cap(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
+                                   int dim) {
     double mu = 0.0, size = 0.0, two_w[PARADT_MAX_DIM];
     int i, j;
-    for (j = 0; j < dim; j++) s->q.disc[j] = 0.0;
+    for (j = 0; j < dim; j++) p->q.cap[j] = 0.0;
     for (i = 0; i < dim - 1; i++) {
         double lift = 0.0;
         for (j = 0; j < dim; j++) lift += edges[i][j] * edges[i][j];
-        for (j = 0; j < dim; j++) s->q.disc[j] += lift * dual[i][j];
+        for (j = 0; j < dim; j++) p->q.cap[j] += lift * dual[i][j];
     }
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        mu += (two_w[j] + s->q.disc[j]) * s->q.normal[j];
-        size += s->q.normal[j] * s->q.normal[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        mu += (two_w[j] + p->q.cap[j]) * p->q.normal[j];
+        size += p->q.normal[j] * p->q.normal[j];
     }
     if (!(mu > 0.0)) return;
     mu /= size;
     for (j = 0; j < dim; j++) {
-        double rest = two_w[j] + s->q.disc[j] - mu * s->q.normal[j];
-        s->q.disc_slack[j] =
-            paradt__abs(rest) + mu * s->q.reach[j] +
-            s->q.round * (paradt__abs(two_w[j]) + paradt__abs(s->q.disc[j]) + paradt__abs(mu * s->q.normal[j]));
+        double rest = two_w[j] + p->q.cap[j] - mu * p->q.normal[j];
+        p->q.cap_slack[j] =
+            paradt__abs(rest) + mu * p->q.reach[j] +
+            p->q.round * (paradt__abs(two_w[j]) + paradt__abs(p->q.cap[j]) + paradt__abs(mu * p->q.normal[j]));
     }
-    s->q.disc_floor = 2.0 * (s->set->grade_limit + s->set->grade_error) + mu * s->q.n_floor;
+    p->q.cap_floor = 2.0 * (p->set->grade_limit + p->set->grade_error) + mu * p->q.n_floor;
 }
 
-// Sets the pencil of the facet s->corners. inner: a point off the facet, on the inner side if there are sides.
-PARADT__INLINE void paradt__facet_of_shape(paradt__search *s, const double *inner, int dim, int ambient, int grade) {
+// Computes the pencil of the facet p->corners[0..dim - 1]. inner: a point off the facet, on the inner side; sided: 0 if
+// both sides are outside. Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const double *inner, int sided, int dim,
+                                                      int ambient, int grade) {
     double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], dual[PARADT_MAX_DIM][PARADT_MAX_DIM];
     double lifts[PARADT_MAX_DIM], lift_sizes[PARADT_MAX_DIM];
     int i, j, sound;
-    const double *o = s->corners[0];
-    for (j = 0; j < ambient; j++) s->q.origin[j] = o[j];
-    s->q.weight = grade ? o[ambient] : 0.0;
+    const double *o = p->corners[0];
+    for (j = 0; j < ambient; j++) p->q.origin[j] = o[j];
+    p->q.weight = grade ? o[ambient] : 0.0;
     for (i = 0; i < dim - 1; i++) {
-        const double *p = s->corners[i + 1];
-        double loss = grade ? s->q.weight - p[ambient] : 0.0, square = 0.0;
+        const double *x = p->corners[i + 1];
+        double loss = grade ? p->q.weight - x[ambient] : 0.0, square = 0.0;
         for (j = 0; j < ambient; j++) {
-            double e = p[j] - o[j];
+            double e = x[j] - o[j];
             edges[i][j] = e;
             if (grade != PARADT__SAGITTA) square += e * e;
         }
         lifts[i] = square + loss;
         lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
     }
-    s->base_slack = s->normal_slack = 0.0;
-    sound = dim == 3 ? paradt__pencil3(s, edges, dual) : paradt__pencil(s, edges, dual, dim);
+    p->base_slack = p->normal_slack = 0.0;
+#if PARADT_MAX_DIM >= 3
+    sound = dim == 3 ? paradt__pencil_of_triangle(p, edges, dual) : paradt__pencil_of_facet(p, edges, dual, dim);
+#else
+    sound = paradt__pencil_of_facet(p, edges, dual, dim);
+#endif
     for (j = 0; j < dim && sound; j++) {
-        s->base[j] = 0.0;
-        for (i = 0; i < dim - 1; i++) s->base[j] += lifts[i] * dual[i][j];
+        p->base[j] = 0.0;
+        for (i = 0; i < dim - 1; i++) p->base[j] += lifts[i] * dual[i][j];
     }
     for (i = 0; i < dim - 1 && sound; i++) {
-        sound = paradt__add_residual(s, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
+        sound = paradt__pencil_add_residual(p, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
     }
-    if (sound && dim != 3) paradt__turn_normal(s, inner, dim);
-    if (!sound) paradt__pencil_unknown(s);
-    paradt__set_floors(s, sound && dim == 3);
-    s->q.clear = 0.0;
-    for (j = 0; j < dim; j++) s->q.clear = paradt__larger(s->q.clear, paradt__abs(s->q.normal[j]));
-    if (dim > 1) s->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
+    if (sound && dim != 3) paradt__pencil_orient_normal(p, inner, dim);
+    if (!sound) paradt__pencil_forget(p);
+    paradt__pencil_set_floor(p, sound && dim == 3);
+    p->q.clear = 0.0;
+    for (j = 0; j < dim; j++) p->q.clear = paradt__larger(p->q.clear, paradt__abs(p->q.normal[j]));
+    if (dim > 1) p->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
     for (j = 0; j < ambient; j++) {
-        if (j >= dim) s->q.normal[j] = s->base[j] = 0.0;
-        s->q.outer[j] = s->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
-        s->q.centre[j] = s->base[j];
-        s->q.slack[j] = PARADT__NO_BOUND;
-        s->q.reach[j] =
-            j < dim && s->q.n_floor == 0.0 ? s->q.round * paradt__abs(s->q.normal[j]) + s->normal_slack : 0.0;
+        if (j >= dim) p->q.normal[j] = p->base[j] = 0.0;
+        p->q.outer[j] = p->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
+        p->q.centre[j] = p->base[j];
+        p->q.slack[j] = PARADT__NO_BOUND;
+        p->q.reach[j] =
+            j < dim && p->q.n_floor == 0.0 ? p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack : 0.0;
     }
-    s->q.disc_floor = PARADT__NO_BOUND;
-    if (grade == PARADT__SAGITTA && sound && !s->conflict) paradt__set_disc(s, edges, dual, dim);
-    s->apex = PARADT__OPEN;
+    PARADT_ASSERT(p->base_slack >= 0.0 && p->normal_slack >= 0.0); // and are numbers
+    p->q.cap_floor = PARADT__NO_BOUND;
+    if (grade == PARADT__SAGITTA && sound && sided) paradt__pencil_set_cap(p, edges, dual, dim);
+    p->changes = 0;
 }
 
-static void paradt__search_facet(paradt__search *s, const double *inner) {
-    if (s->plain3) paradt__facet_of_shape(s, inner, 3, 3, 0);
-    else paradt__facet_of_shape(s, inner, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_facet(paradt__pencil *p, const double *inner, int sided) {
+    if (p->plain) paradt__pencil_set_facet_of_shape(p, inner, sided, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_facet_of_shape(p, inner, sided, p->space.dim, p->space.ambient, p->set->grade);
 }
 
-// On the reference sphere, |u|^2 = -2 w . u + s0 - s(u) with w = o - c, so that a multiple of the difference may be
-// added to F: the one that leaves nothing of the centre along w. Then F varies with the square of a box's size, as it
-// does on the sphere, while the box reaches off it by its size.
-static void paradt__set_curve(paradt__search *s, int dim) {
+// Chooses the form of F for boxes near the reference sphere. On that sphere |u|^2 = -2 w . u + s(o) - s(u), with w =
+// o - c, so a multiple of the difference of the two sides may be added to F: the multiple that leaves nothing of the
+// centre along w. In this form F varies in a box with the square of its size, as on the sphere, though the box reaches
+// off the sphere by its size.
+static void paradt__pencil_set_curve(paradt__pencil *p, int dim) {
     double dot = 0.0, square = 0.0, half, two_w[PARADT_MAX_DIM];
     int j;
     for (j = 0; j < dim; j++) {
-        two_w[j] = 2.0 * (s->q.origin[j] - s->set->centre[j]);
-        dot += s->q.centre[j] * two_w[j];
+        two_w[j] = 2.0 * (p->q.origin[j] - p->set->centre[j]);
+        dot += p->q.centre[j] * two_w[j];
         square += two_w[j] * two_w[j];
     }
-    s->q.curve = dot / square;
-    if (!(paradt__abs(s->q.curve) < 0.5 && paradt__abs(s->q.curve) > 1.0 / PARADT__STEEP)) s->q.curve = 0.0;
-    half = s->q.curve > 0.0 ? 0.5 / s->q.curve : 0.0;
-    s->q.curve_slack = paradt__abs(s->q.curve) * (s->q.f_floor + 2.0 * s->q.weight_slack);
+    p->q.curve = dot / square;
+    if (!(paradt__abs(p->q.curve) < 0.5 && paradt__abs(p->q.curve) > 1.0 / PARADT__STEEP)) p->q.curve = 0.0;
+    half = p->q.curve > 0.0 ? 0.5 / p->q.curve : 0.0;
+    p->q.curve_slack = paradt__abs(p->q.curve) * (p->q.f_floor + 2.0 * p->q.weight_slack);
     for (j = 0; j < dim; j++) {
-        double moved = s->q.curve * two_w[j];
-        s->q.tangent[j] = s->q.centre[j] - moved;
-        s->q.summit[j] = s->q.tangent[j] * half;
-        s->q.curve_slack +=
-            2.0 * s->q.round * s->q.extent[j] *
-            (paradt__abs(s->q.curve) * s->q.extent[j] + paradt__abs(s->q.centre[j]) + 2.0 * paradt__abs(moved));
+        double moved = p->q.curve * two_w[j];
+        p->q.tangent[j] = p->q.centre[j] - moved;
+        p->q.summit[j] = p->q.tangent[j] * half;
+        p->q.curve_slack +=
+            2.0 * p->q.round * p->q.extent[j] *
+            (paradt__abs(p->q.curve) * p->q.extent[j] + paradt__abs(p->q.centre[j]) + 2.0 * paradt__abs(moved));
     }
 }
 
-// Makes x the apex: the sphere through the facet and it. n: N(x), n_bound: its error. The slacks are taken twice as
-// large as needed and then kept as long as they do, so that bounds computed for one sphere mostly hold for the next.
-PARADT__INLINE void paradt__accept_of_shape(paradt__search *s, paradt_index point, const double *x, double n,
-                                            double n_bound, int dim, int ambient, int grade) {
-    int j, grown = s->apex < 0;
-    double a = 0.0, a_bound = s->q.f_floor, t, t_bound, size;
-    if (s->q.n_floor > 0.0) n_bound = s->space.orient_certain;
+// Makes the sphere through x the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
+// what is needed and then kept while that suffices, so bounds on errors in a box mostly hold for the next sphere, too.
+// Inlined with constants for plain sets.
+PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const double *x, double n, double n_bound,
+                                                       int dim, int ambient, int grade) {
+    int j, grown = !p->changes;
+    double a = 0.0, a_bound = p->q.f_floor, t, t_bound, size;
+    if (p->q.n_floor > 0.0) n_bound = p->space.orient_certain;
     size = paradt__abs(n) - n_bound;
-    s->apex = point;
-    s->corners[dim] = x;
-    s->changes++;
+    p->corners[dim] = x;
+    p->changes++;
     for (j = 0; j < ambient; j++) {
-        double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-        a += grade == PARADT__SAGITTA ? -u * s->base[j] : u * (u - s->base[j]);
-        a_bound += reach * (s->q.round * paradt__abs(s->base[j]) + s->base_slack);
-        if (grade != PARADT__SAGITTA) a_bound += s->q.round * reach * reach;
+        double u = x[j] - p->q.origin[j], reach = paradt__abs(u);
+        a += grade == PARADT__SAGITTA ? -u * p->base[j] : u * (u - p->base[j]);
+        a_bound += reach * (p->q.round * paradt__abs(p->base[j]) + p->base_slack);
+        if (grade != PARADT__SAGITTA) a_bound += p->q.round * reach * reach;
     }
     if (grade) {
-        double gain = x[ambient] - s->q.weight;
+        double gain = x[ambient] - p->q.weight;
         a -= gain;
-        a_bound += s->q.round * paradt__abs(gain);
+        a_bound += p->q.round * paradt__abs(gain);
     }
     t = size > 0.0 ? a / n : PARADT__STEEP;
-    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + s->q.round * paradt__abs(t) : PARADT__STEEP;
+    t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + p->q.round * paradt__abs(t) : PARADT__STEEP;
     if (!(paradt__abs(t) < PARADT__STEEP && t_bound < PARADT__STEEP)) {
-        for (j = 0; j < ambient; j++) s->q.slack[j] = PARADT__NO_BOUND;
-        s->growths++;
+        for (j = 0; j < ambient; j++) p->q.slack[j] = PARADT__NO_BOUND;
+        p->growths++;
         return;
     }
     for (j = 0; j < ambient; j++) {
-        double normal = s->q.normal[j], slack;
-        s->q.centre[j] = s->base[j] + t * normal;
-        slack = s->q.round * (paradt__abs(s->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
-        if (j < dim) slack += s->base_slack + (paradt__abs(t) + t_bound) * s->normal_slack;
-        if (grown || slack > s->q.slack[j]) {
-            s->q.slack[j] = 2.0 * slack;
+        double normal = p->q.normal[j], slack;
+        p->q.centre[j] = p->base[j] + t * normal;
+        slack = p->q.round * (paradt__abs(p->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
+        if (j < dim) slack += p->base_slack + (paradt__abs(t) + t_bound) * p->normal_slack;
+        if (grown || slack > p->q.slack[j]) {
+            p->q.slack[j] = 2.0 * slack;
             grown = 1;
         }
     }
-    s->growths += (unsigned)grown;
-    if (grade == PARADT__SAGITTA) paradt__set_curve(s, dim);
+    p->growths += (unsigned)grown;
+    if (grade == PARADT__SAGITTA) paradt__pencil_set_curve(p, dim);
 }
 
-static void paradt__search_accept(paradt__search *s, paradt_index point, const double *x, double n, double n_bound) {
-    if (s->plain3) paradt__accept_of_shape(s, point, x, n, n_bound, 3, 3, 0);
-    else paradt__accept_of_shape(s, point, x, n, n_bound, s->space.dim, s->space.ambient, s->set->grade);
+static void paradt__pencil_set_sphere(paradt__pencil *p, const double *x, double n, double n_bound) {
+    if (p->plain) paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__pencil_set_sphere_of_shape(p, x, n, n_bound, p->space.dim, p->space.ambient, p->set->grade);
 }
 
-// Is x in conflict with the cell of the facet and the apex? Exactly, with the perturbation.
-static int paradt__search_settle(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    int dim = s->space.dim, i;
-    for (i = 0; i <= dim; i++) p[i] = s->corners[i];
-    if (s->outside < 0) {
-        p[dim - 1] = s->corners[dim];
-        p[dim] = s->corners[dim - 1];
+// Makes the sphere through x the current one and lets both sides of the facet be outside.
+static void paradt__pencil_set_whole_sphere(paradt__pencil *p, const double *x) {
+    double n = 0.0, n_bound = 0.0;
+    int j;
+    for (j = 0; j < p->space.dim && p->space.filtered; j++) {
+        double u = x[j] - p->q.origin[j];
+        n += p->q.normal[j] * u;
+        n_bound += paradt__abs(u) * p->q.reach[j];
     }
-    p[dim + 1] = x;
-    return paradt__conflict(&s->space, p);
+    paradt__pencil_set_sphere(p, x, n, n_bound);
+    for (j = 0; j < p->space.ambient; j++) p->q.reach[j] = PARADT__NO_BOUND;
+    p->q.n_floor = 0.0;
 }
 
-static int paradt__search_is_outside(paradt__search *s, const double *x) {
-    const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
-    for (i = 0; i < dim; i++) p[i] = s->corners[i];
-    p[dim] = x;
-    return paradt__orient(&s->space, p) * s->outside > 0;
+// Is x in conflict with the cell of the facet and the current sphere's point? Decides exactly.
+static int paradt__pencil_is_inside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 2];
+    int dim = p->space.dim, i;
+    for (i = 0; i <= dim; i++) points[i] = p->corners[i];
+    if (p->outside < 0) {
+        points[dim - 1] = p->corners[dim];
+        points[dim] = p->corners[dim - 1];
+    }
+    points[dim + 1] = x;
+    return paradt__conflict(&p->space, points);
 }
 
-// Looks at one point that could not be ruled out with its neighbours.
-PARADT__INLINE void paradt__point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
+// Is x strictly outside the facet? Decides exactly.
+static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
+    const double *points[PARADT_MAX_DIM + 1];
+    int dim = p->space.dim, i;
+    for (i = 0; i < dim; i++) points[i] = p->corners[i];
+    points[dim] = x;
+    return paradt__orient(&p->space, points) * p->outside > 0;
+}
+
+// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
+// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
+// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
+// ruled out.
+static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
+    unsigned mask = 0;
+    int lane, j;
+    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
+    for (lane = 0; lane < PARADT__LANES; lane++) {
+        double most = 0.0;
+        for (j = 0; j < p->space.dim; j++) {
+            double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
+            double high = group[(2 * j + 1) * PARADT__LANES + lane] - p->q.origin[j];
+            double a = p->q.normal[j] * low + p->q.reach[j] * paradt__abs(low);
+            double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
+            most += a > b ? a : b;
+        }
+        mask |= (unsigned)(most > 0.0) << lane;
+    }
+    return mask;
+}
+
+// Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
+// be a current sphere. Its centre is m = centre / 2, its radius r = |m|, or sqrt(|m|^2 + the largest gain) if there are
+// heavier points than the origin. For u outside of the box, D = |u - m| is at least the distance of m from the walls,
+// and F(u) >= D^2 - r^2. With |u|_1 <= sqrt(d) (D + r), F(u) > K |u|_1 |u|_max + slack |u|_1 if D - r > K d (D + r) +
+// sqrt(d) slack. Both sides of this grow with D, so the walls decide. With sagittas, the sphere that holds the cap
+// outside the facet takes the place of the current sphere, even while there is none.
+static int paradt__pencil_is_confined(const paradt__pencil *p, const double *box, double heaviest) {
+    int capped = p->q.cap_floor < PARADT__NO_BOUND, j, dim = p->space.dim;
+    const double *whole = capped ? p->q.cap : p->q.centre, *slacks = capped ? p->q.cap_slack : p->q.slack;
+    double nearest = PARADT__FAR, radius = capped ? p->q.cap_floor : 0.0, slack = 0.0;
+    if (!capped && (!p->changes || p->set->grade == PARADT__SAGITTA)) return 0;
+    for (j = 0; j < dim; j++) {
+        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
+        double low = (p->q.origin[j] - box[2 * j]) + m, high = (box[2 * j + 1] - p->q.origin[j]) - m;
+        nearest = low < nearest ? low : nearest;
+        nearest = high < nearest ? high : nearest;
+        radius += m * m;
+        slack = slacks[j] > slack ? slacks[j] : slack;
+    }
+    if (p->space.weighted && heaviest > p->q.weight) radius += heaviest - p->q.weight;
+    radius = sqrt(radius);
+    return nearest - radius > p->q.round * dim * (nearest + radius) + 3.0 * slack;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>search
+//
+// MakeSimplex of the thesis: given a facet, finds the point on its outer side with the smallest signed Delaunay
+// distance dd. By the same means it finds a point in conflict with a given cell, or beyond a given facet.
+//
+// A point whose F is certainly positive for the current sphere can't be the apex and is passed over. A point whose F is
+// certainly negative replaces the apex. All others are settled by the exact perturbed predicate, which is a total order
+// on the pencil. The same bounds, taken over a box, rule out the boxes on the inner side and those outside the sphere
+// (see >>pencil and >>search kernels). The order in which points are seen only matters for speed.
+//
+// Nobody else writes the search's fields; its set may be read. Doors: paradt__search_begin, paradt__search_limit,
+// paradt__search_skip_finished, paradt__search_admit, paradt__search_space, paradt__search_counters,
+// paradt__search_effort, paradt__search_add_counts, paradt__search_point, paradt__search_from_top,
+// paradt__search_aim_at_facet, paradt__search_aim_at_cell, paradt__search_apex, paradt__search_conflict.
+
+// What the search is aimed at
+enum {
+    PARADT__AIM_APEX,     // the point outside the facet that is on the smallest sphere
+    PARADT__AIM_CONFLICT, // any point in the sphere, on both sides of the facet
+    PARADT__AIM_BEYOND    // any point strictly outside the facet
+};
+
+typedef struct paradt__search {
+    const paradt__set *set;
+    const paradt__grid *grid;
+    paradt__kernels kernels;
+    size_t begin, end;          // only these positions are searched
+    double heaviest;            // no point that may be found is heavier
+    uint8_t *const *unfinished; // [level][group] bits of the boxes with points that may be an apex; NULL: all boxes
+    uint64_t distance_evaluations, grid_cells_visited;
+    int aim;
+    int opposite;                       // the vertex of the cell aimed at that is not of the facet
+    uint8_t *const *boxes;              // as `unfinished`, for the present aim
+    paradt_index facet[PARADT_MAX_DIM]; // positions of the facet's vertices; others than the set's: they are not in it
+    paradt_index apex;                  // the best point so far, or PARADT__OPEN
+    int found;                          // aimed at any point: the apex is one
+    paradt__pencil pencil;              // of the facet
+} paradt__search;
+
+// Prepares a search in the set, of which the grid has the points.
+static void paradt__search_begin(paradt__search *s, const paradt__set *set, const paradt__grid *grid) {
+    memset(s, 0, sizeof *s);
+    s->set = set;
+    s->grid = grid;
+    s->heaviest = grid->heaviest;
+    s->kernels = paradt__kernels_choose(set->space.ambient, set->grade);
+    s->end = set->count;
+    paradt__pencil_begin(&s->pencil, set);
+}
+
+// Only the positions [begin, end) are searched from now on.
+static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+    PARADT_ASSERT(begin <= end && end <= s->set->count);
+    s->begin = begin;
+    s->end = end;
+}
+
+// From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
+// boxes that have some, as they are at each search
+static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+    s->unfinished = unfinished;
+}
+
+// The search will be put to points of another grid, too: its heaviest point may be an answer.
+static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
+    s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
+}
+
+// Returns the space of the search's set, in which its predicates are counted.
+PARADT__INLINE paradt__space *paradt__search_space(paradt__search *s) {
+    return &s->pencil.space;
+}
+
+// Returns what the search counted of predicates.
+static const paradt__counters *paradt__search_counters(const paradt__search *s) {
+    return &s->pencil.space.counters;
+}
+
+// Returns how much work the search has done: grid cells visited and predicates evaluated.
+static uint64_t paradt__search_effort(const paradt__search *s) {
+    return s->grid_cells_visited + s->pencil.space.counters.insphere_calls + s->pencil.space.counters.orient_calls;
+}
+
+// Adds what the search counted of grid cells and distances.
+static void paradt__search_add_counts(const paradt__search *s, paradt_stats *stats) {
+    stats->distance_evaluations += s->distance_evaluations;
+    stats->grid_cells_visited += s->grid_cells_visited;
+}
+
+// --- points
+
+// Looks at one point that was not ruled out with its neighbours: the point becomes the apex, or is no answer.
+PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t position, int dim, int ambient, int grade) {
     paradt_index point = (paradt_index)position;
     const double *x;
-    double f = 0.0, f_bound = s->q.f_floor, n = 0.0, n_bound = -s->q.n_floor;
+    double f = 0.0, f_bound = s->pencil.q.f_floor, n = 0.0, n_bound = -s->pencil.q.n_floor;
     int i, j;
     if (position >= s->set->count || point == s->apex) return;
     for (i = 0; i < dim; i++) {
         if (point == s->facet[i]) return;
     }
     x = paradt__record(s->set, point);
-    if (s->space.filtered) {
+    if (s->pencil.space.filtered) {
         for (j = 0; j < ambient; j++) {
-            double u = x[j] - s->q.origin[j], reach = paradt__abs(u);
-            f += grade == PARADT__SAGITTA ? -u * s->q.centre[j] : u * (u - s->q.centre[j]);
-            f_bound += reach * s->q.slack[j];
-            if (grade != PARADT__SAGITTA) f_bound += reach * s->q.round * reach;
-            n += s->q.normal[j] * u;
-            n_bound += reach * s->q.reach[j];
+            double u = x[j] - s->pencil.q.origin[j], reach = paradt__abs(u);
+            f += grade == PARADT__SAGITTA ? -u * s->pencil.q.centre[j] : u * (u - s->pencil.q.centre[j]);
+            f_bound += reach * s->pencil.q.slack[j];
+            if (grade != PARADT__SAGITTA) f_bound += reach * s->pencil.q.round * reach;
+            n += s->pencil.q.normal[j] * u;
+            n_bound += reach * s->pencil.q.reach[j];
         }
         if (grade) {
-            double gain = x[ambient] - s->q.weight;
+            double gain = x[ambient] - s->pencil.q.weight;
             f -= gain;
-            f_bound += s->q.round * paradt__abs(gain);
+            f_bound += s->pencil.q.round * paradt__abs(gain);
         }
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
-    if (!s->conflict) {
-        if (n < -n_bound || (n <= n_bound && !paradt__search_is_outside(s, x))) return;
+    if (s->aim != PARADT__AIM_CONFLICT) {
+        if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
     if (s->apex >= 0) {
-        if (f > f_bound || (f >= -f_bound && !paradt__search_settle(s, x))) return;
+        if (f > f_bound || (f >= -f_bound && !paradt__pencil_is_inside(&s->pencil, x))) return;
     }
-    if (s->conflict) {
-        s->apex = point;
-        s->found = 1;
+    if (s->aim == PARADT__AIM_APEX) {
+        paradt__pencil_set_sphere(&s->pencil, x, n, n_bound);
     } else {
-        paradt__search_accept(s, point, x, n, n_bound);
+        s->found = 1;
     }
+    s->apex = point;
 }
 
 static void paradt__search_point(paradt__search *s, size_t position) {
-    if (s->plain3) paradt__point_of_shape(s, position, 3, 3, 0);
-    else paradt__point_of_shape(s, position, s->space.dim, s->space.ambient, s->set->grade);
+    if (s->pencil.plain) paradt__search_point_of_shape(s, position, PARADT__PLAIN_DIM, PARADT__PLAIN_DIM, 0);
+    else paradt__search_point_of_shape(s, position, s->pencil.space.dim, s->pencil.space.ambient, s->set->grade);
 }
 
-// Clears the bit of a point, if it is in the grid cell.
-PARADT__INLINE unsigned paradt__mask_without(unsigned mask, size_t cell, paradt_index point) {
+// --- boxes
+
+// Returns the mask without the bit of a point, where that is in the grid cell.
+PARADT__INLINE unsigned paradt__lanes_without(unsigned mask, size_t cell, paradt_index point) {
     size_t lane = (size_t)point - cell * PARADT__LANES;
     return mask & ~(unsigned)((uint64_t)1 << (lane < 63 ? lane : 63));
 }
 
-PARADT__INLINE int paradt__lane_of(double packed) {
+// Returns the lane that a kernel has put into the last bits of its result.
+PARADT__INLINE int paradt__lane_unpack(double packed) {
     return (int)(paradt__bits(packed) & 7);
 }
 
-// The points of a grid cell that can't be ruled out together, the most promising first: after it, most others can.
+// Looks at the points of a grid cell that are not ruled out together, the most promising first: after that one, most
+// others are ruled out. f_bound, n_bound: bounds on the errors of F and N in the grid cell's box
 static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, double n_bound) {
-    double room[PARADT__LANES_SCRATCH];
-    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, room);
-    unsigned mask = s->test.cell(&s->q, lanes, f_bound, n_bound);
+    double scratch[PARADT__LANES_SCRATCH];
+    const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
+    unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
-    for (i = 0; i < s->space.dim; i++) mask = paradt__mask_without(mask, cell, s->facet[i]); // they are on every sphere
-    mask = paradt__mask_without(mask, cell, s->apex);
+    for (i = 0; i < s->pencil.space.dim; i++)
+        mask = paradt__lanes_without(mask, cell, s->facet[i]); // they are on every sphere
+    mask = paradt__lanes_without(mask, cell, s->apex);
     while (mask && !s->found) {
         int lane = paradt__trailing_zeros(mask);
-        unsigned changes = s->changes, growths = s->growths;
+        unsigned changes = s->pencil.changes, growths = s->pencil.growths;
         if (mask & (mask - 1)) {
-            int best = paradt__lane_of(s->test.best(&s->q, lanes));
+            int best = paradt__lane_unpack(s->kernels.best(&s->pencil.q, lanes));
             lane = mask >> best & 1 ? best : lane;
         }
         paradt__search_point(s, cell * PARADT__LANES + (size_t)lane);
         mask &= ~(1u << lane);
-        if (mask && s->changes != changes && s->growths == growths)
-            mask &= s->test.cell(&s->q, lanes, f_bound, n_bound);
+        if (mask && s->pencil.changes != changes && s->pencil.growths == growths)
+            mask &= s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     }
 }
 
-PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
+// Returns the box of the mask, which is not 0, in which F may be the smallest.
+PARADT__INLINE int paradt__lanes_most_promising(const paradt__lane_bounds *bounds, unsigned mask) {
     int best = paradt__trailing_zeros(mask), lane;
     for (mask &= mask - 1; mask; mask &= mask - 1) {
         lane = paradt__trailing_zeros(mask);
@@ -5714,20 +6598,21 @@ PARADT__INLINE int paradt__most_promising(const paradt__lane_bounds *bounds, uns
     return best;
 }
 
-// The boxes of a group at `level`, but for one that was looked at before (skip: its number, or any other).
+// Looks into the boxes of a group at `level`. skip: number of a box that was looked at before, or any other number
 static void paradt__search_group(paradt__search *s, int level, size_t group, size_t skip) {
     const double *boxes = s->grid->boxes[level] + group * s->grid->group_width;
     size_t span = (size_t)PARADT__LANES << (3 * level); // points a box
     size_t first = group * PARADT__LANES, lane;
-    unsigned remaining = 255, mask, changes = s->changes, growths = s->growths;
+    unsigned remaining = 255, mask, changes = s->pencil.changes, growths = s->pencil.growths;
     paradt__lane_bounds bounds;
     if (first * span < s->begin) remaining &= 255u << (s->begin / span - first);
     if ((first + PARADT__LANES) * span > s->end) remaining &= 255u >> (first + PARADT__LANES - 1 - (s->end - 1) / span);
-    if (s->alive && !s->conflict) remaining &= s->alive[level][group];
+    if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
-    mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+    mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
     while (mask && !s->found) {
-        lane = level ? (size_t)paradt__most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
+        lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
         remaining &= ~(1u << lane);
         if (level) {
@@ -5736,26 +6621,26 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             paradt__search_cell(s, first + lane, bounds.f[lane], bounds.n[lane]);
         }
         // A smaller sphere rules out more boxes: worth another test where boxes are groups. Larger bounds need one.
-        if (s->growths != growths || (level && mask && s->changes != changes)) {
-            changes = s->changes;
-            growths = s->growths;
-            mask = s->test.group(&s->q, boxes, &bounds) & remaining;
+        if (s->pencil.growths != growths || (level && mask && s->pencil.changes != changes)) {
+            changes = s->pencil.changes;
+            growths = s->pencil.growths;
+            mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
         }
     }
 }
 
-// A first apex from the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
-static void paradt__search_near(paradt__search *s) {
+// Finds a first apex in the grid cells of the facet's vertices, so that most of the grid is ruled out from the start.
+static void paradt__search_start(paradt__search *s) {
     size_t cells[3], best = SIZE_MAX;
-    double least = 0.5 * PARADT__FAR, room[PARADT__LANES_SCRATCH];
+    double least = 0.5 * PARADT__FAR, scratch[PARADT__LANES_SCRATCH];
     int i, count = 0;
-    for (i = 0; i < s->space.dim && i < 3; i++) {
+    for (i = 0; i < s->pencil.space.dim && i < 3; i++) {
         cells[count] = (size_t)s->facet[i] / PARADT__LANES;
         count += count == 0 || (cells[count] != cells[count - 1] && cells[count] != cells[0]);
     }
     for (i = 0; i < count; i++) {
-        double t = s->test.best(&s->q, paradt__grid_lanes(s->grid, s->set, cells[i], room));
-        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_of(t);
+        double t = s->kernels.best(&s->pencil.q, paradt__grid_lanes(s->grid, s->set, cells[i], scratch));
+        size_t position = cells[i] * PARADT__LANES + (size_t)paradt__lane_unpack(t);
         best = t < least ? position : best;
         least = t < least ? t : least;
     }
@@ -5764,41 +6649,18 @@ static void paradt__search_near(paradt__search *s) {
     if (best != SIZE_MAX) paradt__search_point(s, best);
 }
 
-// Is no point outside of the room (low and high of each axis) of use any more? The sphere's centre is m = centre / 2,
-// its radius |m|, or for heavier points than the origin sqrt(|m|^2 + their gain). For u outside of the room, D = |u -
-// m| is at least the distance of m from its walls, and F(u) >= D^2 - r^2 > K |u|_1 |u|_max + slack |u|_1, with |u|_1 <=
-// sqrt(d) (D + r), if D - r > K d (D + r) + sqrt(d) slack; both sides grow with D so that the walls decide. With
-// sagittas the disc of a facet that faces away from the reference sphere's centre takes the place of the sphere, even
-// while there is no apex.
-static int paradt__search_within(const paradt__search *s, const double *room) {
-    int capped = s->q.disc_floor < PARADT__NO_BOUND, j, dim = s->space.dim;
-    const double *whole = capped ? s->q.disc : s->q.centre, *slacks = capped ? s->q.disc_slack : s->q.slack;
-    double nearest = PARADT__FAR, radius = capped ? s->q.disc_floor : 0.0, slack = 0.0;
-    if (!capped && (s->apex < 0 || s->set->grade == PARADT__SAGITTA)) return 0;
-    for (j = 0; j < dim; j++) {
-        double m = 0.5 * whole[j]; // the differences first: they have small relative errors
-        double low = (s->q.origin[j] - room[2 * j]) + m, high = (room[2 * j + 1] - s->q.origin[j]) - m;
-        nearest = low < nearest ? low : nearest;
-        nearest = high < nearest ? high : nearest;
-        radius += m * m;
-        slack = slacks[j] > slack ? slacks[j] : slack;
-    }
-    if (s->space.weighted && s->heaviest > s->q.weight) radius += s->heaviest - s->q.weight;
-    radius = sqrt(radius);
-    return nearest - radius > s->q.round * dim * (nearest + radius) + 3.0 * slack;
+// Is no point outside of the group of use any more?
+static int paradt__search_is_done(const paradt__search *s, int level, size_t group) {
+    const double *room = s->grid->cut_bounds[level] + group * 2 * (size_t)s->pencil.space.dim;
+    return paradt__pencil_is_confined(&s->pencil, room, s->heaviest);
 }
 
-// The same for the room of a group.
-static int paradt__search_inside(const paradt__search *s, int level, size_t group) {
-    return paradt__search_within(s, s->grid->cut_bounds[level] + group * 2 * (size_t)s->space.dim);
-}
-
-// All points that may matter, those near `position` first: its grid cell's group, then the groups around it level by
-// level.
-static void paradt__search_all(paradt__search *s, size_t position) {
+// Looks at all points that may matter, those near `position` first: at its grid cell's group, then, level by level, at
+// the groups that contain this group.
+static void paradt__search_around(paradt__search *s, size_t position) {
     size_t box = position / PARADT__LANES, skip = SIZE_MAX;
     int level;
-    if (!s->space.filtered) {
+    if (!s->pencil.space.filtered) {
         for (box = s->begin; box < s->end && !s->found; box++) paradt__search_point(s, box);
         return;
     }
@@ -5807,36 +6669,81 @@ static void paradt__search_all(paradt__search *s, size_t position) {
         if (level && skip * span <= s->begin && (skip + 1) * span >= s->end) break;
         paradt__search_group(s, level, box / PARADT__LANES, skip);
         skip = box / PARADT__LANES;
-        if (level && paradt__search_inside(s, level, skip)) break;
+        if (level && paradt__search_is_done(s, level, skip)) break;
         box = skip;
     }
 }
 
-// The apex of the cell outside the facet opposite vertex `opposite` of the positively oriented cell, or PARADT__HULL.
-// `made` gets the new cell's vertices, positively oriented, the apex at the place that is returned through *place.
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
-    int dim = s->space.dim, i, count = 0;
+// Looks at all points that may matter, from the top of the grid, as no position is near to the facet.
+static void paradt__search_from_top(paradt__search *s) {
+    size_t at;
+    if (s->pencil.space.filtered) {
+        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
+    } else {
+        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
+    }
+}
+
+// --- what to search for
+
+// Aims at the facet opposite `opposite` of a cell with this orientation. corners: [dim + 1] records of the cell's
+// vertices, laid out as those of the set, or NULL: they are all points of the set; positions: theirs in the set, any
+// others for vertices that are not in it
+PARADT__INLINE void paradt__search_aim_at_facet(paradt__search *s, int aim, const double *const *corners,
+                                                const paradt_index *positions, int opposite, int orientation) {
+    int dim = s->pencil.space.dim, i, count = 0;
+    PARADT_ASSERT(opposite >= 0 && opposite <= dim && (orientation == 1 || orientation == -1));
     for (i = 0; i <= dim; i++) {
         if (i == opposite) continue;
-        s->facet[count] = cell[i];
-        s->corners[count++] = paradt__record(s->set, cell[i]);
+        s->facet[count] = positions[i];
+        s->pencil.corners[count++] = corners ? corners[i] : paradt__record(s->set, positions[i]);
     }
-    // The apex in the place of `opposite` turns the orientation; dim - opposite exchanges move it to the end.
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
-    if (s->space.filtered) {
-        paradt__search_facet(s, paradt__record(s->set, cell[opposite]));
-        paradt__search_near(s);
-    } else {
-        s->apex = PARADT__OPEN;
+    s->aim = aim;
+    s->boxes = aim == PARADT__AIM_APEX ? s->unfinished : NULL;
+    s->opposite = opposite;
+    // x in the place of `opposite` reverses the orientation; dim - opposite exchanges move x to the end.
+    s->pencil.outside = (dim - opposite) % 2 ? orientation : -orientation;
+    s->found = 0;
+    s->apex = PARADT__OPEN;
+    if (s->pencil.space.filtered)
+        paradt__pencil_set_facet(&s->pencil, corners ? corners[opposite] : paradt__record(s->set, positions[opposite]),
+                                 aim != PARADT__AIM_CONFLICT);
+}
+
+// Aims at any point in conflict with a positively oriented cell: the facet is the one opposite its last vertex, which
+// is the apex and outside. corners, positions: as above, but no position is negative
+static void paradt__search_aim_at_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    int dim = s->pencil.space.dim;
+    PARADT_ASSERT(positions[dim] >= 0);
+    paradt__search_aim_at_facet(s, PARADT__AIM_CONFLICT, corners, positions, dim, -1);
+    paradt__pencil_set_whole_sphere(&s->pencil, corners[dim]);
+    s->apex = positions[dim];
+}
+
+// Are all vertices of the cell points of the set?
+PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_index *cell) {
+    int i;
+    for (i = 0; i <= s->pencil.space.dim; i++) {
+        if (cell[i] < 0 || (size_t)cell[i] >= s->set->count) return 0;
     }
-    paradt__search_all(s, (size_t)s->facet[0]);
+    return 1;
+}
+
+// Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
+// PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
+static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
+                                        int *place) {
+    int dim = s->pencil.space.dim, i;
+    PARADT_ASSERT(paradt__search_has(s, cell));
+    paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
+    if (s->pencil.space.filtered) paradt__search_start(s);
+    paradt__search_around(s, (size_t)s->facet[0]);
     if (s->apex < 0) return PARADT__HULL;
+    PARADT_ASSERT(s->apex != cell[opposite]);
     for (i = 0; i < dim; i++) made[i] = s->facet[i];
     made[dim] = s->apex;
     *place = dim;
-    if (s->outside < 0) { // two vertices change places: other ones than the apex, if there are
+    if (s->pencil.outside < 0) { // two vertices change places: other ones than the apex, if there are
         made[1] = s->facet[0];
         made[0] = dim > 1 ? s->facet[1] : s->apex;
         *place = dim > 1 ? dim : 0;
@@ -5844,77 +6751,89 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
     return s->apex;
 }
 
-// From the top: all points that may matter, when the facet is not one of the set's own.
-static void paradt__search_down(paradt__search *s) {
-    size_t at;
-    if (s->space.filtered) {
-        paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
-    } else {
-        for (at = s->begin; at < s->end && !s->found; at++) paradt__search_point(s, at);
-    }
-}
-
-// The sphere of a positively oriented cell, for a search of points in conflict with it. corners: its vertices, of which
-// those that are in the set have the positions vertices[], the others positions that are none.
-static void paradt__search_sphere(paradt__search *s, const double *const *corners, const paradt_index *vertices) {
-    int dim = s->space.dim, i, j;
-    const double *apex = corners[dim];
-    double n = 0.0, n_bound = 0.0;
-    for (i = 0; i < dim; i++) {
-        s->facet[i] = vertices[i];
-        s->corners[i] = corners[i];
-    }
-    s->outside = 1;
-    s->conflict = 1;
-    s->found = 0;
-    if (s->space.filtered) {
-        paradt__search_facet(s, apex);
-        for (j = 0; j < dim; j++) {
-            double u = apex[j] - s->q.origin[j];
-            n += s->q.normal[j] * u;
-            n_bound += paradt__abs(u) * s->q.reach[j];
-        }
-    }
-    paradt__search_accept(s, vertices[dim], apex, n, n_bound);
-    for (j = 0; j < s->space.ambient; j++) s->q.reach[j] = PARADT__NO_BOUND; // both sides
-    s->q.n_floor = 0.0;
-}
-
-// A point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
+// Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
 static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i <= s->space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
-    paradt__search_sphere(s, corners, cell);
-    paradt__search_all(s, (size_t)cell[0]);
+    PARADT_ASSERT(paradt__search_has(s, cell));
+    for (i = 0; i <= s->pencil.space.dim; i++) corners[i] = paradt__record(s->set, cell[i]);
+    paradt__search_aim_at_cell(s, corners, cell);
+    paradt__search_around(s, (size_t)cell[0]);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
-// Turns a search to another set of the same space, under its grid. vertices: of the facet and the apex, as positions
-// there, or positions that are none; that of the apex is the last one.
-static void paradt__search_turn(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
-                                const paradt_index *vertices) {
+// ---------------------------------------------------------------------------------------------------------------------
+// >>questions
+//
+// Is any point of a set in conflict with this cell, or strictly beyond this facet? The cell's vertices need not be
+// points of the set: regions and ranks ask each other about cells that they have built alone. A question is put to a
+// search: paradt__question_cell and paradt__question_facet state it, paradt__question_redirect puts it to another set
+// of the same space, axes and grade. paradt__question_boxes and paradt__question_is_confined answer on the safe side,
+// paradt__question_answer and paradt__question_fits exactly. Any point that fits is an answer, not the best one.
+//
+// A cell is given by the records of its vertices, laid out as those of the set and measured with it, and by their
+// positions in the set; a vertex that is not in the set has PARADT__NOWHERE or a negative number for its position.
+// Doors: paradt__question_cell, paradt__question_facet, paradt__question_redirect, paradt__question_is_confined,
+// paradt__question_boxes, paradt__question_fits, paradt__question_answer.
+
+// Asks for a point in conflict with the positively oriented cell. corners, positions: [dim + 1]
+static void paradt__question_cell(paradt__search *s, const double *const *corners, const paradt_index *positions) {
+    paradt_index places[PARADT_MAX_DIM + 1];
     int i;
-    for (i = 0; i < s->space.dim; i++) s->facet[i] = vertices[i];
-    if (s->conflict) s->apex = vertices[s->space.dim];
+    for (i = 0; i <= s->pencil.space.dim; i++) places[i] = positions[i] >= 0 ? positions[i] : PARADT__NOWHERE;
+    paradt__search_aim_at_cell(s, corners, places);
+}
+
+// Asks for a point strictly beyond the facet opposite vertex `opposite` of a cell with this orientation, 1 or -1.
+// corners, positions: [dim + 1]
+static void paradt__question_facet(paradt__search *s, const double *const *corners, const paradt_index *positions,
+                                   int opposite, int orientation) {
+    paradt__search_aim_at_facet(s, PARADT__AIM_BEYOND, corners, positions, opposite, orientation);
+}
+
+// Puts the question to another set. positions: [dim + 1] of the vertices in that set, none of them negative; grid: of
+// the set, or NULL where only paradt__question_fits follows
+static void paradt__question_redirect(paradt__search *s, const paradt__set *set, const paradt__grid *grid,
+                                      const paradt_index *positions) {
+    int i, count = 0;
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
+    PARADT_ASSERT(set->space.dim == s->pencil.space.dim && set->grade == s->set->grade);
+    for (i = 0; i <= s->pencil.space.dim; i++) {
+        if (i != s->opposite) s->facet[count++] = positions[i];
+        else if (s->aim == PARADT__AIM_CONFLICT) s->apex = positions[i];
+    }
     s->set = set;
     s->grid = grid;
     s->begin = 0;
     s->end = set->count;
 }
 
-// A facet of other points, for a search of points outside of it. outside: the sign of the orientation (facet, x) for x
-// outside; inner: a point on the other side.
-static void paradt__search_beyond(paradt__search *s, const double *const *facet, int outside, const double *inner) {
-    int i;
-    for (i = 0; i < s->space.dim; i++) {
-        s->facet[i] = PARADT__NOWHERE;
-        s->corners[i] = facet[i];
-    }
-    s->outside = outside;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, inner);
+// Do all answers lie in the box, wherever their points come from? box: low and high of each axis. 1: yes; 0: unknown
+static int paradt__question_is_confined(const paradt__search *s, const double *box) {
+    return s->pencil.space.filtered && paradt__pencil_is_confined(&s->pencil, box, s->heaviest);
+}
+
+// Returns the mask of the boxes that may hold an answer. group: eight boxes, laid out as those of a grid
+PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const double *group) {
+    paradt__lane_bounds bounds;
+    unsigned mask;
+    if (!s->pencil.space.filtered) return 255u;
+    mask = s->kernels.group(&s->pencil.q, group, &bounds);
+    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+}
+
+// Is the point an answer?
+static int paradt__question_fits(paradt__search *s, size_t position) {
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found);
+    paradt__search_point(s, position);
+    return s->found;
+}
+
+// Returns a point of the set that is an answer, or PARADT__OPEN: there is none.
+static paradt_index paradt__question_answer(paradt__search *s) {
+    PARADT_ASSERT(s->aim != PARADT__AIM_APEX && !s->found && s->grid);
+    paradt__search_from_top(s);
+    return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5922,57 +6841,58 @@ static void paradt__search_beyond(paradt__search *s, const double *const *facet,
 //
 // A cell of T(P) to begin with. MakeFirstSimplex of the thesis takes a point, its nearest neighbour, then again and
 // again the point that gives the smallest circumscribing sphere. In floating point, among the points around the first,
-// that is a good guess and no more. It is made certain by descent on the lifted points, as the simplex method does it:
-// let z be a location in the guess; while a point q conflicts with the simplex, q replaces the one vertex that keeps z
-// inside, and the lifted simplex above z gets lower. There is no cycling, for the perturbed heights are in general
-// position, and the end is the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the
-// second, far less towards the third, and so on: so the cell contains the first vertex (if that is not hidden) and
-// begins the way from it to the second. Doors: paradt__cell_towards, paradt__walk.
+// the result is a good guess and no more. Descent on the lifted points makes it certain, as in the simplex method. Let
+// z be a location in the guess. While a point q is in conflict with the simplex, q replaces the one vertex that keeps z
+// inside, and the lifted simplex above z gets lower. The perturbed heights are in general position, so this does not
+// cycle; it ends with the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the second,
+// far less towards the third, and so on. So the cell contains the first vertex, if that is not hidden, and the way from
+// there to the second begins in it. Doors: paradt__cell_towards, paradt__cell_pivot.
 
-// Orders the simplex so that it is positively oriented.
-static void paradt__turn_positive(paradt__search *s, paradt_index *simplex) {
+// Orders the vertices of a simplex that is not flat so that it is positively oriented.
+static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(s->set, simplex[i]);
-    if (paradt__orient(&s->space, p) < 0) {
+    if (paradt__orient(paradt__search_space(s), p) < 0) {
         paradt_index last = simplex[dim];
         simplex[dim] = simplex[dim - 1];
         simplex[dim - 1] = last;
     }
 }
 
-// Sign of the orientation of the simplex with vertex `place` replaced by x.
-static int paradt__orient_with(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
+// Returns the sign of the orientation of the simplex with x in the place of vertex `place`.
+static int paradt__simplex_side(paradt__search *s, const paradt_index *simplex, int place, const double *x) {
     const double *p[PARADT_MAX_DIM + 1];
-    int dim = s->space.dim, i;
+    int dim = s->set->space.dim, i;
     for (i = 0; i <= dim; i++) p[i] = i == place ? x : paradt__record(s->set, simplex[i]);
-    return paradt__orient(&s->space, p);
+    return paradt__orient(paradt__search_space(s), p);
 }
 
-// Does the simplex contain z (see the section's head), given through `goal`, the vertices of the first guess?
-static int paradt__contains_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
-    int dim = s->space.dim, place, i;
+// Does the positively oriented simplex contain z (see the section's head)? goal: vertices of the guess, which give z
+static int paradt__simplex_has_goal(paradt__search *s, const paradt_index *simplex, const paradt_index *goal) {
+    int dim = s->set->space.dim, place, i;
     for (place = 0; place <= dim; place++) {
         int side = 0;
         for (i = 0; i <= dim && !side; i++) {
-            side = paradt__orient_with(s, simplex, place, paradt__record(s->set, goal[i]));
+            side = paradt__simplex_side(s, simplex, place, paradt__record(s->set, goal[i]));
         }
         if (side < 0) return 0;
     }
     return 1;
 }
 
-// Replaces the vertex of the positively oriented simplex that lets it keep z.
-static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt_index *goal, paradt_index q) {
-    int dim = s->space.dim, place;
+// Puts q in the place of the one vertex of the positively oriented simplex for which it still contains z.
+static void paradt__simplex_exchange(paradt__search *s, paradt_index *simplex, const paradt_index *goal,
+                                     paradt_index q) {
+    int dim = s->set->space.dim, place;
     const double *x = paradt__record(s->set, q);
     for (place = 0; place <= dim; place++) {
         paradt_index trial[PARADT_MAX_DIM + 1];
-        if (paradt__orient_with(s, simplex, place, x) == 0) continue;
+        if (paradt__simplex_side(s, simplex, place, x) == 0) continue;
         memcpy(trial, simplex, sizeof trial);
         trial[place] = q;
-        paradt__turn_positive(s, trial);
-        if (paradt__contains_goal(s, trial, goal)) {
+        paradt__simplex_orient(s, trial);
+        if (paradt__simplex_has_goal(s, trial, goal)) {
             memcpy(simplex, trial, sizeof trial);
             return;
         }
@@ -5980,12 +6900,13 @@ static void paradt__pivot(paradt__search *s, paradt_index *simplex, const paradt
     PARADT_ASSERT(0);
 }
 
-// Of the points [begin, end) the one that gives the smallest circumscribing sphere with the `count` points of the
-// simplex; they span the orthonormal rows, and centre is that of their own. With one point: its nearest neighbour. -1:
-// none.
-static paradt_index paradt__smallest_sphere(const paradt__search *s, const paradt_index *simplex, int count,
-                                            size_t begin, size_t end, double rows[][PARADT_MAX_DIM], double *centre) {
-    int ambient = s->space.ambient, i, j;
+// Finds, among the points [begin, end), the one that gives the smallest circumscribing sphere with the first `count`
+// vertices of the simplex; for one vertex, its nearest neighbour. Returns -1 if no point is off their span. rows: an
+// orthonormal basis of their span; centre: that of their smallest sphere. The point found is added to both.
+static paradt_index paradt__simplex_next_vertex(const paradt__search *s, const paradt_index *simplex, int count,
+                                                size_t begin, size_t end, double rows[][PARADT_MAX_DIM],
+                                                double *centre) {
+    int ambient = s->set->space.ambient, i, j;
     const double *o = paradt__record(s->set, simplex[0]);
     paradt_index best = -1;
     double least = 0.0, best_t = 0.0, best_row[PARADT_MAX_DIM];
@@ -6010,38 +6931,41 @@ static paradt_index paradt__smallest_sphere(const paradt__search *s, const parad
     return best;
 }
 
-// The thesis' first simplex from the points near simplex[0]; a second point may be given too. 0: the guess failed.
-static int paradt__guess_simplex(paradt__search *s, paradt_index *simplex, int given) {
+// Guesses the thesis' first simplex from the points near simplex[0]. given: 1, or 2 if simplex[1] is given, too.
+// Returns 0 if the guess failed.
+static int paradt__simplex_guess(paradt__search *s, paradt_index *simplex, int given) {
     double rows[PARADT_MAX_DIM][PARADT_MAX_DIM], centre[PARADT_MAX_DIM] = {0.0};
     size_t span = PARADT__LANES * PARADT__LANES, begin = (size_t)simplex[0] / span * span, end = begin + span;
-    int dim = s->space.dim, count;
-    if (!s->space.filtered) return 0;
+    int dim = s->set->space.dim, count;
+    if (!s->set->space.filtered) return 0;
     if (end > s->set->count) end = s->set->count;
     for (count = 1; count <= dim; count++) {
         size_t from = count < given ? (size_t)simplex[count] : begin, to = count < given ? from + 1 : end;
-        simplex[count] = paradt__smallest_sphere(s, simplex, count, from, to, rows, centre);
+        simplex[count] = paradt__simplex_next_vertex(s, simplex, count, from, to, rows, centre);
         if (simplex[count] < 0) return 0;
     }
-    return paradt__orient_with(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
+    return paradt__simplex_side(s, simplex, 0, paradt__record(s->set, simplex[0])) != 0;
 }
 
-// The cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1). The cell is
-// positively oriented. It does not contain simplex[0] just when that is hidden.
+// Finds the cell of T(P) at simplex[0] on the way to simplex[1] (given = 2), or to any other point (given = 1), and
+// leaves it in `simplex`, positively oriented. The cell does not contain simplex[0] just when that point is hidden.
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
-    if (!paradt__guess_simplex(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &s->space.counters, NULL);
+    PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
+    if (!paradt__simplex_guess(s, simplex, given))
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters, NULL);
     memcpy(goal, simplex, sizeof goal);
-    paradt__turn_positive(s, simplex);
-    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__pivot(s, simplex, goal, q);
+    paradt__simplex_orient(s, simplex);
+    while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
 }
 
-// One step of a visibility walk in T(P): replaces the cell by its neighbour across a facet that has x outside. 0: there
-// is no such facet. Such walks end in every regular triangulation (Edelsbrunner, Combinatorica 10, 1990).
-static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) {
-    int dim = s->space.dim, place, unused;
+// Replaces the cell of T(P) by its neighbour across a facet that has x outside: one step of a visibility walk, by a
+// search. Returns 0 if there is no such facet or no neighbour. Such walks end in every regular triangulation
+// (Edelsbrunner, Combinatorica 10, 1990).
+static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
+    int dim = s->set->space.dim, place, unused;
     for (place = 0; place <= dim; place++) {
-        if (paradt__orient_with(s, cell, place, x) < 0) {
+        if (paradt__simplex_side(s, cell, place, x) < 0) {
             paradt_index made[PARADT_MAX_DIM + 1];
             if (paradt__search_apex(s, cell, place, made, &unused) < 0) return 0;
             memcpy(cell, made, sizeof made);
@@ -6052,45 +6976,164 @@ static int paradt__walk(paradt__search *s, paradt_index *cell, const double *x) 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>incode
+// >>reach
 //
-// Incremental construction: from a first cell, a cell on each active facet, until there is none. What is common to all
-// methods that make cells facet by facet is here: the store of the cells, the active face list, and the region for
-// which the cells are made. A vertex that no active facet is left at has all its cells, and can't be an apex any more.
-// InCoDe counts the active facets at each vertex and takes grid cells and groups without other points out of the
-// search: it need not look behind the front.
+// Which cells a region of InCoDe or DeWall makes, and which of them it owns. (Insertion has another rule, see
+// >>patches.)
 //
-// Regions. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if
-// equally far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the
-// region's points: needed are the facets in which one does. All such cells are found from one around each vertex: the
-// neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex figure
-// of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others are
-// reached around their ends, and all cells around them. Facets that are not needed end in the seam: they are stored, so
-// that two cells that both were made get linked, but not worked on. A vertex of the region that no edge led away from
-// gets a cell of its own to start from.
+// The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if equally
+// far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the region's
+// points; the facets that it needs are those in which one does. All these cells are found from one around each vertex:
+// the neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex
+// figure of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others
+// are reached around their ends, and all cells around them. A facet that is not needed is entered, so that two cells
+// that both were made get linked, but not worked on. A vertex of the region that no edge led away from gets a cell of
+// its own to start from.
 //
 // The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
 // points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
-// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then it is
-// nearest to v too, and one of two points is always the farther. So a cell with two vertices in a region is reached by
-// it, and few cells are made by several: those across a cut with two vertices on either side, and some in which the cut
-// nearest to a vertex is not the one that the cell crosses.
+// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then the cut
+// is nearest to v too, and one of two points is always the farther. So a region reaches every cell with two vertices in
+// it, and few cells are made by several regions: those across a cut with two vertices on either side, and some in which
+// the cut nearest to a vertex is not the one that the cell crosses.
 //
-// A few cells nobody reaches, where boxes meet at an edge or corner. They are in clusters, connected by facets in which
-// no edge leads away. A region that owns a cell with such a facet looks behind it; if it finds one of a cluster there,
-// it goes on to all of the cluster and the cells next to it: these facets are its doors. So whoever owns a cell next to
-// a cluster knows all of them, and the first of these owns the cluster. If there is none, the cluster is all of T(P):
-// then every region has it, since all begin with a cell, and the first that has points owns it.
+// A few cells nobody reaches, where boxes meet at an edge or corner. They form clusters, connected by facets in which
+// no edge leads away. A region that owns a cell with such a facet looks behind the facet, its gate; if a cell of a
+// cluster is there, the region goes on to all of the cluster and the cells next to it. So whoever owns a cell next to a
+// cluster knows all of these cells, and the first of them owns the cluster. If there is none, the cluster is all of
+// T(P): then every region has it, since all begin with a cell, and the first that has points owns it.
 //
-// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_seed,
-// paradt__incode, paradt__cell_owner.
+// Vertices are positions in the set.
+// Doors: paradt__region_view, paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
 
+// A region, as its front sees it
 typedef struct paradt__region_view {
-    const uint32_t *owner; // [set.count] region of each point; NULL: undivided
+    const uint32_t *owner; // [set.count] region of each point; NULL: space is undivided
     const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
+// Does the edge from a point to another lead away from the cut nearest to the point (NULL: there is none)?
+static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
+                                   const double *to) {
+    if (cut) {
+        int64_t x = paradt__ordered_bits(from[cut->axis]), y = paradt__ordered_bits(to[cut->axis]);
+        if (x != y) return (y < x) == paradt__cut_is_above(cut, from);
+    }
+    return paradt__compare(space, to, from) > 0;
+}
+
+// Does an edge of the simplex lead away from its vertex `place`?
+static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
+                              int count, int place) {
+    const double *x = paradt__record(set, simplex[place]);
+    const paradt__cut *cut = paradt__cuts_nearest(view->cuts, x);
+    int i;
+    for (i = 0; i < count; i++) {
+        const double *to = paradt__record(set, simplex[i]);
+        if (i != place && paradt__edge_leads_away(&set->space, cut, x, to)) return 1;
+    }
+    return 0;
+}
+
+// Does the region need the facet: has it an edge that leads away from a point of the region? Two points of the region
+// have one.
+static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
+                         int count) {
+    int i, inside = 0, only = 0;
+    if (!view->owner) return 1;
+    for (i = 0; i < count; i++) {
+        if (view->owner[facet[i]] == view->region) inside++, only = i;
+    }
+    if (inside != 1) return inside != 0;
+    return paradt__leads_away(view, set, facet, count, only);
+}
+
+// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
+// PARADT__OPEN: nobody reaches it.
+static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
+                                       const paradt_index *simplex, int count) {
+    paradt_index owner = PARADT__OPEN;
+    int most = 0, i, j;
+    for (i = 0; i < count; i++) {
+        paradt_index region = (paradt_index)view->owner[simplex[i]];
+        int inside = 0;
+        for (j = 0; j < count; j++) inside += view->owner[simplex[j]] == view->owner[simplex[i]];
+        if (inside > count / 2 && inside > 1) return region;
+        if (inside < most || (inside == most && region >= owner)) continue;
+        if (inside == 1 && !paradt__leads_away(view, set, simplex, count, i)) continue;
+        owner = region;
+        most = inside;
+    }
+    return owner;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>front
+//
+// What builds facet by facet has in common: a mesh that is not closed, the facets whose other cell is not known yet
+// (the active face list of the thesis, AFL), the search for the cell across such a facet, and the region for which the
+// cells are made. A cell once made is never changed. Vertices are positions in the set.
+//
+// A vertex at which no facet is active has all its cells, and can't be an apex any more. InCoDe counts the active
+// facets at each vertex and takes grid cells and groups without unfinished points out of the search: it need not look
+// behind the front.
+//
+// Work lists, for methods with an order of their own, are linked lists of handles; a facet that was matched meanwhile
+// stays in its list and is passed over when it comes up.
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
+// paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
+// paradt__list_pop.
+
+// Work lists of handles, in one pool of nodes. The head of an empty list is PARADT__OPEN.
+typedef struct paradt__node {
+    paradt_index handle, next;
+} paradt__node;
+
+typedef struct paradt__lists {
+    paradt__node *nodes;
+    size_t capacity;
+    paradt_index fresh, spare; // first node never used, first node given back
+} paradt__lists;
+
+static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->nodes);
+    memset(lists, 0, sizeof *lists);
+}
+
+static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
+                                       paradt__memory *memory) {
+    paradt_index node = lists->spare;
+    if (node >= 0 && lists->capacity) {
+        lists->spare = lists->nodes[node].next;
+    } else {
+        if ((size_t)lists->fresh == lists->capacity) {
+            void *nodes = lists->nodes;
+            size_t capacity = lists->capacity ? lists->capacity * 2 : 256;
+            if (!paradt__grow(memory, &nodes, lists->capacity, capacity, sizeof(paradt__node)))
+                return PARADT_ERROR_MEMORY;
+            if (!lists->capacity) lists->spare = PARADT__OPEN;
+            lists->nodes = (paradt__node *)nodes;
+            lists->capacity = capacity;
+        }
+        node = lists->fresh++;
+    }
+    lists->nodes[node].handle = handle;
+    lists->nodes[node].next = *head;
+    *head = node;
+    return PARADT_OK;
+}
+
+// The list must not be empty.
+static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
+    paradt_index node = *head, handle = lists->nodes[node].handle;
+    *head = lists->nodes[node].next;
+    lists->nodes[node].next = lists->spare;
+    lists->spare = node;
+    return handle;
+}
+
+// Vertices that may still get cells
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
     uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
@@ -6102,9 +7145,9 @@ typedef struct paradt__front {
     const paradt__grid *grid;
     paradt__memory *memory;
     paradt__search search;
-    paradt__cells cells;
-    paradt__active active; // to be worked on
-    paradt__active seam;   // with regions: not needed, but known
+    paradt__mesh mesh;     // without ghosts
+    paradt__facets active; // the AFL: facets to be worked on
+    paradt__facets passed; // with regions: open facets that the region does not need
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
@@ -6114,24 +7157,9 @@ typedef struct paradt__front {
     uint64_t hull_facets;
     paradt__finished finished;
     uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
-    paradt_index doors; // with regions: list of facets to look behind
+    paradt_index gates; // with regions: list of facets to look behind
     size_t next_seed;   // positions before it need no seed
 } paradt__front;
-
-// Cells a point of T(P) for uniform points, far from the hull (d = 2, 3: exact; d >= 4: Dwyer 1991, the constants of
-// the Poisson-Delaunay mosaic); near the hull there are fewer.
-static double paradt__cells_a_point(int dim) {
-    static const double mean[PARADT_MAX_DIM + 1] = {1.0, 1.0, 2.0, 6.7677, 31.78, 186.1, 1297.0, 10470.0, 96000.0};
-    return mean[dim];
-}
-
-// The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
-// of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
-// eight.
-static double paradt__off_hull(double points, int dim) {
-    double layer = pow(points + 1.0, -1.0 / dim);
-    return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
-}
 
 static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
     int level;
@@ -6178,8 +7206,8 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
 }
 
 static void paradt__front_end(paradt__front *front) {
-    paradt__active_free(&front->active, front->memory);
-    paradt__active_free(&front->seam, front->memory);
+    paradt__facets_free(&front->active, front->memory);
+    paradt__facets_free(&front->passed, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
     paradt__release(front->memory, front->touched);
@@ -6188,95 +7216,42 @@ static void paradt__front_end(paradt__front *front) {
 
 // Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
 static paradt_status paradt__front_room(paradt__front *front) {
-    const size_t some = 1 << 16, most = paradt__most_cells(front->cells.corners);
+    const size_t some = 1 << 16, most = paradt__most_cells(front->mesh.corners);
     double expected = front->expected * 1.01 + 64.0;
     size_t cells = expected < (double)most ? (size_t)expected : most;
-    paradt_status status = paradt__cells_reserve(&front->cells, 1, cells, front->memory);
+    paradt_status status = paradt__mesh_reserve(&front->mesh, 1, cells, front->memory);
     if (!status || cells <= some) return status;
-    paradt__release(front->memory, front->cells.vertices); // the one array that may be there
-    front->cells.vertices = NULL;
-    return paradt__cells_reserve(&front->cells, 1, some, front->memory);
+    paradt__release(front->memory, front->mesh.vertices); // the one array that may be there
+    front->mesh.vertices = NULL;
+    return paradt__mesh_reserve(&front->mesh, 1, some, front->memory);
 }
 
-// share: the part of the points that the front is for.
+// part: of the set's points, those that the front is for
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
-                                         paradt__memory *memory, paradt__region_view view, double share) {
-    double points = (double)set->count * share;
+                                         paradt__memory *memory, paradt__region_view view, double part) {
+    double points = (double)set->count * part;
     memset(front, 0, sizeof *front);
     front->set = set;
     front->grid = grid;
     front->memory = memory;
     front->view = view;
-    front->doors = PARADT__OPEN;
-    front->cells.corners = set->space.dim + 1;
+    front->gates = PARADT__OPEN;
+    paradt__mesh_begin(&front->mesh, set->space.dim + 1, 0);
     front->expected = points * paradt__cells_a_point(set->space.dim) * paradt__off_hull(points, set->space.dim) + 16.0;
     paradt__search_begin(&front->search, set, grid);
     if (view.owner) {
         size_t words = set->count / 64 + 1;
         front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched || paradt__active_begin(&front->seam, 0, memory)) return PARADT_ERROR_MEMORY;
+        if (!front->touched || paradt__facets_begin(&front->passed, 0, 0, memory)) return PARADT_ERROR_MEMORY;
         memset(front->touched, 0, words * sizeof(uint64_t));
     }
-    if (paradt__active_begin(&front->active, (size_t)points, memory)) return PARADT_ERROR_MEMORY;
+    if (paradt__facets_begin(&front->active, (size_t)points, 0, memory)) return PARADT_ERROR_MEMORY;
     return paradt__front_room(front);
 }
 
-// Does the edge from a point to another lead away from the cut, the one nearest to it, or NULL?
-static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
-                                   const double *to) {
-    if (cut) {
-        int64_t x = paradt__ordered_bits(from[cut->axis]), y = paradt__ordered_bits(to[cut->axis]);
-        if (x != y) return (y < x) == paradt__cut_is_above(cut, from);
-    }
-    return paradt__compare(space, to, from) > 0;
-}
-
-// Does an edge of the simplex lead away from its vertex `place`?
-static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
-                              int count, int place) {
-    const double *x = paradt__record(set, simplex[place]);
-    const paradt__cut *cut = paradt__cuts_nearest(view->cuts, x);
-    int i;
-    for (i = 0; i < count; i++) {
-        const double *to = paradt__record(set, simplex[i]);
-        if (i != place && paradt__edge_leads_away(&set->space, cut, x, to)) return 1;
-    }
-    return 0;
-}
-
-// Has the facet an edge that leads away from a point of the region? Two points of the region have one.
-static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
-                         int count) {
-    int i, inside = 0, only = 0;
-    if (!view->owner) return 1;
-    for (i = 0; i < count; i++) {
-        if (view->owner[facet[i]] == view->region) inside++, only = i;
-    }
-    if (inside != 1) return inside != 0;
-    return paradt__leads_away(view, set, facet, count, only);
-}
-
-// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
-// PARADT__OPEN: nobody reaches it.
-static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
-                                       const paradt_index *simplex, int count) {
-    paradt_index owner = PARADT__OPEN;
-    int most = 0, i, j;
-    for (i = 0; i < count; i++) {
-        paradt_index region = (paradt_index)view->owner[simplex[i]];
-        int inside = 0;
-        for (j = 0; j < count; j++) inside += view->owner[simplex[j]] == view->owner[simplex[i]];
-        if (inside > count / 2 && inside > 1) return region;
-        if (inside < most || (inside == most && region >= owner)) continue;
-        if (inside == 1 && !paradt__leads_away(view, set, simplex, count, i)) continue;
-        owner = region;
-        most = inside;
-    }
-    return owner;
-}
-
+// Notes for which of its vertices an edge of a new cell leads away.
 static void paradt__touch(paradt__front *front, const paradt_index *cell) {
-    int corners = front->cells.corners, i;
+    int corners = front->mesh.corners, i;
     for (i = 0; i < corners; i++) {
         uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
         if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
@@ -6284,52 +7259,46 @@ static void paradt__touch(paradt__front *front, const paradt_index *cell) {
     }
 }
 
-// The vertices of the facet opposite `opposite`, in the cell's order.
-PARADT__INLINE void paradt__facet_of(const paradt_index *cell, int corners, int opposite, paradt_index *facet) {
-    int i, count = 0;
-    for (i = 0; i < corners; i++) {
-        if (i != opposite) facet[count++] = cell[i];
-    }
-}
-
 // Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
-// Stores a cell and updates the AFL with its facets: a facet that was active is linked and leaves, the others enter.
-// across: the place of the apex, whose facet is the one that the cell was made on, and that facet's handle; or -1.
-PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt_index *cell, int across,
-                                              paradt_index from, paradt__activate activate, void *method, int corners) {
-    paradt__cells *cells = &front->cells;
-    paradt_index number = (paradt_index)cells->count, base = number * corners;
+// Stores a cell and updates the AFL with its facets: a facet that was active is tied and leaves, the others enter.
+// across: the place of the apex, whose facet is the one that the cell was made on; from: the mirror of that facet,
+// which has left the AFL; or -1 and PARADT__OPEN
+PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const paradt_index *cell, int across,
+                                                 paradt_index from, paradt__activate activate, void *method,
+                                                 int corners) {
+    paradt__mesh *mesh = &front->mesh;
+    paradt_index base = (paradt_index)mesh->count * corners;
     uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
-    uint32_t keys[PARADT_MAX_DIM + 1];
-    paradt_index smallest[PARADT_MAX_DIM + 1], *chains[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
-    paradt__active *table = &front->active;
+    paradt__facet_key key[PARADT_MAX_DIM + 1];
+    paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
+    paradt__facets *table = &front->active;
     for (i = 0; i < corners; i++) {
-        cells->vertices[base + i] = cell[i];
-        keys[i] = paradt__facet_key(sum - paradt__vertex_key(cell[i]));
-        smallest[i] = paradt__smallest_but(cell, corners, i);
-        chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
-        PARADT__PREFETCH(chains[i]);
+        mesh->vertices[base + i] = cell[i];
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(table, key[i]);
+        PARADT__PREFETCH(chain[i]);
     }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->links + (*chains[i] < 0 ? 0 : *chains[i]));
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
     for (i = 0; i < corners && !status; i++) {
-        paradt_index twin = from;
+        paradt_index mirror = from;
         if (i != across) {
             if (front->view.owner) {
-                paradt__facet_of(cell, corners, i, facet);
-                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->seam;
-                chains[i] = paradt__active_chain(table, smallest[i], keys[i]);
+                paradt__facet_without(cell, corners, i, facet);
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->passed;
+                chain[i] = paradt__facets_chain(table, key[i]);
             }
-            twin = paradt__active_match(table, cells, chains[i], smallest[i], keys[i], base + i, corners);
+            mirror = paradt__facets_match(table, mesh, chain[i], key[i], base + i, corners);
         }
-        cells->neighbors[base + i] = twin < 0 ? (paradt_index)PARADT__OPEN : twin / corners;
-        change[i] = twin < 0 ? 1 : -1;
+        mesh->links[base + i] = mirror < 0 ? (paradt_index)PARADT__OPEN : mirror;
+        change[i] = mirror < 0 ? 1 : -1;
         sum_of_changes += change[i];
-        if (twin >= 0) {
-            cells->neighbors[twin] = number;
+        if (mirror >= 0) {
+            mesh->links[mirror] = base + i;
         } else if (activate && table == &front->active) {
             status = activate(front, method, base + i);
         }
@@ -6337,17 +7306,17 @@ PARADT__INLINE paradt_status paradt__add_cell(paradt__front *front, const paradt
     for (i = 0; i < corners && front->finished.incident && !status; i++) {
         paradt__finished_count(&front->finished, front->grid, cell[i], sum_of_changes - change[i]);
     }
-    cells->count++;
+    mesh->count++;
     return status;
 }
 
-// Lists the facets of the newest cell behind which there may be a cell that nobody reaches, if it is for the region to
-// look. No two vertices of such a cell are of one region.
-static paradt_status paradt__front_list_doors(paradt__front *front) {
-    const paradt__cells *cells = &front->cells;
-    int corners = cells->corners, foreign = 0, i;
-    size_t base = (cells->count - 1) * (size_t)corners;
-    const paradt_index *cell = cells->vertices + base;
+// Lists the gates of the newest cell: the facets behind which there may be a cell that nobody reaches, if it is for the
+// region to look. No two vertices of such a cell are of one region.
+static paradt_status paradt__front_list_gates(paradt__front *front) {
+    const paradt__mesh *mesh = &front->mesh;
+    int corners = mesh->corners, foreign = 0, i;
+    size_t base = (mesh->count - 1) * (size_t)corners;
+    const paradt_index *cell = mesh->vertices + base;
     paradt_index facet[PARADT_MAX_DIM], owner;
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners; i++) foreign += front->view.owner[cell[i]] != front->view.region;
@@ -6355,26 +7324,27 @@ static paradt_status paradt__front_list_doors(paradt__front *front) {
     owner = paradt__cell_owner(&front->view, front->set, cell, corners);
     if (owner >= 0 && owner != (paradt_index)front->view.region) return PARADT_OK;
     for (i = 0; i < corners && !status; i++) {
-        if (cells->neighbors[base + (size_t)i] != PARADT__OPEN) continue;
-        paradt__facet_of(cell, corners, i, facet);
+        if (mesh->links[base + (size_t)i] != PARADT__OPEN) continue;
+        paradt__facet_without(cell, corners, i, facet);
         if (paradt__cell_owner(&front->view, front->set, facet, corners - 1) < 0)
-            status = paradt__list_push(&front->lists, &front->doors, (paradt_index)base + i, front->memory);
+            status = paradt__list_push(&front->lists, &front->gates, (paradt_index)base + i, front->memory);
     }
     return status;
 }
 
+// Adds a cell, see paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
-    paradt_status status = paradt__cells_room(&front->cells, front->memory);
-    if (!status) status = paradt__active_room(&front->active, front->memory);
-    if (!status && front->view.owner) status = paradt__active_room(&front->seam, front->memory);
+    paradt_status status = paradt__mesh_room(&front->mesh, front->memory);
+    if (!status) status = paradt__facets_room(&front->active, PARADT_MAX_DIM + 1, front->memory);
+    if (!status && front->view.owner) status = paradt__facets_room(&front->passed, PARADT_MAX_DIM + 1, front->memory);
     if (status) return status;
     if (front->touched) paradt__touch(front, cell);
-    if (front->cells.corners == 4) status = paradt__add_cell(front, cell, across, from, activate, method, 4);
-    else status = paradt__add_cell(front, cell, across, from, activate, method, front->cells.corners);
-    if (!status && front->view.owner) status = paradt__front_list_doors(front);
-    if (!status && front->cells.count % 1024 == 0) {
-        double done = (double)front->cells.count / front->expected;
+    if (front->mesh.corners == 4) status = paradt__front_store(front, cell, across, from, activate, method, 4);
+    else status = paradt__front_store(front, cell, across, from, activate, method, front->mesh.corners);
+    if (!status && front->view.owner) status = paradt__front_list_gates(front);
+    if (!status && front->mesh.count % 1024 == 0) {
+        double done = (double)front->mesh.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
@@ -6383,27 +7353,34 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
 // MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
-    int corners = front->cells.corners, opposite = (int)(handle % corners), place;
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
+    const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
     if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
         return paradt__front_add(front, made, place, handle, activate, method);
     }
     front->hull_facets++;
-    front->cells.neighbors[handle] = PARADT__HULL;
+    front->mesh.links[handle] = PARADT__HULL;
     for (place = 0; place < corners && front->finished.incident; place++) {
         if (place != opposite) paradt__finished_count(&front->finished, front->grid, cell[place], -1);
     }
     return PARADT_OK;
 }
 
-// A cell behind a door, or 0 when there is none: one of a cluster, or next to it.
-static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
-    int corners = front->cells.corners, unused;
-    while (front->doors >= 0) {
-        paradt_index handle = paradt__list_pop(&front->lists, &front->doors);
-        const paradt_index *from = front->cells.vertices + handle / corners * corners;
-        if (front->cells.neighbors[handle] != PARADT__OPEN) continue;
+// Takes a facet from a work list out of the AFL. Returns whether it was still active.
+static int paradt__front_take(paradt__front *front, paradt_index handle) {
+    if (front->mesh.links[handle] != PARADT__OPEN) return 0;
+    paradt__facets_remove(&front->active, paradt__facet_key_of(&front->active, &front->mesh, handle), handle);
+    return 1;
+}
+
+// Finds a cell behind a gate: one of a cluster, or next to one. 0: there is none.
+static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
+    int corners = front->mesh.corners, unused;
+    while (front->gates >= 0) {
+        paradt_index handle = paradt__list_pop(&front->lists, &front->gates);
+        const paradt_index *from = front->mesh.vertices + handle / corners * corners;
+        if (front->mesh.links[handle] != PARADT__OPEN) continue;
         if (paradt__search_apex(&front->search, from, (int)(handle % corners), cell, &unused) < 0) continue;
         if (paradt__cell_owner(&front->view, front->set, cell, corners) < 0 ||
             paradt__cell_owner(&front->view, front->set, from, corners) < 0)
@@ -6412,8 +7389,8 @@ static int paradt__front_pass_door(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// A cell with an edge that leads away from the vertex, or 0 when there is none. The region's first cell may be any at
-// it.
+// Finds a cell with an edge that leads away from the vertex; the region's first cell may be any at the vertex. 0: there
+// is none.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -6424,18 +7401,18 @@ static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_ind
         other = (vertex + step) % set->count;
         if (paradt__edge_leads_away(&set->space, cut, x, set->records + other * set->width)) break;
     }
-    if (step == set->count && front->cells.count) return 0;
+    if (step == set->count && front->mesh.count) return 0;
     cell[0] = (paradt_index)vertex;
     cell[1] = (paradt_index)other;
     paradt__cell_towards(&front->search, cell, 2);
-    for (i = 0; i < front->cells.corners; i++) {
+    for (i = 0; i < front->mesh.corners; i++) {
         if (cell[i] == (paradt_index)vertex) return 1;
     }
     return 0;
 }
 
-// A cell to start from: behind a door, or at a vertex of the region that still needs one; or 0 when there is none.
-// Undivided, there is one.
+// Finds a cell to start from: behind a gate, or at a vertex of the region that still needs one; undivided, one cell. 0:
+// there is none.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -6444,7 +7421,7 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    if (paradt__front_pass_door(front, cell)) return 1;
+    if (paradt__front_pass_gate(front, cell)) return 1;
     while (front->next_seed < set->count) {
         size_t at = front->next_seed++;
         if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
@@ -6456,17 +7433,19 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
 
 static uint64_t paradt__front_predicates(const paradt__front *front) {
-    return front->search.space.counters.orient_calls + front->search.space.counters.insphere_calls;
+    const paradt__counters *c = paradt__search_counters(&front->search);
+    return c->orient_calls + c->insphere_calls;
 }
 
-// Where many points are on one sphere (lattices, points exactly on a sphere), a search has to compare them all with
-// each other, exactly, and insertion is faster. On points in general position a cell takes less than a tenth of a
-// predicate.
+// Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
+// points exactly on a sphere), a search has to compare them all with each other, exactly. On points in general position
+// a cell takes less than a tenth of a predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
-    uint64_t patience = PARADT__PATIENCE * (uint64_t)front->cells.count + PARADT__FIRST_PATIENCE;
+    uint64_t patience = PARADT__PATIENCE * (uint64_t)front->mesh.count + PARADT__FIRST_PATIENCE;
     return paradt__front_predicates(front) - front->seeding > patience;
 }
 
+// paradt__front_seed, its predicates apart.
 static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     uint64_t before = paradt__front_predicates(front);
     int found = paradt__front_seed(front, cell);
@@ -6474,19 +7453,24 @@ static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     return found;
 }
 
-// The facets at the lowest vertices in grid order come first: the front sweeps over the grid, and what it touches stays
-// in the cache.
+// ---------------------------------------------------------------------------------------------------------------------
+// >>incode
+//
+// Incremental construction (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 2): from a first cell, the cell
+// across each active facet, until there is none. The facets at the lowest vertices in grid order come first: the front
+// sweeps over the grid, and what it touches stays in the cache. Doors: paradt__incode.
+
 static paradt_status paradt__incode(paradt__front *front) {
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
     if (!front->view.owner) {
         status = paradt__finished_begin(&front->finished, front->set, front->grid, front->memory);
-        front->search.alive = front->finished.alive;
+        paradt__search_skip_finished(&front->search, front->finished.alive);
     }
     while (!status && paradt__front_next_seed(front, cell)) {
         paradt_index handle = PARADT__OPEN;
         status = paradt__front_add(front, cell, -1, PARADT__OPEN, NULL, NULL);
-        while (!status && (handle = paradt__active_first(&front->active)) >= 0) {
+        while (!status && (handle = paradt__facets_first(&front->active)) >= 0) {
             status = paradt__front_expand(front, handle, NULL, NULL);
             if (!status && front->impatient && paradt__front_is_stuck(front)) return PARADT__GAVE_UP;
         }
@@ -6505,7 +7489,8 @@ static paradt_status paradt__incode(paradt__front *front) {
 // alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
 // the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
 // one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Doors: paradt__dewall.
+// out of a range, and go back to the caller. Vertices are positions in the set.
+// Doors: paradt__dewall.
 
 enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
 
@@ -6519,8 +7504,8 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
     paradt_index *head = &wall->alpha;
-    int corners = front->cells.corners, opposite = (int)(handle % corners), i;
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
+    int corners = front->mesh.corners, opposite = (int)(handle % corners), i;
+    const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     for (i = 0; i < corners; i++) {
         size_t at = (size_t)cell[i];
         if (i == opposite) continue;
@@ -6538,16 +7523,6 @@ static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wa
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
-}
-
-// Takes a facet from a list out of the AFL, if it is still active.
-static int paradt__front_take(paradt__front *front, paradt_index handle) {
-    int corners = front->cells.corners, opposite = (int)(handle % corners);
-    const paradt_index *cell = front->cells.vertices + (handle - opposite);
-    uint32_t key = paradt__facet_key(paradt__cell_sum(cell, corners) - paradt__vertex_key(cell[opposite]));
-    if (front->cells.neighbors[handle] != PARADT__OPEN) return 0;
-    paradt__active_remove(&front->active, paradt__smallest_but(cell, corners, opposite), key, handle);
-    return 1;
 }
 
 // Works on a list of the wall until it is empty.
@@ -6579,8 +7554,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     q = set->records + right * set->width;
     cell[0] = (paradt_index)left;
     cell[1] = (paradt_index)right;
-    front->search.begin = 0;
-    front->search.end = set->count;
+    paradt__search_limit(&front->search, 0, set->count);
     paradt__cell_towards(&front->search, cell, 2);
     do {
         int behind = 0, within = 0;
@@ -6589,7 +7563,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
             within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
         }
         if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__walk(&front->search, cell, q));
+    } while (paradt__cell_pivot(&front->search, cell, q));
     return 0;
 }
 
@@ -6613,7 +7587,7 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     }
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) front->search.begin = begin, front->search.end = end;
+        if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
         status = paradt__wall_serve(front, &wall, &wall.alpha);
         if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
@@ -6641,50 +7615,13 @@ static paradt_status paradt__dewall(paradt__front *front) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>bowyer-watson
-//
-// Incremental insertion (Bowyer 1981, Watson 1981): the cells in conflict with a new point form a star-shaped cavity,
-// found from any one of them through their neighbours; the point and the cavity's rim make the new cells. The hull is
-// closed by ghost cells, whose vertex PARADT__INFINITE lies beyond everything, so that inside and outside are one case.
-// A ghost is in conflict with the points strictly beyond its hull facet. In the plane of the facet, it is in conflict
-// with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
-// the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
-// with an affine function through the facet's lifted vertices alone.
-// Every T(P_i) of the points so far is complete and exact, so no cell is ever flat, and the last one is T(P).
-// A weighted point that is in conflict with no cell is hidden; a vertex inside of the cavity becomes hidden.
-//
-// The points come in rounds of 16 times the size of the one before (Amenta, Choi and Rote, "Incremental
-// constructions con BRIO", SoCG 2003), within a round along Hilbert's curve. The order only matters for speed.
-// Doors: paradt__bowyer_watson.
-
-enum {
-    PARADT__INFINITE = -1, // the vertex of ghost cells that is no point
-    PARADT__DEAD = -3,     // first vertex of a free place
-    PARADT__CONFLICT = 1,  // a mark: in conflict with the point that is being inserted
-    PARADT__GROW_PART = 16,
-    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected at once
-    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
-};
-
-#define PARADT__EXPECT_MORE 1.08
-
-#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
-#define PARADT__BW_AVX2 1
-#else
-#define PARADT__BW_AVX2 0
-#endif
-
-// Whether four indices fit into a register that every processor of the kind has
-#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
-#define PARADT__FOUR_AT_ONCE 1
-#else
-#define PARADT__FOUR_AT_ONCE 0
-#endif
-
-// ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
 //
-// Doors: to be listed.
+// Points are inserted in rounds, each 16 times the size of the one before, and within a round along Hilbert's curve
+// (Amenta, Choi and Rote, "Incremental constructions con BRIO", SoCG 2003). The order matters only for speed. Of every
+// 16 neighbours along the curve one, drawn by a hash of their number, is dealt to an earlier round; of 16 such ones,
+// one to a still earlier round. So a round's points are spread more evenly than by chance. Doors: paradt__round_order,
+// paradt__merged_order, paradt__curve.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -6692,7 +7629,7 @@ enum {
     PARADT__MOST_ROUNDS = 15
 };
 
-// How many rounds come after the first, for so many points
+// Number of the rounds after the first, for so many points
 static int paradt__round_count(size_t count) {
     int rounds = 0;
     while (rounds < PARADT__MOST_ROUNDS && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND)
@@ -6700,16 +7637,14 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// Of 16 neighbours, those numbered from 16 * group on, the one that comes earlier than in the last round; of 16 such
-// ones, at the next level, the one that comes earlier still.
+// The number of that one of the 16 neighbours of a group that comes earlier than in the last round. level: 0 for
+// neighbours along the curve, 1 for 16 such ones, and so on
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round of the one that comes earlier than the others of its group: 0 to rounds - 1. One of 16 neighbours, at
-// random, and one of 16 such ones: so a round's points are spread more evenly than by chance, and 2 % fewer cells are
-// made.
+// The round, 0 to rounds - 1, of the one of a group that comes earlier.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -6717,12 +7652,12 @@ static int paradt__earlier_round(size_t group, int rounds) {
     return rounds - level;
 }
 
-// Points that are dealt to the rounds of an insertion as they come along the curve
+// Deals points, which come along the curve, to the rounds of an insertion.
 typedef struct paradt__rounds {
-    paradt_index *order;                   // [count]
+    paradt_index *order;                   // [count] what is dealt, round after round
     int rounds;                            // after the first
     size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
-    size_t next, earlier;                  // the number of the next point, and that of its group that comes earlier
+    size_t next, earlier; // the number of the next point, and of that one of its group which comes earlier
 } paradt__rounds;
 
 static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
@@ -6744,7 +7679,7 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     return PARADT_OK;
 }
 
-// The next point along the curve
+// Deals the next point along the curve.
 PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     size_t group = r->next >> PARADT__ROUND_SHIFT;
     int round = r->rounds;
@@ -6753,7 +7688,8 @@ PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     r->order[r->place[round]++] = point;
 }
 
-// Positions on the curve by rounds, and in each in their order: a new block, or NULL when there is no memory.
+// Returns the positions 0 to count - 1, which are along the curve, in the order of insertion: a new block, or NULL when
+// there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt__rounds r;
     size_t i;
@@ -6762,8 +7698,8 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// The first `own` points of the set are along a curve. The others come where it passes them, within a few own ones.
-// sorted, other: scratch for set->count - own.
+// Deals all points of the set. Its first `own` points are along a curve; the others are dealt where the curve passes
+// them, within a few own ones. sorted, other: scratch for set->count - own.
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
                                  paradt__keyed *other, paradt__rounds *r) {
     enum { FEW = 16 };
@@ -6778,8 +7714,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
-// The positions of the set's points by rounds, and in each along the curve that the first `own` are along, as above: a
-// new block, or NULL when there is no memory.
+// Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
+// memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
                                           paradt__memory *memory) {
     size_t others = set->count - own;
@@ -6796,16 +7732,260 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>insertion
+//
+// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension: the cells in conflict with a new point form a
+// star-shaped cavity, found from any one of them through their neighbours; the point and each facet of the cavity's rim
+// make a new cell. Inside and outside of the hull are one case, as ghosts close the mesh. Every T(P_i) of the points so
+// far is complete and exact, so no cell is ever flat, and the last one is T(P). A weighted point that is in conflict
+// with no cell is hidden; a vertex inside of the cavity becomes hidden.
+//
+// Between two insertions the scene is that of >>scene, no cell has the mark PARADT__CONFLICT, and `update` tells what
+// the last one did. After an error the mesh is good for nothing but to be freed. Doors: paradt__insertion_point,
+// paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points, paradt__insertion_first_cells,
+// paradt__cavity_star, paradt__insert.
+
+struct paradt__kept;
+
+typedef struct paradt__insertion {
+    paradt__scene scene;
+    paradt__memory *memory;
+    const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
+    size_t count;              // points to be inserted
+    size_t inserted;           // points so far
+    size_t later;              // points that may come after these, as far as can be foreseen: for the room
+    double rate, rate_at;      // cells a point when there was last made room, and 1 + the points then; 0: never
+    paradt__relay *relay;      // NULL: it does not pause
+    paradt__update update;     // what the last insertion did
+    paradt_index *rim;         // [rim_capacity] handles of the cavity's facets on the rim, in its cells
+    size_t rim_count, rim_capacity;
+    paradt__facets ridges;     // facets of new cells that wait for their mirrors; empty between insertions
+    struct paradt__kept *kept; // spheres of cells, in three dimensions where the filter holds; else NULL
+    int graded;                // records have sagittas, of at most grade_limit in size, wrong by grade_error
+    double grade_limit, grade_error;
+} paradt__insertion;
+
+// The i-th point to be inserted
+PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *build, size_t i) {
+    return build->order ? build->order[i] : (paradt_index)i;
+}
+
+// --- room
+
+enum {
+    PARADT__GROW_PART = 16,       // a mesh grows by at least that part
+    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected together
+    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
+};
+
+#define PARADT__EXPECT_MORE 1.08
+
+// Makes room for the places that are needed, and for those that are wanted if it can be had.
+static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
+    if (needed <= build->scene.mesh.capacity && wanted <= build->scene.mesh.capacity) return PARADT_OK;
+    return paradt__mesh_reserve(&build->scene.mesh, needed, wanted, build->memory);
+}
+
+// Number of places to make room for when `needed` are too many for now: what the cells a point, now and when there was
+// last made room, let expect, and somewhat more. Along curves the cells a point grow with the points. Few sets have
+// more cells than uniform points; scanned surfaces and shaken lattices do. In the plane no set has more.
+static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
+    int dim = build->scene.mesh.corners - 1;
+    size_t points = build->count + build->later;
+    double inserted = (double)build->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
+    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
+    int known = build->rate_at > judged && inserted > build->rate_at;
+    double rise = known ? paradt__larger(rate - build->rate, 0.0) / (inserted - build->rate_at) : 0.0;
+    double more = rise * (count - inserted),
+           expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
+    double most = dim <= 3 ? (double)paradt__expected_places(points, dim) : 1e15;
+    double numbered = (double)paradt__most_cells(build->scene.mesh.corners);
+    size_t least = needed + needed / PARADT__GROW_PART + 64;
+    build->rate = rate;
+    build->rate_at = inserted;
+    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > numbered) expected = numbered;
+    return inserted > judged && expected > (double)least ? (size_t)expected : least;
+}
+
+// Number of points whose cells get room in the beginning: of all, and the more that surfaces have; or of few of them,
+// as the rows are copied when there is more.
+static size_t paradt__insertion_first_points(const paradt__insertion *build) {
+    return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
+                                             : build->count / PARADT__JUDGED_PART * 5 / 4;
+}
+
+// Makes sure of `count` places to take.
+static paradt_status paradt__insertion_room(paradt__insertion *build, size_t count) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    size_t needed = mesh->count + count - (mesh->spare_count < count ? mesh->spare_count : count);
+    paradt_status status = PARADT_OK;
+    if (PARADT__LIKELY(needed <= mesh->paged)) return PARADT_OK;
+    if (needed > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, needed, paradt__insertion_expected(build, needed), build->memory);
+    if (!status) paradt__mesh_make_pages(mesh, needed);
+    return status;
+}
+
+// --- the cavity
+
+// Digs the cavity of x from the first cell in conflict with it: fills update.killed and the rim, and marks the cavity's
+// cells.
+static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    int corners = mesh->corners, i;
+    size_t head;
+    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT));
+    update->killed[0] = first * corners;
+    update->killed_count = 1;
+    build->rim_count = 0;
+    mesh->marks[first] |= PARADT__CONFLICT;
+    for (head = 0; head < update->killed_count; head++) {
+        paradt_index base = update->killed[head] - update->killed[head] % corners;
+        paradt_status status = paradt__list_room(&update->killed, update->killed_count, &update->killed_capacity,
+                                                 update->killed_count + (size_t)corners, build->memory);
+        if (!status)
+            status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity,
+                                       build->rim_count + (size_t)corners, build->memory);
+        if (status) return status;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i], other = paradt__mesh_cell(mesh, mirror);
+            if (mesh->marks[other] & PARADT__CONFLICT) continue;
+            if (paradt__conflicts(&build->scene, other, x)) {
+                mesh->marks[other] |= PARADT__CONFLICT;
+                update->killed[update->killed_count++] = mirror;
+            } else {
+                build->rim[build->rim_count++] = base + i;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Room for what starring the rim makes: places, the list of them, and ridges, each of which is in two new cells.
+static paradt_status paradt__cavity_room(paradt__insertion *build) {
+    paradt__update *update = &build->update;
+    size_t count = build->rim_count, ridges = count * (size_t)(build->scene.mesh.corners - 1);
+    paradt_status status = paradt__insertion_room(build, count);
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count, build->memory);
+    if (!status && !build->ridges.heads) status = paradt__facets_begin(&build->ridges, 0, 1, build->memory);
+    return status ? status : paradt__facets_room(&build->ridges, ridges / 2 + 1, build->memory);
+}
+
+// Makes a cell of each rim facet and the point: that of the cavity with the point in the place of the vertex off the
+// facet.
+PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__facets *ridges = &build->ridges;
+    size_t i;
+    int j;
+    for (i = 0; i < build->rim_count; i++) {
+        paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
+        paradt_index base = made * corners, *vertices = mesh->vertices + base;
+        uint64_t sum;
+        memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
+        vertices[place] = point;
+        paradt__mesh_tie(mesh, base + place, mesh->links[inner]);
+        sum = paradt__cell_sum(vertices, corners);
+        for (j = 0; j < corners; j++) {
+            paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(vertices[j]))};
+            if (j != (int)place) paradt__facets_tie(ridges, mesh, key, base + j, corners);
+        }
+        build->update.made[i] = base + place;
+        build->scene.hint = made;
+    }
+    build->update.made_count = build->rim_count;
+}
+
+// Stars the cavity. Fills update.made with the new cells' handles of the rim facets.
+static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index point) {
+    paradt_status status = paradt__cavity_room(build);
+    if (status) return status;
+    switch (build->scene.mesh.corners) {
+    case 3: paradt__cavity_fill(build, point, 3); break;
+    case 4: paradt__cavity_fill(build, point, 4); break;
+    default: paradt__cavity_fill(build, point, build->scene.mesh.corners);
+    }
+    PARADT_ASSERT(build->ridges.count == 0);
+    return PARADT_OK;
+}
+
+// Clears the cavity's marks and gives its places back.
+static paradt_status paradt__cavity_clear(paradt__insertion *build) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    const paradt__update *update = &build->update;
+    size_t i;
+    paradt_status status = paradt__mesh_spare_room(mesh, update->killed_count, build->memory);
+    if (status) return status;
+    for (i = 0; i < update->killed_count; i++) {
+        paradt_index cell = paradt__mesh_cell(mesh, update->killed[i]);
+        mesh->marks[cell] = 0;
+        paradt__mesh_give(mesh, cell, (size_t)mesh->corners);
+    }
+    return PARADT_OK;
+}
+
+// Inserts a point: search, dig, star.
+static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
+    paradt_status status;
+    build->scene.hint = cell;
+    build->update.killed_count = build->update.made_count = 0;
+    if (build->scene.space.weighted && !paradt__conflicts(&build->scene, cell, x)) return PARADT_OK; // hidden
+    status = paradt__cavity_dig(build, cell, x);
+    if (!status) status = paradt__cavity_star(build, point);
+    if (!status) status = paradt__cavity_clear(build);
+    return status;
+}
+
+// --- the first cells
+
+// Makes the cell of the first points, which span, at place 0, and the ghost on its facet opposite vertex i at place
+// 1 + i.
+static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    int corners = mesh->corners, i, j;
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__insertion_reserve(build, (size_t)corners + 1, (size_t)corners + 1);
+    if (status) return status;
+    mesh->count = (size_t)corners + 1;
+    for (i = 0; i < corners; i++) {
+        mesh->vertices[i] = paradt__insertion_point(build, (size_t)i);
+        p[i] = paradt__scene_record(&build->scene, mesh->vertices[i]);
+    }
+    if (paradt__orient(&build->scene.space, p) < 0) {
+        mesh->vertices[0] = paradt__insertion_point(build, 1);
+        mesh->vertices[1] = paradt__insertion_point(build, 0);
+    }
+    // In a ghost two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet. Ghosts
+    // i and j meet in the facet without vertices i and j, which is opposite what stands for i in ghost j.
+    for (i = 0; i < corners; i++) {
+        paradt_index base = (paradt_index)((i + 1) * corners);
+        for (j = 0; j < corners; j++) {
+            int place = j < 2 ? 1 - j : j;
+            mesh->vertices[base + place] = j == i ? (paradt_index)PARADT__INFINITE : mesh->vertices[j];
+            mesh->links[base + place] =
+                j == i ? (paradt_index)i : (paradt_index)((j + 1) * corners + (i < 2 ? 1 - i : i));
+            if (j == i) mesh->links[i] = base + place;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>kept spheres
 //
-// Doors: to be listed.
-
+// Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
+// too. The predicates decide where its value does not exceed the bound on its error. What they decide and what the
+// spheres decide is the same.
+//
 // A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
 //     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
 // Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
-// So a test is one dot product, for ghosts too. Where its value does not exceed the bound on its error, the predicates
-// decide. The spheres are kept in a table, each in the place that its cell's number says; one that another has driven
-// out is made again when it is wanted.
+// The spheres stand in a table, each in the slot that its cell's place says, modulo the table's size. A sphere that
+// another cell's has driven out is made again when it is wanted.
 //
 // The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
 // the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
@@ -6837,16 +8017,20 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
 // N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
 //     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
+//
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_make, paradt__kept_settle,
+// paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
+// paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
 enum {
     PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
     PARADT__SPHERES = 1 << 14,       // for many, and
     PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
-    PARADT__STAR = 2048,             // new cells that are made together, at most; else the general way is taken
-    PARADT__STAR_VERTICES = 1026,    // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_STAR = 60,        // new cells that a point has as a rule at most, with
+    PARADT__MOST_RIM = 2048,         // new cells that are made together, at most; else the general way is taken
+    PARADT__RIM_VERTICES = 1026,     // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
+    PARADT__COMMON_RIM = 60,         // new cells that a point has as a rule at most, with
     PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
-    PARADT__WIDE_STAR = 256,         // new cells for whose edges there is room to begin with
+    PARADT__WIDE_RIM = 256,          // new cells for whose edges there is room to begin with
     PARADT__WIDE_VERTICES = 130,
     PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
     PARADT__WIDE_ROWS = 5,               // so many of these
@@ -6858,74 +8042,68 @@ enum {
     PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
 };
 
-#ifdef PARADT_INDEX64
-typedef uint64_t paradt__tag;
-#else
-typedef uint32_t paradt__tag;
-#endif
-
 #define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
 #define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
 #define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
 
-typedef struct paradt__sphere3 {
+typedef struct paradt__sphere {
     double normal[3], constant;
     double error;
     paradt__tag tag;                                  // the cell, with the two marks
     paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
-} paradt__sphere3;
+} paradt__sphere;
 
-// A point as the spheres want it
-typedef struct paradt__seen3 {
+// A point relative to the centre of the box, and its lift
+typedef struct paradt__centred {
     double s[3], lift;
-} paradt__seen3;
+} paradt__centred;
 
-// A vertex of the cavity: at first its number among the points, then what leads to it from the new point
-typedef union paradt__around3 {
+// A vertex of the cavity: at first its position, then the edge that leads to it from the new point
+typedef union paradt__spoke {
     paradt_index vertex;
     double edge[4]; // by axis, and the square of its length, or how much g is larger there
-} paradt__around3;
+} paradt__spoke;
 
-enum { PARADT__NEXT_NUMBER = sizeof(paradt__around3) }; // from number to number
+enum { PARADT__NEXT_NUMBER = sizeof(paradt__spoke) }; // from number to number
 
 // What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
-typedef struct paradt__frame3 {
+typedef struct paradt__frame {
     double half[3], square, slack;
-} paradt__frame3;
+} paradt__frame;
 
 // How spheres are made
-typedef enum paradt__making3 {
+typedef enum paradt__making {
     PARADT__MAKE_QUICKLY,
     PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
     PARADT__MAKE_GRADED, // with these, by sagittas
-} paradt__making3;
+} paradt__making;
 
-typedef struct paradt__spheres3 {
-    paradt__sphere3 *table; // [mask + 1] on cache lines, in the same block behind this
+typedef struct paradt__kept {
+    paradt__sphere *table; // [mask + 1] on cache lines, in the same block behind this
     paradt__tag mask;
-    int driven_out;   // a sphere of a cell of the cavity has been, while it is dug: see bw.marks
+    int evicted;      // a cell of the cavity that is being dug has lost its sphere, and has PARADT__CONFLICT instead
     double centre[3]; // of the bounding box
-    paradt__frame3 frame;
-    double square;      // H as it is without sagittas
-    double steep;       // 2^60 times its root
-    double nil;         // powers of less than this in size are 0
-    paradt__seen3 next; // the point to be inserted next
-    paradt_index start; // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+    paradt__frame frame;
+    double square;        // H as it is without sagittas
+    double steep;         // 2^60 times its root
+    double nil;           // powers of less than this in size are 0
+    paradt__centred next; // the point to be inserted next
+    paradt_index start;   // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
 
     // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
     // in-sphere filter did
     size_t made, missed, vague;
-    paradt__making3 making;
+    paradt__making making;
     void *large_table; // its block; NULL: it is in the same block, behind this
     paradt_index *large_edges;
-    size_t large_star, large_rows; // for so many new cells
+    size_t large_rim, large_rows; // for so many new cells
 
     // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
-    // `around`. Numbers go on from point to point, so what is less than `first` is none.
+    // `spokes`. Numbers go on from point to point, so what is less than `first` is none.
     uint32_t *number;                        // [numbers]
     size_t numbers;                          // points + 1, at least
-    uint32_t first, next_number, around_end; // around_end: the offset behind the last vertex
-    paradt__around3 around[PARADT__STAR_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__bw3_limit_numbers
+    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__kept_limit_numbers
 
     // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
     // large_edges.
@@ -6935,13 +8113,13 @@ typedef struct paradt__spheres3 {
     paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
 
     // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    uint16_t corner[PARADT__STAR + 3][4]; // the vertices, as offsets
-    paradt_index row[PARADT__STAR][4];    // vertices
-    paradt_index outer[PARADT__STAR];
+    uint16_t corner[PARADT__MOST_RIM + 3][4]; // the vertices, as offsets
+    paradt_index row[PARADT__MOST_RIM][4];    // vertices
+    paradt_index outer[PARADT__MOST_RIM];
     int ghosts; // there are some among them; those that are none then:
-    paradt_index finite_base[PARADT__STAR + 3];
-    uint16_t finite_corner[PARADT__STAR + 3][4];
-} paradt__spheres3;
+    paradt_index finite_base[PARADT__MOST_RIM + 3];
+    uint16_t finite_corner[PARADT__MOST_RIM + 3][4];
+} paradt__kept;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
@@ -6949,16 +8127,16 @@ typedef struct paradt__spheres3 {
 #define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
 
 // The vertex with a number, as an offset
-PARADT__INLINE paradt__around3 *paradt__around3_at(paradt__around3 *around, size_t offset) {
-    return (paradt__around3 *)(void *)((char *)around + offset);
+PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *around, size_t offset) {
+    return (paradt__spoke *)(void *)((char *)around + offset);
 }
 
 // The first cache line that begins there
-PARADT__INLINE paradt__sphere3 *paradt__on_line(void *memory) {
-    return (paradt__sphere3 *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
+PARADT__INLINE paradt__sphere *paradt__on_line(void *memory) {
+    return (paradt__sphere *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
-static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
+static void paradt__kept_free(paradt__kept *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
     paradt__release(memory, s->large_table);
@@ -6966,372 +8144,8 @@ static void paradt__spheres3_free(paradt__spheres3 *s, paradt__memory *memory) {
     paradt__release(memory, s);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// >>insertion
-//
-// Doors: to be listed.
-
-typedef struct paradt__bw {
-    paradt__space space; // its own, for the counters
-    paradt__memory *memory;
-    const double *records;     // [count][width]
-    const paradt_index *order; // [count] of insertion; NULL: that of the records
-    size_t width, count;
-    int graded; // records have sagittas, of at most grade_limit in size, wrong by grade_error
-    double grade_limit, grade_error;
-    size_t inserted;      // points so far
-    paradt__relay *relay; // NULL: it does not pause
-    size_t later;         // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at; // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__cells cells;  // cells.count: places in use or free; neighbors are handles of facets
-    size_t paged;         // so many cells have pages for their rows already
-    unsigned char *marks; // [cells.capacity] PARADT__CONFLICT, and bits of those who go on with the cells; 0 at first
-    paradt_index *spare;  // [spare_capacity] places that are free
-    size_t spare_count, spare_capacity;
-    // [cavity_capacity] cells in conflict with the point: handles of the facets they were entered by. In three
-    // dimensions each becomes four times the cell's place once its facets are looked at, and the same of the places
-    // that the new cells need besides comes behind them.
-    paradt_index *cavity;
-    size_t cavity_count, cavity_capacity;
-    paradt_index *rim; // [rim_capacity] handles of the cavity's facets on the rim
-    size_t rim_count, rim_capacity;
-    paradt__slot *ridges; // [ridge_capacity] the first ridge_mask + 1 are a hash table of the new cells' open facets
-    size_t ridge_capacity, ridge_mask;
-    paradt_index last;         // a cell near the point inserted last
-    paradt__spheres3 *spheres; // in three dimensions, where the filter holds
-} paradt__bw;
-
-PARADT__INLINE const double *paradt__bw_record(const paradt__bw *bw, paradt_index point) {
-    return bw->records + (size_t)point * bw->width;
-}
-
-// The i-th point to be inserted
-PARADT__INLINE paradt_index paradt__bw_point(const paradt__bw *bw, size_t i) {
-    return bw->order ? bw->order[i] : (paradt_index)i;
-}
-
-// The cell that a handle's facet belongs to. Divisions by what is not a constant are slow.
-PARADT__INLINE paradt_index paradt__bw_cell(const paradt__bw *bw, paradt_index handle) {
-    return bw->cells.corners == 4 ? handle >> 2 : handle / bw->cells.corners;
-}
-
-static void paradt__bw_end(paradt__bw *bw) {
-    paradt__release(bw->memory, bw->marks);
-    paradt__release(bw->memory, bw->spare);
-    paradt__release(bw->memory, bw->cavity);
-    paradt__release(bw->memory, bw->rim);
-    paradt__release(bw->memory, bw->ridges);
-    paradt__spheres3_free(bw->spheres, bw->memory);
-}
-
-// Room for the cells that are needed, and those that are wanted if it can be had
-static paradt_status paradt__bw_reserve(paradt__bw *bw, size_t needed, size_t wanted) {
-    size_t before = bw->cells.capacity;
-    void *array = bw->marks;
-    paradt_status status;
-    if (needed <= before && wanted <= before) return PARADT_OK;
-    status = paradt__cells_reserve(&bw->cells, needed, wanted, bw->memory);
-    if (status) return status;
-    bw->paged = bw->cells.count;
-    if (!paradt__grow(bw->memory, &array, before, bw->cells.capacity, 1)) return PARADT_ERROR_MEMORY;
-    bw->marks = (unsigned char *)array;
-    paradt__make_pages(bw->marks, before, bw->cells.capacity);
-    memset(bw->marks + before, 0, bw->cells.capacity - before);
-    return PARADT_OK;
-}
-
-// Lends it the places of the cells from `first` on.
-static paradt_status paradt__bw_lend(paradt__bw *bw, paradt_index *vertices, paradt_index *neighbors, size_t capacity) {
-    bw->marks = (unsigned char *)paradt__alloc(bw->memory, capacity, 1);
-    if (!bw->marks) return PARADT_ERROR_MEMORY;
-    bw->cells.vertices = vertices;
-    bw->cells.neighbors = neighbors;
-    bw->cells.capacity = capacity;
-    bw->cells.lent = 1;
-    return PARADT_OK;
-}
-
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__bw_list(paradt__bw *bw, paradt_index **list, size_t used, size_t *capacity, size_t count) {
-    void *array = *list;
-    size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
-    if (!paradt__grow(bw->memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
-    *list = (paradt_index *)array;
-    *capacity = larger;
-    return PARADT_OK;
-}
-
-// Places that the cells of so many points take, ghosts and all, in two and three dimensions: mostly enough
-static size_t paradt__bw_places(size_t count, int dim) {
-    return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
-}
-
-// The number of cells to make room for when `needed` is too much for now: what the cells per point now, and what they
-// were when there was last made room, let expect, and somewhat more. Along curves they grow with the points. Few sets
-// have more than uniform points; but scanned surfaces do, and lattices that are shaken: 3 to 6 % more a point in the
-// end than when they are judged. In the plane no set has more.
-static size_t paradt__bw_expected(paradt__bw *bw, size_t needed) {
-    int dim = bw->cells.corners - 1;
-    size_t points = bw->count + bw->later;
-    double inserted = (double)bw->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
-    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
-    int known = bw->rate_at > judged && inserted > bw->rate_at;
-    double rise = known ? paradt__larger(rate - bw->rate, 0.0) / (inserted - bw->rate_at) : 0.0;
-    double more = rise * (count - inserted),
-           expected = (rate + (more < rate ? more : rate)) * count * PARADT__EXPECT_MORE;
-    double most = dim <= 3 ? (double)paradt__bw_places(points, dim) : 1e15;
-    double numbered = (double)paradt__most_cells(bw->cells.corners);
-    size_t least = needed + needed / PARADT__GROW_PART + 64;
-    bw->rate = rate;
-    bw->rate_at = inserted;
-    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
-    if (expected > numbered) expected = numbered;
-    return inserted > judged && expected > (double)least ? (size_t)expected : least;
-}
-
-// The cells of so many points get room at once: of all, and the more that surfaces have; or of few of them, as that is
-// copied when there is more.
-static size_t paradt__bw_first_points(const paradt__bw *bw) {
-    return bw->count < PARADT__FEW_POINTS ? bw->count + bw->count / 32 : bw->count / PARADT__JUDGED_PART * 5 / 4;
-}
-
-// Makes pages for some more cells than are needed. Of the last page, which is not made if it lies behind them in part,
-// the cells do not count: it is made with the next.
-static void paradt__bw_make_pages(paradt__bw *bw, size_t needed) {
-    enum { AHEAD = 1 << 17 }; // bytes
-    size_t row = (size_t)bw->cells.corners * sizeof(paradt_index), end = needed + AHEAD / row + PARADT__PAGE / row;
-    if (end > bw->cells.capacity) end = bw->cells.capacity;
-    paradt__make_pages(bw->cells.vertices, bw->paged * row, end * row);
-    paradt__make_pages(bw->cells.neighbors, bw->paged * row, end * row);
-    bw->paged = end < bw->cells.capacity ? end - PARADT__PAGE / row : end;
-}
-
-// Makes sure of `count` free places.
-static paradt_status paradt__bw_room(paradt__bw *bw, size_t count) {
-    size_t needed = bw->cells.count + count - (bw->spare_count < count ? bw->spare_count : count);
-    paradt_status status = PARADT_OK;
-    if (PARADT__LIKELY(needed <= bw->paged)) return PARADT_OK;
-    if (needed > bw->cells.capacity) status = paradt__bw_reserve(bw, needed, paradt__bw_expected(bw, needed));
-    if (!status) paradt__bw_make_pages(bw, needed);
-    return status;
-}
-
-PARADT__INLINE paradt_index paradt__bw_place(paradt__bw *bw) {
-    if (bw->spare_count) return bw->spare[--bw->spare_count];
-    return (paradt_index)bw->cells.count++;
-}
-
-// How many vertices of a cell or ghost are in [0, end)?
-PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
-    int count = 0;
-    size_t i;
-    for (i = 0; i < corners; i++) count += (paradt__tag)vertices[i] < (paradt__tag)end;
-    return count;
-}
-
-// Are all vertices of a cell in [begin, end)? Those of a ghost or a free place never are.
-PARADT__INLINE int paradt__vertices_among(const paradt_index *vertices, int corners, paradt_index begin,
-                                          paradt_index end) {
-    paradt__tag first = (paradt__tag)begin, span = (paradt__tag)end - first;
-    int i, among = 1;
-#if PARADT__FOUR_AT_ONCE
-    if (corners == 4) {
-        const __m128i sign = _mm_set1_epi32(INT32_MIN), most = _mm_set1_epi32((int)(span ^ (paradt__tag)INT32_MIN));
-        __m128i four = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)(const void *)vertices), _mm_set1_epi32(begin));
-        return _mm_movemask_epi8(_mm_cmplt_epi32(_mm_xor_si128(four, sign), most)) == 0xffff;
-    }
-#else
-    if (corners == 4) {
-        return ((paradt__tag)vertices[0] - first < span) & ((paradt__tag)vertices[1] - first < span) &
-               ((paradt__tag)vertices[2] - first < span) & ((paradt__tag)vertices[3] - first < span);
-    }
-#endif
-    for (i = 0; i < corners; i++) among &= (paradt__tag)vertices[i] - first < span;
-    return among;
-}
-
-// The place of the infinite vertex in the cell, or -1
-PARADT__INLINE int paradt__bw_ghost(const paradt_index *cell, int corners) {
-    int i;
-    for (i = 0; i < corners; i++) {
-        if (cell[i] == PARADT__INFINITE) return i;
-    }
-    return -1;
-}
-
-// --- predicates of a cell and a point; the cells are whole
-
-// Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
-static int paradt__bw_side(paradt__bw *bw, paradt_index cell, int place, const double *x) {
-    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)bw->cells.corners;
-    const double *p[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i < bw->cells.corners; i++) p[i] = i == place ? x : paradt__bw_record(bw, vertices[i]);
-    return paradt__orient(&bw->space, p);
-}
-
-static int paradt__bw_conflicts(paradt__bw *bw, paradt_index cell, const double *x) {
-    int corners = bw->cells.corners, ghost, i, side;
-    const paradt_index *vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
-    const double *p[PARADT_MAX_DIM + 2];
-    ghost = paradt__bw_ghost(vertices, corners);
-    if (ghost >= 0) {
-        side = paradt__bw_side(bw, cell, ghost, x);
-        if (side) return side > 0;
-        cell = paradt__bw_cell(bw, bw->cells.neighbors[(size_t)cell * (size_t)corners + (size_t)ghost]);
-        vertices = bw->cells.vertices + (size_t)cell * (size_t)corners;
-    }
-    for (i = 0; i < corners; i++) p[i] = paradt__bw_record(bw, vertices[i]);
-    p[corners] = x;
-    return paradt__conflict(&bw->space, p);
-}
-
-// The cell that contains x, or a ghost whose hull facet has x strictly beyond it. A visibility walk: in a regular
-// triangulation it ends whichever facet it takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d
-// dimensions", Combinatorica 10, 1990).
-static paradt_index paradt__bw_walk(paradt__bw *bw, paradt_index cell, const double *x) {
-    int corners = bw->cells.corners, i, from = -1;
-    for (;;) {
-        size_t base = (size_t)cell * (size_t)corners;
-        int ghost = paradt__bw_ghost(bw->cells.vertices + base, corners);
-        if (ghost >= 0) {
-            if (paradt__bw_side(bw, cell, ghost, x) > 0) return cell;
-            i = ghost;
-        } else {
-            for (i = 0; i < corners; i++) {
-                if (i != from && paradt__bw_side(bw, cell, i, x) < 0) break;
-            }
-            if (i == corners) return cell;
-        }
-        from = (int)(bw->cells.neighbors[base + (size_t)i] % corners);
-        cell = paradt__bw_cell(bw, bw->cells.neighbors[base + (size_t)i]);
-    }
-}
-
-// --- insertion in any dimension
-
-// Fills the cavity and its rim from the first cell in conflict with x.
-static paradt_status paradt__bw_dig(paradt__bw *bw, paradt_index first, const double *x) {
-    int corners = bw->cells.corners, i;
-    size_t head;
-    bw->cavity_count = bw->rim_count = 0;
-    bw->cavity[bw->cavity_count++] = first * corners;
-    bw->marks[first] |= PARADT__CONFLICT;
-    for (head = 0; head < bw->cavity_count; head++) {
-        paradt_index base = bw->cavity[head] - bw->cavity[head] % corners;
-        paradt_status status = paradt__bw_list(bw, &bw->cavity, bw->cavity_count, &bw->cavity_capacity,
-                                               bw->cavity_count + (size_t)corners);
-        if (!status)
-            status = paradt__bw_list(bw, &bw->rim, bw->rim_count, &bw->rim_capacity, bw->rim_count + (size_t)corners);
-        if (status) return status;
-        for (i = 0; i < corners; i++) {
-            paradt_index other = paradt__bw_cell(bw, bw->cells.neighbors[base + i]);
-            if (bw->marks[other] & PARADT__CONFLICT) continue;
-            if (paradt__bw_conflicts(bw, other, x)) {
-                bw->marks[other] |= PARADT__CONFLICT;
-                bw->cavity[bw->cavity_count++] = bw->cells.neighbors[base + i];
-            } else {
-                bw->rim[bw->rim_count++] = base + i;
-            }
-        }
-    }
-    return PARADT_OK;
-}
-
-// Links an open facet of a new cell to its twin, or leaves it in the table for that. Every ridge of the rim is in two
-// facets, so each entry is met once and needs no removal.
-static void paradt__bw_link(paradt__bw *bw, uint32_t key, paradt_index handle) {
-    size_t mask = bw->ridge_mask, slot = key & mask;
-    for (; bw->ridges[slot].handle >= 0; slot = (slot + 1) & mask) {
-        paradt_index twin = bw->ridges[slot].handle;
-        if (bw->ridges[slot].key != key || !paradt__same_facet(&bw->cells, twin, handle, bw->cells.corners)) continue;
-        bw->cells.neighbors[twin] = handle;
-        bw->cells.neighbors[handle] = twin;
-        return;
-    }
-    bw->ridges[slot].key = key;
-    bw->ridges[slot].handle = handle;
-}
-
-// A table for the rim's ridges, empty. At most half full: each of the ridges is in two of the facets. It is no larger
-// than that, for to clear the largest that was ever needed could take longer than all the rest.
-static paradt_status paradt__bw_ridges(paradt__bw *bw) {
-    size_t needed = 16, i;
-    while (needed < bw->rim_count * (size_t)bw->cells.corners) needed *= 2;
-    if (needed > bw->ridge_capacity) {
-        paradt__release(bw->memory, bw->ridges);
-        bw->ridges = (paradt__slot *)paradt__alloc(bw->memory, needed, sizeof *bw->ridges);
-        bw->ridge_capacity = bw->ridges ? needed : 0;
-        if (!bw->ridges) return PARADT_ERROR_MEMORY;
-    }
-    bw->ridge_mask = needed - 1;
-    for (i = 0; i < needed; i++) bw->ridges[i].handle = PARADT__OPEN;
-    return PARADT_OK;
-}
-
-// Makes the new cells: those of the cavity with the point in the place of the vertex off the rim. The rim is theirs
-// then.
-static paradt_status paradt__bw_fill(paradt__bw *bw, paradt_index point) {
-    int corners = bw->cells.corners, j;
-    size_t i;
-    paradt_status status = paradt__bw_room(bw, bw->rim_count);
-    if (!status) status = paradt__bw_ridges(bw);
-    if (status) return status;
-    for (i = 0; i < bw->rim_count; i++) {
-        paradt_index inner = bw->rim[i], outer = bw->cells.neighbors[inner], made = paradt__bw_place(bw);
-        int place = (int)(inner % corners);
-        paradt_index *vertices = bw->cells.vertices + (size_t)made * (size_t)corners;
-        uint64_t sum;
-        memcpy(vertices, bw->cells.vertices + (inner - place), (size_t)corners * sizeof *vertices);
-        vertices[place] = point;
-        sum = paradt__cell_sum(vertices, corners);
-        bw->cells.neighbors[made * corners + place] = outer;
-        bw->cells.neighbors[outer] = made * corners + place;
-        for (j = 0; j < corners; j++) {
-            if (j != place)
-                paradt__bw_link(bw, paradt__facet_key(sum - paradt__vertex_key(vertices[j])), made * corners + j);
-        }
-        bw->rim[i] = made * corners + place;
-        bw->last = made;
-    }
-    return PARADT_OK;
-}
-
-// The places of the cavity become free.
-static paradt_status paradt__bw_clear(paradt__bw *bw) {
-    size_t i;
-    paradt_status status =
-        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
-    if (status) return status;
-    for (i = 0; i < bw->cavity_count; i++) {
-        paradt_index cell = paradt__bw_cell(bw, bw->cavity[i]);
-        bw->marks[cell] = 0;
-        bw->spare[bw->spare_count + i] = cell;
-    }
-    bw->spare_count += bw->cavity_count;
-    return PARADT_OK;
-}
-
-static paradt_status paradt__bw_insert(paradt__bw *bw, paradt_index point) {
-    const double *x = paradt__bw_record(bw, point);
-    paradt_index cell = paradt__bw_walk(bw, bw->last, x);
-    paradt_status status;
-    bw->last = cell;
-    if (bw->space.weighted && !paradt__bw_conflicts(bw, cell, x)) return PARADT_OK;
-    status = paradt__bw_dig(bw, cell, x);
-    if (!status) status = paradt__bw_fill(bw, point);
-    if (!status) status = paradt__bw_clear(bw);
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>insertion in space
-//
-// Doors: to be listed.
-
-PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const double *x) {
-    paradt__seen3 seen;
+PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const double *x) {
+    paradt__centred seen;
     seen.s[0] = x[0] - s->centre[0];
     seen.s[1] = x[1] - s->centre[1];
     seen.s[2] = x[2] - s->centre[2];
@@ -7341,8 +8155,8 @@ PARADT__INLINE paradt__seen3 paradt__seen3_of(const paradt__spheres3 *s, const d
 }
 
 // The edge from a point to another
-PARADT__INLINE paradt__around3 paradt__around3_of(paradt__making3 making, const double *from, const double *to) {
-    paradt__around3 around;
+PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
+    paradt__spoke around;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
     around.edge[0] = x;
     around.edge[1] = y;
@@ -7351,7 +8165,7 @@ PARADT__INLINE paradt__around3 paradt__around3_of(paradt__making3 making, const 
     return around;
 }
 
-PARADT__INLINE double paradt__largest3(double a, double b, double c) {
+PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
@@ -7364,9 +8178,9 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
 // to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
 // (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
 // been rounded.)
-PARADT__INLINE void paradt__sphere3_make(paradt__making3 making, const paradt__frame3 *f, const paradt__seen3 *p,
-                                         const double *a, const double *b, const double *c, double *normal,
-                                         double *constant, double *error) {
+PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
+                                        const double *a, const double *b, const double *c, double *normal,
+                                        double *constant, double *error) {
     const int graded = making == PARADT__MAKE_GRADED;
     double ax = a[0], ay = a[1], az = a[2], la = a[3], bx = b[0], by = b[1], bz = b[2], lb = b[3];
     double cx = c[0], cy = c[1], cz = c[2], lc = c[3];
@@ -7410,17 +8224,17 @@ PARADT__INLINE void paradt__sphere3_make(paradt__making3 making, const paradt__f
 }
 
 // The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
-static const unsigned char paradt__facet3[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
+static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
 // The sphere of the ghost on a facet. seen: p
-PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__sphere3 *sphere,
-                                             const paradt__seen3 *seen, const double *p, const double *q,
-                                             const double *r) {
+PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere, const paradt__centred *seen,
+                                            const double *p, const double *q, const double *r) {
     const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
-    double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx, size = paradt__largest3(nx, ny, nz);
-    double mx = paradt__largest3(ax, bx, 0.0), my = paradt__largest3(ay, by, 0.0), mz = paradt__largest3(az, bz, 0.0),
-           t;
+    double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx,
+           size = paradt__largest_of_three(nx, ny, nz);
+    double mx = paradt__largest_of_three(ax, bx, 0.0), my = paradt__largest_of_three(ay, by, 0.0),
+           mz = paradt__largest_of_three(az, bz, 0.0), t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
     if (!(s->steep < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
@@ -7437,156 +8251,257 @@ PARADT__INLINE void paradt__sphere3_of_facet(const paradt__spheres3 *s, paradt__
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
-static void paradt__sphere3_of_ghost(const paradt__bw *bw, paradt__sphere3 *sphere, const paradt_index *vertices,
-                                     int place) {
-    const unsigned char *order = paradt__facet3[place];
-    const double *p = paradt__bw_record(bw, vertices[order[0]]), *q = paradt__bw_record(bw, vertices[order[1]]);
-    paradt__seen3 seen = paradt__seen3_of(bw->spheres, p);
-    paradt__sphere3_of_facet(bw->spheres, sphere, &seen, p, q, paradt__bw_record(bw, vertices[order[2]]));
+static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
+                                    const paradt_index *vertices, int place) {
+    const unsigned char *order = paradt__facet_order[place];
+    const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
+                 *q = paradt__scene_record(&build->scene, vertices[order[1]]);
+    paradt__centred seen = paradt__centred_of(build->kept, p);
+    paradt__sphere_of_facet(build->kept, sphere, &seen, p, q, paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
-PARADT__NOINLINE void paradt__bw3_sphere(const paradt__bw *bw, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
-    const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)cell;
-    int ghost = paradt__bw_ghost(vertices, 4);
+PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_index cell) {
+    paradt__kept *s = build->kept;
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
+    const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)cell;
+    int ghost = paradt__ghost_place(vertices, 4);
     if (ghost >= 0) {
-        paradt__sphere3_of_ghost(bw, sphere, vertices, ghost);
+        paradt__sphere_of_ghost(build, sphere, vertices, ghost);
     } else {
-        const double *a = paradt__bw_record(bw, vertices[0]), *b = paradt__bw_record(bw, vertices[1]);
-        const double *c = paradt__bw_record(bw, vertices[2]), *p = paradt__bw_record(bw, vertices[3]);
-        paradt__around3 to_a = paradt__around3_of(s->making, p, a), to_b = paradt__around3_of(s->making, p, b),
-                        to_c = paradt__around3_of(s->making, p, c);
-        paradt__seen3 seen = paradt__seen3_of(s, p);
+        const double *a = paradt__scene_record(&build->scene, vertices[0]),
+                     *b = paradt__scene_record(&build->scene, vertices[1]);
+        const double *c = paradt__scene_record(&build->scene, vertices[2]),
+                     *p = paradt__scene_record(&build->scene, vertices[3]);
+        paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
+                      to_c = paradt__spoke_of(s->making, p, c);
+        paradt__centred seen = paradt__centred_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere3_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
-                             &sphere->constant, &sphere->error);
+        paradt__sphere_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+                            &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
-// A sphere that is not in the table gets its place in it. The mark of the one that is driven out, if the cavity is
-// being dug, is kept in bw.marks.
-PARADT__INLINE paradt__sphere3 *paradt__bw3_drive_out(const paradt__bw *bw, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__sphere3 *sphere = s->table + ((paradt__tag)cell & s->mask);
+// Makes the slot of a cell's sphere free for it. If the sphere there is that of a cell in the cavity, the cell gets the
+// mark PARADT__CONFLICT instead.
+PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build, paradt_index cell) {
+    paradt__kept *s = build->kept;
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
     if (sphere->tag & PARADT__KNOWN) {
-        bw->marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
-        s->driven_out = 1;
+        build->scene.mesh.marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
+        s->evicted = 1;
     }
     s->missed++;
     return sphere;
 }
 
 // Makes a sphere that is not in the table.
-PARADT__NOINLINE void paradt__bw3_missed(const paradt__bw *bw, paradt_index cell) {
-    paradt__sphere3 *sphere = paradt__bw3_drive_out(bw, cell);
-    paradt__bw3_sphere(bw, cell);
-    if (bw->marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
+PARADT__NOINLINE void paradt__kept_missed(const paradt__insertion *build, paradt_index cell) {
+    paradt__sphere *sphere = paradt__kept_evict(build, cell);
+    paradt__kept_make(build, cell);
+    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
 }
 
-PARADT__INLINE const paradt__sphere3 *paradt__bw3_sphere_of(const paradt__bw *bw, paradt_index cell) {
-    const paradt__sphere3 *sphere = bw->spheres->table + ((paradt__tag)cell & bw->spheres->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__bw3_missed(bw, cell);
+PARADT__INLINE const paradt__sphere *paradt__kept_sphere(const paradt__insertion *build, paradt_index cell) {
+    const paradt__sphere *sphere = build->kept->table + ((paradt__tag)cell & build->kept->mask);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__kept_missed(build, cell);
     return sphere;
 }
 
-PARADT__INLINE double paradt__sphere3_power(const paradt__sphere3 *sphere, const paradt__seen3 *x) {
+PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const paradt__centred *x) {
     return (x->lift + sphere->constant) +
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
+
+PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
+                                         const double **p) {
+    int i;
+    for (i = 0; i < 4; i++)
+        p[i] = paradt__scene_record(&build->scene, build->scene.mesh.vertices[4 * (size_t)cell + (size_t)i]);
+    p[4] = x;
+}
+
+// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    paradt__kept_corners(build, cell, x, p);
+    build->scene.space.counters.insphere_calls++;
+    build->scene.space.counters.exact_small++;
+    return (unsigned)paradt__perturbed(&build->scene.space, p);
+}
+
+// Is the cell in conflict with the point? Where nothing is known.
+PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int sign;
+    if (!paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
+        return (unsigned)paradt__conflicts(&build->scene, cell, x);
+    paradt__kept_corners(build, cell, x, p);
+    build->scene.space.counters.insphere_calls++;
+    sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
+    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
+    else build->kept->vague++;
+    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
+}
+
+// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
+PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *seen,
+                                              const double *x) {
+    const paradt__kept *s = build->kept;
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power;
+    if (sphere->tag & PARADT__KNOWN) return 1;
+    power = paradt__sphere_power(sphere, seen);
+    if (paradt__abs(power) > sphere->error) return power < 0.0;
+    if (paradt__abs(power) + sphere->error < s->nil) return paradt__kept_tie(build, cell, x);
+    return paradt__kept_decide(build, cell, x);
+}
+
+// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
+// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
+// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
+// the table stays as it is.
+PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t size = 4 * ((size_t)s->mask + 1), i;
+    void *larger = NULL;
+    double to_come = 28.0 * (double)(build->count - build->inserted); // cells, at least
+    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
+    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
+    s->made = s->missed = s->vague = 0;
+    if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
+        larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
+    if (!larger) return;
+    paradt__release(build->memory, s->large_table);
+    s->large_table = larger;
+    s->table = paradt__on_line(larger);
+    s->mask = (paradt__tag)(size - 1);
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+}
+
+// Room for the numbers of more vertices
+static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
+    paradt__kept *s = build->kept;
+    void *array = s->number;
+    if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
+    s->number = (uint32_t *)array;
+    paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
+    memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
+    s->numbers = numbers;
+    return 1;
+}
+
+// Takes the sagittas where they are so small that without them most powers would tell nothing.
+static void paradt__kept_grade(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
+    if (!build->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    s->making = PARADT__MAKE_GRADED;
+    s->frame.square = square;
+    s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
+}
+
+// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
+static paradt_status paradt__kept_begin(paradt__insertion *build) {
+    paradt__kept *s;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
+    int axis;
+    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
+        return PARADT_OK;
+    while (size < 8 * build->count && size < PARADT__SPHERES) size *= 2;
+    while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
+    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
+    bytes = sizeof *s + (room + 1) * sizeof *s->table;
+    s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
+    build->kept = s;
+    if (!s) return PARADT_ERROR_MEMORY;
+    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
+    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
+    memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
+    s->mask = (paradt__tag)(size - 1);
+    s->table = paradt__on_line(s + 1);
+    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->next_number = PARADT__NEXT_NUMBER;
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
+        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+    }
+    s->square = s->frame.square;
+    s->steep = sqrt(s->square) * paradt__power(60);
+    paradt__kept_grade(build);
+    s->nil = build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    if (build->count > 4)
+        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
+    return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion in space
+//
+// >>insertion once more for three dimensions, with kept spheres. The steps are the same: locate, dig, star; the new
+// cells take the places of the cavity. What is different is the form: no step has a branch that nothing foretells,
+// memory is asked for before it is used, and the inner functions, which have twins for AVX2, are handed in as constants
+// to functions that are inlined. A sphere's tag says whether its cell is in the cavity.
+//
+// The vertices of the cavity get small numbers, and a table by two such numbers takes the place of the ridges' hash
+// table. Cavities whose rim has more than PARADT__MOST_RIM facets are starred by >>insertion.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, the types of its inner functions, what these have in common with
+// their twins, and paradt__kept_fetch_around.
 
 // A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
 // two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
 // it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
 // Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
 // in a longer register and the other is not, and the walk would not end.
-PARADT__INLINE paradt_index paradt__bw3_locate(paradt__bw *bw, const paradt__seen3 *seen, const double *x) {
-    paradt_index cell = bw->spheres->start;
-    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
-    double power = paradt__rounded(paradt__sphere3_power(sphere, seen)), error = sphere->error;
+PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *seen,
+                                                const double *x) {
+    paradt_index cell = build->kept->start;
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power = paradt__rounded(paradt__sphere_power(sphere, seen)), error = sphere->error;
     while (power >= -error) {
-        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)cell;
+        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
         double least = power;
         paradt_index best = cell;
         int i;
         for (i = 0; i < 4; i++) {
-            paradt_index other = neighbors[i] >> 2;
+            paradt_index other = links[i] >> 2;
             double value;
-            sphere = paradt__bw3_sphere_of(bw, other);
-            value = paradt__rounded(paradt__sphere3_power(sphere, seen));
+            sphere = paradt__kept_sphere(build, other);
+            value = paradt__rounded(paradt__sphere_power(sphere, seen));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
         }
-        if (best == cell) return paradt__bw_walk(bw, cell, x);
+        if (best == cell) return paradt__walk(&build->scene, cell, x);
         cell = best;
         power = least;
     }
     return cell;
 }
 
-PARADT__INLINE void paradt__bw3_corners(const paradt__bw *bw, paradt_index cell, const double *x, const double **p) {
-    int i;
-    for (i = 0; i < 4; i++) p[i] = paradt__bw_record(bw, bw->cells.vertices[4 * (size_t)cell + (size_t)i]);
-    p[4] = x;
-}
-
-// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
-PARADT__INLINE unsigned paradt__bw3_tie(paradt__bw *bw, paradt_index cell, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    paradt__bw3_corners(bw, cell, x, p);
-    bw->space.counters.insphere_calls++;
-    bw->space.counters.exact_small++;
-    return (unsigned)paradt__perturbed(&bw->space, p);
-}
-
-// Is the cell in conflict with the point? Where nothing is known.
-PARADT__NOINLINE unsigned paradt__bw3_decide(paradt__bw *bw, paradt_index cell, const double *x) {
-    const double *p[PARADT_MAX_DIM + 2];
-    int sign;
-    if (!paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
-        return (unsigned)paradt__bw_conflicts(bw, cell, x);
-    paradt__bw3_corners(bw, cell, x, p);
-    bw->space.counters.insphere_calls++;
-    sign = paradt__filter_insphere3(&bw->space, p, 3, 0);
-    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&bw->space, p);
-    else bw->spheres->vague++;
-    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&bw->space, p));
-}
-
-// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
-PARADT__NOINLINE unsigned paradt__bw3_settle(paradt__bw *bw, paradt_index cell, const paradt__seen3 *seen,
-                                             const double *x) {
-    const paradt__spheres3 *s = bw->spheres;
-    const paradt__sphere3 *sphere = paradt__bw3_sphere_of(bw, cell);
-    double power;
-    if (sphere->tag & PARADT__KNOWN) return 1;
-    power = paradt__sphere3_power(sphere, seen);
-    if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->nil) return paradt__bw3_tie(bw, cell, x);
-    return paradt__bw3_decide(bw, cell, x);
-}
-
 // What the search for the cavity works with
-typedef struct paradt__dig3 {
-    paradt_index *cavity, *rim;
-    size_t cavity_count, rim_count;
-    const paradt_index *neighbors;
-    paradt__sphere3 *table;
+typedef struct paradt__dig {
+    paradt_index *killed, *rim;
+    size_t killed_count, rim_count;
+    const paradt_index *links;
+    paradt__sphere *table;
     paradt__tag mask;
     int waiting_count;
     const paradt_index *vertices;
-    paradt__around3 *around;
-    uint32_t *numbers, first, next; // of the vertices: as in paradt__spheres3, from vertex 0 on
-} paradt__dig3;
+    paradt__spoke *spokes;
+    uint32_t *numbers, first, next; // of the vertices: as in paradt__kept, from vertex 0 on
+} paradt__dig;
 
 // Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
-PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3 *dig) {
-    paradt__spheres3 *s = bw->spheres;
-    dig->vertices = bw->cells.vertices;
-    dig->around = s->around;
+PARADT__INLINE void paradt__kept_begin_numbers(const paradt__insertion *build, paradt__dig *dig) {
+    paradt__kept *s = build->kept;
+    dig->vertices = build->scene.mesh.vertices;
+    dig->spokes = s->spokes;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
         s->next_number = PARADT__NEXT_NUMBER;
@@ -7596,92 +8511,93 @@ PARADT__INLINE void paradt__bw3_begin_numbers(const paradt__bw *bw, paradt__dig3
 }
 
 // Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
-PARADT__INLINE void paradt__bw3_number(paradt__dig3 *dig, paradt_index vertex) {
+PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
-    paradt__around3_at(dig->around, dig->next - dig->first)->vertex = vertex;
+    paradt__spoke_at(dig->spokes, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
     dig->next += is_new & PARADT__NEXT_NUMBER;
 }
 
 // Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
 // again. To be called every PARADT__DIG_AT_ONCE vertices.
-PARADT__INLINE void paradt__bw3_limit_numbers(paradt__dig3 *dig) {
-    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER;
+PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
-// Keeps which numbers these vertices have. The next cavity's are larger than all of them.
-PARADT__INLINE void paradt__bw3_end_numbers(paradt__spheres3 *s, const paradt__dig3 *dig) {
-    uint32_t most = (uint32_t)PARADT__STAR_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
+// Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
+PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
     s->first = dig->first;
-    s->around_end = end < most ? end : most;
-    s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->around;
+    s->spokes_end = end < most ? end : most;
+    s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
     // what comes of it is not used, but any point will do where its record is read
-    if (s->ghosts) paradt__around3_at(s->around, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
+    if (s->ghosts) paradt__spoke_at(s->spokes, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
 // What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
-PARADT__INLINE void paradt__bw3_judge(paradt__dig3 *dig, paradt_index inner, paradt__sphere3 *sphere,
-                                      unsigned conflict) {
+PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
+                                       unsigned conflict) {
     unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
     sphere->tag |= conflict ? PARADT__KNOWN : 0;
-    dig->cavity[dig->cavity_count] = dig->neighbors[inner];
-    dig->cavity_count += fresh;
+    dig->killed[dig->killed_count] = dig->links[inner];
+    dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
 }
 
 // Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
 // count: of facets that wait already. Returns how many wait then.
-PARADT__NOINLINE int paradt__bw3_wait(const paradt__bw *bw, paradt_index inner, paradt_index other, int count) {
-    PARADT__PREFETCH(bw->cells.vertices + 4 * (size_t)other);
-    bw->spheres->waiting[count] = inner;
+PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
+                                       int count) {
+    PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
+    build->kept->waiting[count] = inner;
     return count + 1;
 }
 
 // Looks at the other side of a facet of the cavity.
-PARADT__INLINE void paradt__bw3_look(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen, const double *x,
-                                     paradt_index inner) {
-    paradt_index handle = dig->neighbors[inner];
+PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+                                      const double *x, paradt_index inner) {
+    paradt_index handle = dig->links[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
-    paradt__sphere3 *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere3_power(sphere, seen);
+    paradt__sphere *sphere = dig->table + (other & dig->mask);
+    double power = paradt__sphere_power(sphere, seen);
     unsigned conflict = power < 0.0;
-    PARADT__PREFETCH(dig->neighbors + 4 * (size_t)other);
+    PARADT__PREFETCH(dig->links + 4 * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
         if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
-            dig->waiting_count = paradt__bw3_wait(bw, inner, (paradt_index)other, dig->waiting_count);
+            dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__bw3_settle(bw, (paradt_index)other, seen, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, seen, x);
     }
-    paradt__bw3_judge(dig, inner, sphere, conflict);
+    paradt__kept_judge(dig, inner, sphere, conflict);
 }
 
 // Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
 // with the same place one drives out the other.
-typedef void (*paradt__remake3)(const paradt__bw *bw, const paradt_index *waiting, int count);
+typedef void (*paradt__remake_kernel)(const paradt__insertion *build, const paradt_index *waiting, int count);
 
-static void paradt__bw3_remake_plain(const paradt__bw *bw, const paradt_index *waiting, int count) {
+static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
-    for (i = 0; i < count; i++) paradt__bw3_sphere_of(bw, bw->cells.neighbors[waiting[i]] >> 2);
+    for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
 }
 
 // Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
-PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, const paradt__seen3 *seen,
-                                            const double *x, paradt__remake3 remake) {
-    const paradt_index *waiting = bw->spheres->waiting;
+PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+                                             const double *x, paradt__remake_kernel remake) {
+    const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
-        paradt_index opposite = bw->cells.vertices[dig->neighbors[waiting[i]]];
-        PARADT__PREFETCH(paradt__bw_record(bw, opposite >= 0 ? opposite : 0));
+        paradt_index opposite = build->scene.mesh.vertices[dig->links[waiting[i]]];
+        PARADT__PREFETCH(paradt__scene_record(&build->scene, opposite >= 0 ? opposite : 0));
     }
-    remake(bw, waiting, count);
+    remake(build, waiting, count);
     for (i = 0; i < count; i++) {
-        paradt__tag other = (paradt__tag)dig->neighbors[waiting[i]] >> 2;
-        paradt__bw3_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                          paradt__bw3_settle(bw, (paradt_index)other, seen, x));
+        paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
+        paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
+                           paradt__kept_settle(build, (paradt_index)other, seen, x));
     }
     dig->waiting_count = 0;
 }
@@ -7689,121 +8605,102 @@ PARADT__NOINLINE void paradt__bw3_look_late(paradt__bw *bw, paradt__dig3 *dig, c
 // Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
 // those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
 // the facet between them.
-PARADT__INLINE size_t paradt__bw3_spread(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                         size_t head) {
-    size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM, facets = bw->rim_capacity - PARADT__DIG_ROOM;
-    paradt__dig3 dig = *work;
-    paradt__seen3 seen = *at;
+PARADT__INLINE size_t paradt__kept_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                          const double *x, size_t head) {
+    size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
+    paradt__dig dig = *work;
+    paradt__centred seen = *at;
     size_t last = head + PARADT__DIG_AT_ONCE;
-    if (!head) paradt__bw3_look(bw, &dig, &seen, x, dig.cavity[0]); // the first cell was not entered by that facet
-    for (; head < last && head < dig.cavity_count && dig.cavity_count <= cells && dig.rim_count <= facets; head++) {
-        paradt_index entry = dig.cavity[head], base = entry & ~(paradt_index)3;
-        dig.cavity[head] = base;
-        paradt__bw3_number(&dig, dig.vertices[entry]);
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 1) & 3));
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 2) & 3));
-        paradt__bw3_look(bw, &dig, &seen, x, base | ((entry + 3) & 3));
+    if (!head) paradt__kept_look(build, &dig, &seen, x, dig.killed[0]); // the first cell was not entered by that facet
+    for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
+        paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
+        dig.killed[head] = base;
+        paradt__kept_number(&dig, dig.vertices[entry]);
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 1) & 3));
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 2) & 3));
+        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 3) & 3));
     }
     *work = dig;
     return head;
 }
 
 // New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
-typedef struct paradt__star3 {
+typedef struct paradt__new_cells {
     paradt_index *base;
     uint16_t (*corner)[4];
     int count;
-} paradt__star3;
+} paradt__new_cells;
 
 // The inner functions that have versions for an instruction set
-typedef size_t (*paradt__spread3)(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                  size_t head);
-typedef void (*paradt__make_spheres3)(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                      const paradt__seen3 *seen);
+typedef size_t (*paradt__spread_kernel)(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                        const double *x, size_t head);
+typedef void (*paradt__make_kernel)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                    const paradt__centred *seen);
 
-PARADT__INLINE paradt_status paradt__bw3_dig(paradt__bw *bw, paradt_index first, const paradt__seen3 *seen,
-                                             const double *x, paradt__spread3 spread, paradt__remake3 remake) {
+PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first, const paradt__centred *seen,
+                                              const double *x, paradt__spread_kernel spread,
+                                              paradt__remake_kernel remake) {
     size_t head = 0, i;
-    paradt__dig3 dig;
-    dig.cavity = bw->cavity;
-    dig.rim = bw->rim;
-    dig.neighbors = bw->cells.neighbors;
-    dig.table = bw->spheres->table;
-    dig.mask = bw->spheres->mask;
-    dig.cavity[0] = 4 * first;
-    dig.cavity_count = 1;
+    paradt__dig dig;
+    dig.killed = build->update.killed;
+    dig.rim = build->rim;
+    dig.links = build->scene.mesh.links;
+    dig.table = build->kept->table;
+    dig.mask = build->kept->mask;
+    dig.killed[0] = 4 * first;
+    dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
-    paradt__bw3_sphere_of(bw, first);
+    paradt__kept_sphere(build, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
-    paradt__bw3_begin_numbers(bw, &dig);
-    for (i = 1; i < 4; i++) paradt__bw3_number(&dig, dig.vertices[4 * (size_t)first + i]);
+    paradt__kept_begin_numbers(build, &dig);
+    for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
-        head = spread(bw, &dig, seen, x, head);
-        paradt__bw3_limit_numbers(&dig);
-        if (head == dig.cavity_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__bw3_look_late(bw, &dig, seen, x, remake);
-        status = paradt__bw_list(bw, &bw->cavity, dig.cavity_count, &bw->cavity_capacity,
-                                 dig.cavity_count + PARADT__DIG_ROOM);
+        head = spread(build, &dig, seen, x, head);
+        paradt__kept_limit_numbers(&dig);
+        if (head == dig.killed_count && !dig.waiting_count) break;
+        if (dig.waiting_count) paradt__kept_look_late(build, &dig, seen, x, remake);
+        status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
+                                   dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
-            status = paradt__bw_list(bw, &bw->rim, dig.rim_count, &bw->rim_capacity, dig.rim_count + PARADT__DIG_ROOM);
+            status = paradt__list_room(&build->rim, dig.rim_count, &build->rim_capacity,
+                                       dig.rim_count + PARADT__DIG_ROOM, build->memory);
         if (status) return status;
-        dig.cavity = bw->cavity;
-        dig.rim = bw->rim;
+        dig.killed = build->update.killed;
+        dig.rim = build->rim;
     }
-    bw->cavity_count = dig.cavity_count;
-    bw->rim_count = dig.rim_count;
-    paradt__bw3_end_numbers(bw->spheres, &dig);
+    build->update.killed_count = dig.killed_count;
+    build->rim_count = dig.rim_count;
+    paradt__kept_end_numbers(build->kept, &dig);
     return PARADT_OK;
-}
-
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
-// the table stays as it is.
-PARADT__NOINLINE void paradt__bw3_adapt(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t size = 4 * ((size_t)s->mask + 1), i;
-    void *larger = NULL;
-    double to_come = 28.0 * (double)(bw->count - bw->inserted); // cells, at least
-    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
-    s->made = s->missed = s->vague = 0;
-    if (often && size * sizeof *s->table <= bw->cells.count * 4 * sizeof(paradt_index))
-        larger = paradt__alloc(bw->memory, size + 1, sizeof *s->table);
-    if (!larger) return;
-    paradt__release(bw->memory, s->large_table);
-    s->large_table = larger;
-    s->table = paradt__on_line(larger);
-    s->mask = (paradt__tag)(size - 1);
-    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
 // Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
 // and the largest, which few stars need, at most an eighth.
-PARADT__NOINLINE void paradt__bw3_widen_star(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t star = PARADT__WIDE_STAR, vertices, rows;
-    if (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star || bw->rim_count > PARADT__STAR) return;
-    while (star < bw->rim_count) star *= 2;
+PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t star = PARADT__WIDE_RIM, vertices, rows;
+    if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
+        return;
+    while (star < build->rim_count) star *= 2;
     vertices = 2 + star / 2;
     rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > bw->cells.count * (star < PARADT__STAR ? 4 : 1)) return;
-    paradt__release(bw->memory, s->large_edges);
-    s->large_star = 0;
+    if (vertices * rows * PARADT__EDGE_ROW > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
+    paradt__release(build->memory, s->large_edges);
+    s->large_rim = 0;
     s->large_edges =
-        (paradt_index *)paradt__alloc(bw->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
+        (paradt_index *)paradt__alloc(build->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
     if (!s->large_edges) return;
-    s->large_star = star;
+    s->large_rim = star;
     s->large_rows = rows;
 }
 
 // The vertices of a new cell: those of a cell but for one, and the point.
-typedef void (*paradt__turn3)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+typedef void (*paradt__row_kernel)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
-static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
-    const unsigned char *order = paradt__facet3[without];
+static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
+    const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
     row[0] = a;
     row[1] = b;
@@ -7812,45 +8709,47 @@ static void paradt__turn3_plain(paradt_index *row, const paradt_index *cell, int
 }
 
 // The place of the edge from one vertex to another, by their offsets, in a table of edges
-PARADT__INLINE size_t paradt__edge3(size_t from, size_t to, size_t rows) {
-    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__around3)) + to / sizeof(paradt__around3);
+PARADT__INLINE size_t paradt__edge_slot(size_t from, size_t to, size_t rows) {
+    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
 }
 
 // The rows of the new cells, and what is across the rim
-PARADT__INLINE void paradt__bw3_rows(paradt__bw *bw, paradt_index point, paradt__turn3 turn) {
-    paradt__spheres3 *s = bw->spheres;
-    const paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors, *rim = bw->rim;
-    size_t i, count = bw->rim_count;
+PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point, paradt__row_kernel turn) {
+    paradt__kept *s = build->kept;
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i];
         turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
-        s->outer[i] = neighbors[inner];
+        s->outer[i] = links[inner];
     }
 }
 
 // Enters the rim's edges.
-PARADT__INLINE void paradt__bw3_outline(paradt__bw *bw, paradt_index *edges, size_t rows) {
-    paradt__spheres3 *s = bw->spheres;
+PARADT__INLINE void paradt__kept_outline(paradt__insertion *build, paradt_index *edges, size_t rows) {
+    paradt__kept *s = build->kept;
     const uint32_t *numbers = s->number + 1, first = s->first;
-    size_t i, count = bw->rim_count;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
         size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
-        paradt_index edge = bw->cavity[i];
+        paradt_index edge = build->update.made[i];
         uint16_t *corner = s->corner[i];
         corner[0] = (uint16_t)a;
         corner[1] = (uint16_t)b;
         corner[2] = (uint16_t)c;
-        edges[paradt__edge3(b, c, rows)] = edge;
-        edges[paradt__edge3(c, a, rows)] = edge + 1;
-        edges[paradt__edge3(a, b, rows)] = edge + 2;
+        edges[paradt__edge_slot(b, c, rows)] = edge;
+        edges[paradt__edge_slot(c, a, rows)] = edge + 1;
+        edges[paradt__edge_slot(a, b, rows)] = edge + 2;
     }
 }
 
 // The links of a new cell
-typedef void (*paradt__put3)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d);
+typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d);
 
-static void paradt__put3_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c, paradt_index d) {
+static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d) {
     links[0] = a;
     links[1] = b;
     links[2] = c;
@@ -7858,58 +8757,66 @@ static void paradt__put3_plain(paradt_index *links, paradt_index a, paradt_index
 }
 
 // Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__bw3_star(paradt__bw *bw, const paradt_index *edges, size_t rows, paradt__put3 put) {
-    const paradt__spheres3 *s = bw->spheres;
-    paradt_index *vertices = bw->cells.vertices, *neighbors = bw->cells.neighbors;
-    size_t i, count = bw->rim_count;
+PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t rows,
+                                      paradt__links_kernel put) {
+    const paradt__kept *s = build->kept;
+    paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
-        paradt__tag base = (paradt__tag)bw->cavity[i], outer = (paradt__tag)s->outer[i];
+        paradt__tag base = (paradt__tag)build->update.made[i], outer = (paradt__tag)s->outer[i];
         size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        put(neighbors + base, edges[paradt__edge3(c, b, rows)], edges[paradt__edge3(a, c, rows)],
-            edges[paradt__edge3(b, a, rows)], (paradt_index)outer);
-        neighbors[outer] = (paradt_index)(base + 3);
+        put(links + base, edges[paradt__edge_slot(c, b, rows)], edges[paradt__edge_slot(a, c, rows)],
+            edges[paradt__edge_slot(b, a, rows)], (paradt_index)outer);
+        links[outer] = (paradt_index)(base + 3);
     }
 }
 
 // The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
 // constant it is faster.
-PARADT__INLINE void paradt__bw3_link(paradt__bw *bw, paradt_index *edges, size_t rows, paradt__put3 put) {
-    paradt__bw3_outline(bw, edges, rows);
-    paradt__bw3_star(bw, edges, rows, put);
+PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t rows,
+                                      paradt__links_kernel put) {
+    paradt__kept_outline(build, edges, rows);
+    paradt__kept_star(build, edges, rows, put);
 }
 
 // The same for more new cells than a point has as a rule
-PARADT__NOINLINE void paradt__bw3_link_uncommon(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    if (bw->rim_count <= PARADT__WIDE_STAR) paradt__bw3_link(bw, s->wide_edges, PARADT__WIDE_ROWS, paradt__put3_plain);
-    else paradt__bw3_link(bw, s->large_edges, s->large_rows, paradt__put3_plain);
+PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    if (build->rim_count <= PARADT__WIDE_RIM)
+        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_ROWS, paradt__kept_links_plain);
+    else paradt__kept_link(build, s->large_edges, s->large_rows, paradt__kept_links_plain);
 }
 
-// Where the new cells go: into the places of the cavity, and free ones behind them in its list. If there are fewer,
-// what remains of the cavity becomes free. The spheres of the next new cells have places where nothing has been for
-// long.
-PARADT__INLINE paradt_status paradt__bw3_places(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    size_t count = bw->rim_count, i = bw->cavity_count;
-    paradt_status status = i < count ? paradt__bw_room(bw, count - i) : PARADT_OK;
-    if (!status) status = paradt__bw_list(bw, &bw->cavity, i, &bw->cavity_capacity, count + 3);
+// Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
+// slots where nothing has been for long; these are fetched.
+PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    const paradt__kept *s = build->kept;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t count = build->rim_count, i;
+    paradt_status status =
+        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
     if (status) return status;
-    for (; i < count; i++) {
-        bw->cavity[i] = 4 * paradt__bw_place(bw);
-        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(bw->cells.count + PARADT__PLACES_AHEAD) & s->mask));
+    for (i = 0; i < update->killed_count && i < count; i += 4) // there is room behind both
+        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
+    for (i = update->killed_count; i < count; i++) {
+        update->made[i] = 4 * paradt__mesh_take(mesh);
+        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
+    update->made_count = count;
     return PARADT_OK;
 }
 
 // Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
-typedef struct paradt__four3 {
+typedef struct paradt__four {
     double edge[3][4][4]; // [vertex][axis, or square][cell]
     double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-} paradt__four3;
+} paradt__four;
 
 // Of new cells, none of them a ghost, the last one again, up to a multiple of four
-PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
+PARADT__INLINE void paradt__new_cells_pad(paradt__new_cells *star) {
     int last = star->count - 1, i;
     for (i = star->count; i % 4; i++) {
         star->base[i] = star->base[last];
@@ -7919,26 +8826,27 @@ PARADT__INLINE void paradt__star3_fill(paradt__star3 *star) {
 
 // The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
 // the four lanes the least power so far is kept, and of which four it is.
-PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__bw *bw, paradt__star3 *star,
-                                         const double *x, const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
-    const paradt__frame3 frame = s->frame;
-    paradt__seen3 p = *seen, next = s->next;
-    paradt__four3 four;
+PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__insertion *build,
+                                          paradt__new_cells *star, const double *x, const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
+    const paradt__frame frame = s->frame;
+    paradt__centred p = *seen, next = s->next;
+    paradt__four four;
     double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
-    paradt__around3 *around = s->around, *end = paradt__around3_at(around, s->around_end);
+    paradt__spoke *around = s->spokes, *end = paradt__spoke_at(around, s->spokes_end);
     int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++) *around = paradt__around3_of(making, x, paradt__bw_record(bw, around->vertex));
+    for (; around < end; around++)
+        *around = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, around->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
-    paradt__star3_fill(star);
+    paradt__new_cells_pad(star);
     for (i = 0; i < star->count; i += 4) {
         const double at = i;
         for (lane = 0; lane < 4; lane++) {
             for (vertex = 0; vertex < 3; vertex++) {
-                const double *edge = paradt__around3_at(s->around, star->corner[i + lane][vertex])->edge;
+                const double *edge = paradt__spoke_at(s->spokes, star->corner[i + lane][vertex])->edge;
                 for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
             }
         }
@@ -7947,7 +8855,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
             const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
             const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
             double n[3], d, e;
-            paradt__sphere3_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
+            paradt__sphere_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
             for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
             four.constant[lane] = d;
             four.error[lane] = e;
@@ -7957,7 +8865,7 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
         }
         for (lane = 0; lane < 4; lane++) {
             paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            paradt__sphere3 *to = s->table + (cell & s->mask);
+            paradt__sphere *to = s->table + (cell & s->mask);
             for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
             to->constant = four.constant[lane];
             to->error = four.error[lane];
@@ -7968,48 +8876,49 @@ PARADT__INLINE void paradt__bw3_make_any(paradt__making3 making, const paradt__b
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
-PARADT__NOINLINE void paradt__bw3_make_sharp_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                                   const paradt__seen3 *seen) {
-    paradt__bw3_make_any(PARADT__MAKE_SHARP, bw, star, x, seen);
+PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *build, paradt__new_cells *star,
+                                                    const double *x, const paradt__centred *seen) {
+    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, seen);
 }
 
-PARADT__NOINLINE void paradt__bw3_make_graded(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                              const paradt__seen3 *seen) {
-    paradt__bw3_make_any(PARADT__MAKE_GRADED, bw, star, x, seen);
+PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                               const paradt__centred *seen) {
+    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, seen);
 }
 
-static void paradt__bw3_make_plain(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                   const paradt__seen3 *seen) {
-    paradt__making3 making = bw->spheres->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_any(PARADT__MAKE_QUICKLY, bw, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_plain(bw, star, x, seen);
-    else paradt__bw3_make_graded(bw, star, x, seen);
+static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                    const paradt__centred *seen) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
+        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, seen);
+    else paradt__kept_make_graded(build, star, x, seen);
 }
 
 // The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
 // nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
-PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, const double *x,
-                                         const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
-    const size_t rim = bw->rim_count;
-    const paradt_index *cavity = bw->cavity;
+PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                          const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
+    const size_t rim = build->rim_count;
+    const paradt_index *made = build->update.made;
     paradt_index *base = s->finite_base;
     size_t count = 0, end = rim, i;
     for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
-        base[at] = cavity[i];
+        base[at] = made[i];
         memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
     for (i = end; i < rim; i++) {
-        const paradt_index *vertices = bw->cells.vertices + base[i];
+        const paradt_index *vertices = build->scene.mesh.vertices + base[i];
         paradt__tag cell = (paradt__tag)base[i] >> 2;
-        paradt__sphere3 *sphere = s->table + (cell & s->mask);
-        // the facet's vertices in the order of paradt__facet3, but from the point on, which is the cell's last one
+        paradt__sphere *sphere = s->table + (cell & s->mask);
+        // the facet's vertices in the order of paradt__facet_order, but from the point on, which is the cell's last one
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
-        paradt__sphere3_of_facet(s, sphere, seen, x, paradt__bw_record(bw, vertices[q]),
-                                 paradt__bw_record(bw, vertices[r]));
+        paradt__sphere_of_facet(s, sphere, seen, x, paradt__scene_record(&build->scene, vertices[q]),
+                                paradt__scene_record(&build->scene, vertices[r]));
         sphere->tag = cell;
     }
     star->base = base;
@@ -8018,97 +8927,122 @@ PARADT__NOINLINE void paradt__bw3_ghosts(paradt__bw *bw, paradt__star3 *star, co
 }
 
 // The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__bw3_spheres(paradt__bw *bw, const double *x, const paradt__seen3 *seen,
-                                        paradt__make_spheres3 make) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt__star3 star;
-    star.base = bw->cavity;
+PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *seen,
+                                         paradt__make_kernel make) {
+    paradt__kept *s = build->kept;
+    paradt__new_cells star;
+    star.base = build->update.made;
     star.corner = s->corner;
-    star.count = (int)bw->rim_count;
-    s->start = bw->cavity[0] >> 2;
-    // what makes spheres fills the list up, in which more of the cavity may follow
-    if (!PARADT__LIKELY(!s->ghosts && bw->rim_count >= bw->cavity_count)) paradt__bw3_ghosts(bw, &star, x, seen);
-    if (star.count) make(bw, &star, x, seen);
+    star.count = (int)build->rim_count;
+    s->start = build->update.made[0] >> 2;
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, seen);
+    if (star.count) make(build, &star, x, seen);
 }
 
-// The places of the cavity from number `first` on become free, and their marks are taken away.
-static paradt_status paradt__bw3_clear(paradt__bw *bw, size_t first) {
-    paradt__spheres3 *s = bw->spheres;
+// Gives back the places of the cavity from number `first` on, and takes the marks off their spheres.
+static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
+    paradt__kept *s = build->kept;
+    const paradt__update *update = &build->update;
     size_t i;
-    paradt_status status =
-        paradt__bw_list(bw, &bw->spare, bw->spare_count, &bw->spare_capacity, bw->spare_count + bw->cavity_count);
+    paradt_status status = paradt__mesh_spare_room(&build->scene.mesh, update->killed_count - first, build->memory);
     if (status) return status;
-    for (i = first; i < bw->cavity_count; i++) {
-        paradt__tag cell = (paradt__tag)bw->cavity[i] >> 2, *tag = &s->table[cell & s->mask].tag;
+    for (i = first; i < update->killed_count; i++) {
+        paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
         if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
-        bw->spare[bw->spare_count++] = (paradt_index)cell;
+        paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
     }
     return PARADT_OK;
 }
 
-// Makes the new cells one by one, where there are too many for the tables.
-static paradt_status paradt__bw3_fill_large(paradt__bw *bw, paradt_index point) {
-    paradt__spheres3 *s = bw->spheres;
-    paradt_status status = paradt__bw_fill(bw, point);
+// Stars the cavity by >>insertion, where the rim is too large for the tables.
+static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
+    paradt__kept *s = build->kept;
+    paradt_status status = paradt__cavity_star(build, point);
     size_t i;
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt__tag cell = (paradt__tag)bw->rim[i] >> 2;
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt__tag cell = (paradt__tag)build->update.made[i] >> 2;
         s->table[cell & s->mask].tag = PARADT__NO_SPHERE;
     }
-    s->start = bw->last;
-    return status ? status : paradt__bw3_clear(bw, 0);
+    s->start = build->scene.hint;
+    return status ? status : paradt__kept_clear(build, 0);
 }
 
-PARADT__INLINE paradt_status paradt__bw3_insert_any(paradt__bw *bw, paradt_index point, paradt__spread3 spread,
-                                                    paradt__remake3 remake, paradt__make_spheres3 make,
-                                                    paradt__turn3 turn, paradt__put3 put) {
-    paradt__spheres3 *s = bw->spheres;
-    const double *x = paradt__bw_record(bw, point);
-    paradt__seen3 seen = s->next;
-    paradt_status status = paradt__bw3_dig(bw, paradt__bw3_locate(bw, &seen, x), &seen, x, spread, remake);
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     paradt__spread_kernel spread, paradt__remake_kernel remake,
+                                                     paradt__make_kernel make, paradt__row_kernel turn,
+                                                     paradt__links_kernel put) {
+    paradt__kept *s = build->kept;
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred seen = s->next;
+    paradt_status status = paradt__kept_dig(build, paradt__kept_locate(build, &seen, x), &seen, x, spread, remake);
     size_t i;
     int is_common;
     if (status) return status;
-    if (bw->inserted + 1 < bw->count)
-        s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + 1)));
-    if (bw->inserted + PARADT__AHEAD < bw->count)
-        PARADT__PREFETCH(paradt__bw_record(bw, paradt__bw_point(bw, bw->inserted + PARADT__AHEAD)));
-    for (i = 0; s->driven_out && i < bw->cavity_count; i++) bw->marks[bw->cavity[i] >> 2] = 0;
-    s->driven_out = 0;
-    s->made += bw->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__bw3_adapt(bw);
-    is_common = bw->rim_count <= PARADT__COMMON_STAR;
-    if (!PARADT__LIKELY(is_common)) paradt__bw3_widen_star(bw);
-    if (!PARADT__LIKELY(is_common) && bw->rim_count > PARADT__WIDE_STAR && bw->rim_count > s->large_star)
-        return paradt__bw3_fill_large(bw, point);
-    status = paradt__bw3_places(bw);
+    if (build->inserted + 1 < build->count)
+        s->next = paradt__centred_of(
+            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + 1)));
+    if (build->inserted + PARADT__AHEAD < build->count)
+        PARADT__PREFETCH(
+            paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + PARADT__AHEAD)));
+    for (i = 0; s->evicted && i < build->update.killed_count; i++)
+        build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
+    s->evicted = 0;
+    s->made += build->rim_count;
+    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__kept_adapt(build);
+    is_common = build->rim_count <= PARADT__COMMON_RIM;
+    if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
+    if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
+        return paradt__kept_star_large(build, point);
+    status = paradt__kept_places(build);
     if (status) return status;
-    paradt__bw3_rows(bw, point, turn);
+    paradt__kept_rows(build, point, turn);
     if (PARADT__LIKELY(is_common))
-        paradt__bw3_link(bw, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
-    else paradt__bw3_link_uncommon(bw);
-    paradt__bw3_spheres(bw, x, &seen, make);
-    return bw->rim_count < bw->cavity_count ? paradt__bw3_clear(bw, bw->rim_count) : PARADT_OK;
+        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
+    else paradt__kept_link_uncommon(build);
+    paradt__kept_spheres(build, x, &seen, make);
+    return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
 }
 
-static size_t paradt__bw3_spread_plain(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *at, const double *x,
-                                       size_t head) {
-    return paradt__bw3_spread(bw, work, at, x, head);
+static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
+                                        const double *x, size_t head) {
+    return paradt__kept_spread(build, work, at, x, head);
 }
 
-static paradt_status paradt__bw3_insert(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_plain, paradt__bw3_remake_plain, paradt__bw3_make_plain,
-                                  paradt__turn3_plain, paradt__put3_plain);
+static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
+    return paradt__kept_insert_any(build, point, paradt__kept_spread_plain, paradt__kept_remake_plain,
+                                   paradt__kept_make_plain, paradt__kept_row_plain, paradt__kept_links_plain);
+}
+
+// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
+// nothing of that is in a cache, the insertion would wait for one after another.
+PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
+    enum { CELLS = 1 + 4 + 12 };
+    const paradt__kept *s = build->kept;
+    paradt_index around[CELLS];
+    size_t count = 1, i, j;
+    around[0] = cell;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)around[i];
+        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)around[i];
+        for (j = 0; j < 4; j++) {
+            paradt_index other = links[j] >> 2;
+            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
+            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
+            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            if (count < CELLS) around[count++] = other;
+        }
+    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>insertion in space, avx2
+// >>insertion in space by AVX2
 //
-// Doors: to be listed.
+// The inner functions of >>insertion in space for four facets, cells or vertices together, chosen where the processor
+// has AVX2 and FMA. They differ from the plain ones in nothing but the last bits of powers, which decide nothing where
+// they are in doubt. In names `four` stands for four lanes. Doors: paradt__kept_insert_avx2.
 
-#if PARADT__BW_AVX2
-// The same for four facets, cells or vertices at a time. It differs in nothing but the last bits of powers, which
-// decide nothing where they are in doubt.
+#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
+#define PARADT__KEPT_AVX2 1
 
 // Bytes to shuffle so that the elements of four of which the mask has bits come first
 #define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
@@ -8132,7 +9066,7 @@ static const unsigned char paradt__packing[16][16] = {
 };
 
 // The elements of which the mask has bits, first
-PARADT__AVX2 PARADT__INLINE __m128i paradt__packed3(__m128i elements, unsigned mask) {
+PARADT__AVX2 PARADT__INLINE __m128i paradt__packed(__m128i elements, unsigned mask) {
     return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
@@ -8141,10 +9075,10 @@ typedef struct paradt__four_at {
     char *a, *b, *c, *d;
 } paradt__four_at;
 
-enum { PARADT__ERROR_AT = offsetof(paradt__sphere3, error), PARADT__TAG_AT = offsetof(paradt__sphere3, tag) };
+enum { PARADT__ERROR_AT = offsetof(paradt__sphere, error), PARADT__TAG_AT = offsetof(paradt__sphere, tag) };
 
 // Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
-PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, const paradt_index *row) {
+PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig *dig, const paradt_index *row) {
     const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
     char *table = (char *)dig->table;
     paradt__four_at at;
@@ -8155,14 +9089,14 @@ PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig3 *dig, cons
     return at;
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__terms3(const char *sphere, __m256d query) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__terms(const char *sphere, __m256d query) {
     return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
 // A point's powers. query: its place and 1; lift: its lift, four times
 PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
-    __m256d ab = _mm256_hadd_pd(paradt__terms3(at.a, query), paradt__terms3(at.b, query));
-    __m256d cd = _mm256_hadd_pd(paradt__terms3(at.c, query), paradt__terms3(at.d, query));
+    __m256d ab = _mm256_hadd_pd(paradt__terms(at.a, query), paradt__terms(at.b, query));
+    __m256d cd = _mm256_hadd_pd(paradt__terms(at.c, query), paradt__terms(at.d, query));
     __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
     return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
@@ -8203,23 +9137,24 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
 }
 
-// Facets wait behind which a sphere is missing or the power does not tell. (The order of statements counts: 4 %.)
-PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 *work, const paradt__seen3 *seen,
-                                                   const double *x, size_t head) {
-    paradt__dig3 dig = *work;
-    const size_t cells = bw->cavity_capacity - PARADT__DIG_ROOM - dig.cavity_count;
-    const size_t facets = bw->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
+// Facets wait behind which a sphere is missing or the power does not tell. The order of the statements matters for
+// speed.
+PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, paradt__dig *work,
+                                                    const paradt__centred *seen, const double *x, size_t head) {
+    paradt__dig dig = *work;
+    const size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM - dig.killed_count;
+    const size_t facets = build->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
     const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
     const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
     const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
-    paradt_index *cell = dig.cavity + head, *end = dig.cavity + dig.cavity_count, *rim = dig.rim + dig.rim_count;
+    paradt_index *cell = dig.killed + head, *end = dig.killed + dig.killed_count, *rim = dig.rim + dig.rim_count;
     paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    paradt__sphere3 nowhere; // what no cell is marked in
+    paradt__sphere nowhere; // what no cell is marked in
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
-        const paradt_index *row = dig.neighbors + (paradt__tag)base;
+        const paradt_index *row = dig.links + (paradt__tag)base;
         __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
         __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
         paradt__four_at at = paradt__four_across(&dig, row);
@@ -8227,21 +9162,21 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
-        paradt__bw3_number(&dig, dig.vertices[entry]);
+        paradt__kept_number(&dig, dig.vertices[entry]);
         tags = paradt__four_tags(at);
         sure = (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(_mm256_andnot_pd(sign, power), error, _CMP_GT_OQ)) &
                paradt__signs_avx2(_mm_cmpeq_epi32(_mm_andnot_si128(marks, tags), others));
         outside = ~inside & 15;
         // what the next rounds of this loop and the new cells' links will touch
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[0]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[1]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[2]);
-        PARADT__PREFETCH(dig.neighbors + (paradt__tag)row[3]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[0]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[1]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[2]);
+        PARADT__PREFETCH(dig.links + (paradt__tag)row[3]);
         if (!PARADT__LIKELY(sure == 15)) {
             int i;
             for (i = 0; i < 4; i++) PARADT__PREFETCH(dig.vertices + row[i]);
-            _mm_storeu_si128((__m128i *)(void *)(bw->spheres->waiting + dig.waiting_count),
-                             paradt__packed3(here, sure ^ 15));
+            _mm_storeu_si128((__m128i *)(void *)(build->kept->waiting + dig.waiting_count),
+                             paradt__packed(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
             if (dig.waiting_count > PARADT__LATE - 4) last = cell;
             at.a = sure & 1 ? at.a : (char *)&nowhere;
@@ -8253,15 +9188,15 @@ PARADT__AVX2 static size_t paradt__bw3_spread_avx2(paradt__bw *bw, paradt__dig3 
         }
         fresh = inside & ~paradt__signs_avx2(tags);
         paradt__four_mark(at, others, power);
-        _mm_storeu_si128((__m128i *)(void *)end, paradt__packed3(across, fresh));
+        _mm_storeu_si128((__m128i *)(void *)end, paradt__packed(across, fresh));
         end += __builtin_popcount(fresh);
-        _mm_storeu_si128((__m128i *)(void *)rim, paradt__packed3(here, outside));
+        _mm_storeu_si128((__m128i *)(void *)rim, paradt__packed(here, outside));
         rim += __builtin_popcount(outside);
     }
-    dig.cavity_count = (size_t)(end - dig.cavity);
+    dig.killed_count = (size_t)(end - dig.killed);
     dig.rim_count = (size_t)(rim - dig.rim);
     *work = dig;
-    return (size_t)(cell - dig.cavity);
+    return (size_t)(cell - dig.killed);
 }
 
 PARADT__AVX2 PARADT__INLINE __m256d paradt__abs_avx2(__m256d x) {
@@ -8279,7 +9214,7 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
-// P and sum N_j h_j of paradt__sphere3_make, for four cells
+// P and sum N_j h_j of paradt__sphere_make, for four cells
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
@@ -8309,9 +9244,9 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere3_make makes them: the normals by axis, and the constants. p: by axis,
+// The spheres of four cells, as paradt__sphere_make makes them: the normals by axis, and the constants. p: by axis,
 // and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
-PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame3 *f, const __m256d *p,
+PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
     const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
@@ -8352,7 +9287,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double
 }
 
 // Puts the spheres of four cells into the table.
-PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere3 *table, paradt__tag mask, __m128i cells,
+PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, paradt__tag mask, __m128i cells,
                                                     const __m256d *sphere, __m256d error) {
     __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
     uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
@@ -8383,14 +9318,16 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
 }
 
 // The edges to the vertices around the point, in the place of these
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_edges_avx2(const paradt__bw *bw, const __m256d *point) {
-    paradt__around3 *at = bw->spheres->around, *end = paradt__around3_at(at, bw->spheres->around_end);
+PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
+    paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
     for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
     for (; at < end; at += 4) {
         __m256d to[4];
-        paradt__four_places(paradt__bw_record(bw, at[0].vertex), paradt__bw_record(bw, at[1].vertex),
-                            paradt__bw_record(bw, at[2].vertex), paradt__bw_record(bw, at[3].vertex), point, to);
+        paradt__four_places(paradt__scene_record(&build->scene, at[0].vertex),
+                            paradt__scene_record(&build->scene, at[1].vertex),
+                            paradt__scene_record(&build->scene, at[2].vertex),
+                            paradt__scene_record(&build->scene, at[3].vertex), point, to);
         to[3] = paradt__dot_avx2(to, to);
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
@@ -8402,12 +9339,11 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const do
 }
 
 // The edges to the vertices that four new cells have in a place
-PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__spheres3 *s, uint16_t (*corner)[4], int place,
-                                                     __m256d *to) {
-    const double *a = paradt__around3_at(s->around, corner[0][place])->edge;
-    const double *b = paradt__around3_at(s->around, corner[1][place])->edge;
-    const double *c = paradt__around3_at(s->around, corner[2][place])->edge;
-    const double *d = paradt__around3_at(s->around, corner[3][place])->edge;
+PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (*corner)[4], int place, __m256d *to) {
+    const double *a = paradt__spoke_at(s->spokes, corner[0][place])->edge;
+    const double *b = paradt__spoke_at(s->spokes, corner[1][place])->edge;
+    const double *c = paradt__spoke_at(s->spokes, corner[2][place])->edge;
+    const double *d = paradt__spoke_at(s->spokes, corner[3][place])->edge;
     __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
     __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
     to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
@@ -8425,21 +9361,22 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, const paradt__bw *bw, paradt__star3 *star,
-                                                       const double *x, const paradt__seen3 *seen) {
-    paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
+                                                        paradt__new_cells *star, const double *x,
+                                                        const paradt__centred *seen) {
+    paradt__kept *s = build->kept;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
     const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
                           _mm256_set1_pd(seen->lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
-    const paradt__frame3 frame = s->frame;
-    paradt__sphere3 *table = s->table;
+    const paradt__frame frame = s->frame;
+    paradt__sphere *table = s->table;
     paradt__tag mask = s->mask;
     __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
     __m128i best = _mm_set1_epi32(star->base[0] >> 2);
     int i, count = star->count;
-    paradt__bw3_edges_avx2(bw, point);
-    paradt__star3_fill(star);
+    paradt__kept_edges_avx2(build, point);
+    paradt__new_cells_pad(star);
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
@@ -8458,33 +9395,33 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_make_four(int sharp, const paradt__
     s->start = paradt__four_least(least, best);
 }
 
-PARADT__AVX2 PARADT__NOINLINE void paradt__bw3_make_sharp_avx2(const paradt__bw *bw, paradt__star3 *star,
-                                                               const double *x, const paradt__seen3 *seen) {
-    paradt__bw3_make_four(1, bw, star, x, seen);
+PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
+                                                                const double *x, const paradt__centred *seen) {
+    paradt__kept_make_four(1, build, star, x, seen);
 }
 
-PARADT__AVX2 static void paradt__bw3_make_avx2(const paradt__bw *bw, paradt__star3 *star, const double *x,
-                                               const paradt__seen3 *seen) {
-    paradt__making3 making = bw->spheres->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__bw3_make_four(0, bw, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__bw3_make_sharp_avx2(bw, star, x, seen);
-    else paradt__bw3_make_graded(bw, star, x, seen);
+PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
+                                                const double *x, const paradt__centred *seen) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, seen);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, seen);
+    else paradt__kept_make_graded(build, star, x, seen);
 }
 
 // The spheres of four cells that are not in the table, none of them a ghost
-PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, const int *cells) {
-    const paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
+    const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
     __m256d corner[4][4], p[4], sphere[4], error;
     int i, axis;
     for (i = 0; i < 4; i++) {
-        const paradt_index *vertices = bw->cells.vertices + i;
+        const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_places(paradt__bw_record(bw, vertices[4 * (size_t)cells[0]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[1]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[2]]),
-                            paradt__bw_record(bw, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+        paradt__four_places(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
+                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
@@ -8497,295 +9434,85 @@ PARADT__AVX2 PARADT__INLINE void paradt__bw3_remake_four(const paradt__bw *bw, c
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
-PARADT__AVX2 static void paradt__bw3_remake_avx2(const paradt__bw *bw, const paradt_index *waiting, int count) {
-    const paradt__spheres3 *s = bw->spheres;
+PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build, const paradt_index *waiting,
+                                                  int count) {
+    const paradt__kept *s = build->kept;
     int cells[PARADT__LATE + 3], missing = 0, i;
     if (s->making == PARADT__MAKE_GRADED) {
-        paradt__bw3_remake_plain(bw, waiting, count);
+        paradt__kept_remake_plain(build, waiting, count);
         return;
     }
     for (i = 0; i < count; i++) {
-        paradt_index cell = bw->cells.neighbors[waiting[i]] >> 2;
+        paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
         missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
-                   paradt__vertices_among(bw->cells.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
+                   paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
     }
-    for (i = 0; i < missing; i++) paradt__bw3_drive_out(bw, cells[i]);
+    for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
-    for (i = 0; i < missing; i += 4) paradt__bw3_remake_four(bw, cells + i);
+    for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
     for (i = 0; i < missing; i++) {
-        paradt__sphere3 *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
-        if (bw->marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
+        paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
+        if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
             sphere->tag |= PARADT__KNOWN;
     }
 }
 
-// The shuffles for paradt__facet3; the last place is left empty.
+// The shuffles for paradt__facet_order; the last place is left empty.
 #define PARADT__TURN(a, b, c)                                                                                          \
     { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
-static const unsigned char paradt__turns3[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3), PARADT__TURN(1, 0, 3),
-                                                    PARADT__TURN(0, 1, 2)};
+static const unsigned char paradt__facet_shuffle[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3),
+                                                           PARADT__TURN(1, 0, 3), PARADT__TURN(0, 1, 2)};
 #undef PARADT__TURN
 #undef PARADT__LANE
 
-PARADT__AVX2 static void paradt__turn3_avx2(paradt_index *row, const paradt_index *cell, int without,
-                                            paradt_index point) {
+PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
+                                               paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
-    __m128i facet = _mm_shuffle_epi8(vertices, _mm_loadu_si128((const __m128i *)(const void *)paradt__turns3[without]));
+    __m128i facet =
+        _mm_shuffle_epi8(vertices, _mm_loadu_si128((const __m128i *)(const void *)paradt__facet_shuffle[without]));
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
 // One store: what reads all four soon need not wait until they are in the cache.
-PARADT__AVX2 static void paradt__put3_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
-                                           paradt_index d) {
+PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                                 paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
 }
 
-PARADT__AVX2 static paradt_status paradt__bw3_insert_avx2(paradt__bw *bw, paradt_index point) {
-    return paradt__bw3_insert_any(bw, point, paradt__bw3_spread_avx2, paradt__bw3_remake_avx2, paradt__bw3_make_avx2,
-                                  paradt__turn3_avx2, paradt__put3_avx2);
+PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
+    return paradt__kept_insert_any(build, point, paradt__kept_spread_avx2, paradt__kept_remake_avx2,
+                                   paradt__kept_make_avx2, paradt__kept_row_avx2, paradt__kept_links_avx2);
 }
 #endif
-
-// Room for the numbers of more vertices
-static int paradt__bw3_more_numbers(paradt__bw *bw, size_t numbers) {
-    paradt__spheres3 *s = bw->spheres;
-    void *array = s->number;
-    if (!paradt__grow(bw->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
-    s->number = (uint32_t *)array;
-    paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
-    memset(s->number + s->numbers, 0, (numbers - s->numbers) * sizeof *s->number);
-    s->numbers = numbers;
-    return 1;
-}
-
-// Takes the sagittas where they are so small that without them most powers would tell nothing.
-static void paradt__bw3_grade(paradt__bw *bw) {
-    paradt__spheres3 *s = bw->spheres;
-    double square = bw->grade_limit + bw->grade_error / (16.0 * PARADT__UNIT_ERROR);
-    if (!bw->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
-    s->making = PARADT__MAKE_GRADED;
-    s->frame.square = square;
-    s->frame.slack = bw->grade_error / (4.0 * PARADT__UNIT_ERROR);
-}
-
-// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
-static paradt_status paradt__bw3_begin(paradt__bw *bw) {
-    paradt__spheres3 *s;
-    size_t size = 64, points = bw->cells.lent ? 8 : 5, room, bytes, i;
-    int axis;
-    if (!bw->space.filtered || bw->space.weighted || bw->space.ambient != 3) return PARADT_OK;
-    while (size < 8 * bw->count && size < PARADT__SPHERES) size *= 2;
-    while (size < bw->count / points && size < PARADT__MOST_SPHERES) size *= 2;
-    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
-    bytes = sizeof *s + (room + 1) * sizeof *s->table;
-    s = (paradt__spheres3 *)paradt__alloc(bw->memory, 1, bytes);
-    bw->spheres = s;
-    if (!s) return PARADT_ERROR_MEMORY;
-    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
-    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
-    memset(s, 0, offsetof(paradt__spheres3, around)); // what follows is written before it is read
-    s->mask = (paradt__tag)(size - 1);
-    s->table = paradt__on_line(s + 1);
-    if (!paradt__bw3_more_numbers(bw, bw->count + 1)) return PARADT_ERROR_MEMORY;
-    s->next_number = PARADT__NEXT_NUMBER;
-    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    for (axis = 0; axis < 3; axis++) {
-        double low = paradt__from_ordered_bits(bw->space.low[axis]);
-        double high = paradt__from_ordered_bits(bw->space.high[axis]);
-        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
-        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
-    }
-    s->square = s->frame.square;
-    s->steep = sqrt(s->square) * paradt__power(60);
-    paradt__bw3_grade(bw);
-    s->nil = bw->space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
-    if (bw->count > 4) s->next = paradt__seen3_of(s, paradt__bw_record(bw, paradt__bw_point(bw, 4)));
-    return paradt__bw_list(bw, &bw->rim, 0, &bw->rim_capacity, PARADT__FIRST_DIG);
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>ends
+// >>inserting
 //
-// Doors: to be listed.
+// Insertions from begin to end: points in their order, with pauses, and one more point at a time. Where spheres can be
+// kept they are, else the insertion is that in any dimension; nobody else need know which.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
-// Cell 0 is that of the first points, cell 1 + i the ghost on its facet opposite vertex i.
-static paradt_status paradt__bw_first(paradt__bw *bw) {
-    int corners = bw->cells.corners, i, j;
-    const double *p[PARADT_MAX_DIM + 1];
-    paradt_index *vertices, *neighbors;
-    paradt_status status = paradt__bw_reserve(bw, (size_t)corners + 1, (size_t)corners + 1);
-    if (status) return status;
-    vertices = bw->cells.vertices;
-    neighbors = bw->cells.neighbors;
-    bw->cells.count = (size_t)corners + 1;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = paradt__bw_point(bw, (size_t)i);
-        p[i] = paradt__bw_record(bw, vertices[i]);
-    }
-    if (paradt__orient(&bw->space, p) < 0) {
-        vertices[0] = paradt__bw_point(bw, 1);
-        vertices[1] = paradt__bw_point(bw, 0);
-    }
-    // In the ghosts two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet.
-    for (i = 0; i < corners; i++) {
-        paradt_index base = (paradt_index)((i + 1) * corners);
-        for (j = 0; j < corners; j++) {
-            int place = j < 2 ? 1 - j : j;
-            vertices[base + place] = j == i ? (paradt_index)PARADT__INFINITE : vertices[j];
-            // ghosts i and j meet in the facet without vertices i and j, and that is opposite what stands for i in
-            // ghost j
-            neighbors[base + place] =
-                j == i ? (paradt_index)i : (paradt_index)((j + 1) * corners + (i < 2 ? 1 - i : i));
-            if (j == i) neighbors[i] = base + place;
-        }
-    }
-    return PARADT_OK;
+// Frees what only changes need; the mesh stays, without marks and free places.
+static void paradt__insertion_rest(paradt__insertion *build) {
+    paradt__update_free(&build->update, build->memory);
+    paradt__release(build->memory, build->rim);
+    paradt__facets_free(&build->ridges, build->memory);
+    paradt__kept_free(build->kept, build->memory);
+    build->rim = NULL;
+    build->rim_count = build->rim_capacity = 0;
+    build->kept = NULL;
 }
 
-// Marks the places that are free.
-static void paradt__bw_mark_free(paradt__bw *bw) {
-    size_t corners = (size_t)bw->cells.corners, i;
-    for (i = 0; i < bw->spare_count; i++) bw->cells.vertices[(size_t)bw->spare[i] * corners] = PARADT__DEAD;
+static void paradt__insertion_end(paradt__insertion *build) {
+    paradt__insertion_rest(build);
+    paradt__mesh_free(&build->scene.mesh, build->memory);
 }
-
-// Is at a place a cell that is no ghost? A ghost becomes free, and its facet the hull's.
-PARADT__INLINE int paradt__bw_keep(const paradt__cells *cells, size_t place, size_t corners, uint64_t *ghosts) {
-    paradt_index *vertices = cells->vertices + place * corners;
-    if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (vertices[0] == PARADT__DEAD) return 0;
-    cells->neighbors[cells->neighbors[place * corners + (size_t)paradt__bw_ghost(vertices, (int)corners)]] =
-        PARADT__HULL;
-    vertices[0] = PARADT__DEAD;
-    ++*ghosts;
-    return 0;
-}
-
-// Moves a cell to a place before it. In the first `numbered` cells neighbours are numbers, else handles. As a rule
-// those just before it are moved next: their neighbours, which are anywhere, are fetched ahead.
-PARADT__INLINE void paradt__bw_move(const paradt__cells *cells, size_t place, size_t from, size_t corners,
-                                    size_t numbered) {
-    enum { AHEAD = 8 };
-    paradt_index *vertices = cells->vertices, *neighbors = cells->neighbors;
-    const paradt_index *soon = neighbors + (from - (from < AHEAD ? 0 : AHEAD)) * corners;
-    size_t j;
-    for (j = 0; j < corners; j++) PARADT__FETCH(neighbors, soon[j]);
-    memcpy(vertices + place * corners, vertices + from * corners, corners * sizeof *vertices);
-    memcpy(neighbors + place * corners, neighbors + from * corners, corners * sizeof *neighbors);
-    for (j = 0; j < corners; j++) {
-        paradt_index handle = neighbors[place * corners + j];
-        if (handle >= 0)
-            neighbors[handle] = (paradt_index)((size_t)handle < numbered * corners ? place : place * corners + j);
-    }
-}
-
-// Fills those of the places that are free, and below the number of cells that there are, with the last cells. end:
-// where these end. Returns where they do then.
-PARADT__INLINE size_t paradt__bw_fill_places(const paradt__cells *cells, const paradt_index *places, size_t count,
-                                             size_t end, size_t corners) {
-    size_t i;
-    for (i = 0; i < count; i++) {
-        size_t place = (size_t)places[i];
-        if (place >= cells->count || cells->vertices[place * corners] != PARADT__DEAD) continue;
-        do end--;
-        while (cells->vertices[end * corners] == PARADT__DEAD);
-        paradt__bw_move(cells, place, end, corners, 0);
-    }
-    return end;
-}
-
-static void paradt__bw_fill_gaps(const paradt__bw *bw, const paradt_index *places, size_t count, size_t *end) {
-    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
-    if (cells.corners == 4) *end = paradt__bw_fill_places(&cells, places, count, *end, 4);
-    else *end = paradt__bw_fill_places(&cells, places, count, *end, (size_t)cells.corners);
-}
-
-// Passes over all cells ask for rows so far ahead, for the same reason as passes over all points.
-enum { PARADT__ROWS_AHEAD = 128 };
-
-PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *neighbors, size_t row,
-                                      size_t corners) {
-    PARADT__FETCH(vertices, row * corners);
-    PARADT__FETCH(neighbors, row * corners);
-}
-
-// Fetches the row of a place that comes soon in a list.
-PARADT__INLINE void paradt__fetch_listed(const paradt__cells *cells, const paradt_index *list, size_t count,
-                                         size_t at) {
-    enum { AHEAD = 8 };
-    if (at + AHEAD < count)
-        paradt__fetch_row(cells->vertices, cells->neighbors, (size_t)list[at + AHEAD], (size_t)cells->corners);
-}
-
-// Where cells go: the rows of the first, and its number
-typedef struct paradt__rows {
-    paradt_index *vertices, *neighbors, offset;
-} paradt__rows;
-
-static paradt__rows paradt__rows_in_place(const paradt__cells *cells) {
-    paradt__rows to;
-    to.vertices = cells->vertices;
-    to.neighbors = cells->neighbors;
-    to.offset = 0;
-    return to;
-}
-
-// Writes the cell at a place into the same row of `to`: its neighbours, that were handles, become numbers, its vertices
-// are translated (origin NULL: not). Has it a facet without a neighbour?
-PARADT__INLINE int paradt__bw_number(const paradt__cells *cells, size_t place, size_t corners,
-                                     const paradt_index *origin, const paradt__rows *to) {
-    const paradt_index *vertices = cells->vertices + place * corners, *neighbors = cells->neighbors + place * corners;
-    paradt_index *new_vertices = to->vertices + place * corners, *numbers = to->neighbors + place * corners, any = 0;
-    size_t j;
-    paradt__fetch_row(cells->vertices, cells->neighbors, place + PARADT__ROWS_AHEAD, corners);
-#if PARADT__FOUR_AT_ONCE
-    if (corners == 4) {
-        __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)neighbors), open = _mm_srai_epi32(handles, 31);
-        __m128i number = _mm_add_epi32(_mm_srli_epi32(handles, 2), _mm_set1_epi32(to->offset));
-        any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
-        handles = _mm_or_si128(_mm_and_si128(open, handles), _mm_andnot_si128(open, number));
-        _mm_storeu_si128((__m128i *)(void *)numbers, handles);
-    } else
-#endif
-        for (j = 0; j < corners; j++) {
-            paradt_index handle = neighbors[j];
-            any |= handle;
-            numbers[j] = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)corners) + to->offset;
-        }
-    for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
-    return any < 0;
-}
-
-// Drops the ghosts, closes the gaps from the end, numbers the neighbours and translates the vertices. All at once: the
-// cells don't fit into a cache. Returns the ghosts' number.
-PARADT__INLINE uint64_t paradt__bw_close_cells(paradt__bw *bw, const paradt_index *origin, size_t corners) {
-    const paradt__cells cells = bw->cells; // a copy, which nothing that is written can change
-    const paradt__rows to = paradt__rows_in_place(&cells);
-    size_t end = cells.count, i;
-    uint64_t ghosts = 0;
-    paradt__bw_mark_free(bw);
-    for (i = 0; i < end; i++) {
-        if (!paradt__bw_keep(&cells, i, corners, &ghosts)) {
-            for (end--; end > i && !paradt__bw_keep(&cells, end, corners, &ghosts);) end--;
-            if (end == i) break;
-            paradt__bw_move(&cells, i, end, corners, i);
-        }
-        paradt__bw_number(&cells, i, corners, origin, &to);
-    }
-    bw->cells.count = end;
-    return ghosts;
-}
-
-static uint64_t paradt__bw_close(paradt__bw *bw, const paradt_index *origin) {
-    if (bw->cells.corners == 4) return paradt__bw_close_cells(bw, origin, 4);
-    return paradt__bw_close_cells(bw, origin, (size_t)bw->cells.corners);
-}
-
-// --- the door
 
 // Points that span the set come first in the order.
-static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
+static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
@@ -8796,156 +9523,124 @@ static void paradt__bw_span_first(const paradt__set *set, paradt_index *order, p
     }
 }
 
-typedef paradt_status (*paradt__inserter)(paradt__bw *bw, paradt_index point);
+typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
 
-static paradt__inserter paradt__choose_inserter(const paradt__bw *bw) {
-    if (!bw->spheres) return paradt__bw_insert;
-#if PARADT__BW_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__bw3_insert_avx2;
+static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
+    if (!build->kept) return paradt__insert;
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__kept_insert_avx2;
 #endif
-    return paradt__bw3_insert;
+    return paradt__kept_insert;
 }
 
 // Inserts the points that are left, in their order, until it pauses.
-static paradt_status paradt__bw_insert_rest(paradt__bw *bw, const paradt__progress *progress) {
-    paradt__inserter insert = paradt__choose_inserter(bw);
+static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt__progress *progress) {
+    paradt__inserter insert = paradt__choose_inserter(build);
     paradt_status status = PARADT_OK;
     size_t i;
-    for (i = bw->inserted; i < bw->count && !status; i++) {
-        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)bw->count))
+    for (i = build->inserted; i < build->count && !status; i++) {
+        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
-        status = insert(bw, paradt__bw_point(bw, i));
-        bw->inserted = i + 1;
-        if (paradt__relay_pauses(bw->relay, bw->inserted, 64)) break;
+        status = insert(build, paradt__insertion_point(build, i));
+        if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+        build->inserted = i + 1;
+        if (paradt__relay_pauses(build->relay, build->inserted, 64)) break;
     }
     return status;
 }
 
-static paradt_status paradt__bw_build(paradt__bw *bw, const paradt__progress *progress) {
-    paradt_status status = paradt__bw_list(bw, &bw->cavity, 0, &bw->cavity_capacity, PARADT__FIRST_DIG);
-    if (bw->cells.lent) {
-        paradt__make_pages(bw->marks, 0, bw->cells.capacity);
-        memset(bw->marks, 0, bw->cells.capacity);
-    }
-    if (!status && bw->cells.corners <= 4)
-        status = paradt__bw_reserve(bw, 1, paradt__bw_places(paradt__bw_first_points(bw), bw->cells.corners - 1));
-    if (!status) status = paradt__bw_first(bw);
-    bw->inserted = (size_t)bw->cells.corners;
-    if (!status && bw->cells.corners == 4) status = paradt__bw3_begin(bw);
-    return status ? status : paradt__bw_insert_rest(bw, progress);
+// Inserts all points: the first, which span, make the first cells. After a pause paradt__insertion_go goes on.
+static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    paradt_status status =
+        paradt__list_room(&update->killed, 0, &update->killed_capacity, PARADT__FIRST_DIG, build->memory);
+    if (mesh->lent) paradt__mesh_clear_marks(mesh);
+    if (!status && mesh->corners <= 4)
+        status = paradt__insertion_reserve(
+            build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
+    if (!status) status = paradt__insertion_first_cells(build);
+    build->inserted = (size_t)mesh->corners;
+    if (!status && mesh->corners == 4) status = paradt__kept_begin(build);
+    return status ? status : paradt__insertion_go(build, progress);
 }
 
-// Makes ready to go on with more points, which have been counted. first: the next; numbers: of points that there are;
-// cell: where to begin the search for the first; negative: the last one made.
-static paradt_status paradt__bw_go_on(paradt__bw *bw, paradt_index first, size_t numbers, paradt_index cell) {
-    paradt__spheres3 *s = bw->spheres;
-    if (cell < 0) cell = s ? s->start : bw->last;
-    bw->last = cell;
-    if (!s) return PARADT_OK;
-    if (numbers >= s->numbers && !paradt__bw3_more_numbers(bw, numbers + numbers / 8 + 64)) return PARADT_ERROR_MEMORY;
-    s->start = cell;
-    s->next = paradt__seen3_of(s, paradt__bw_record(bw, first));
+// A cell near the last point
+PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
+    return build->kept ? build->kept->start : build->scene.hint;
+}
+
+// Prepares the insertion of more points, which have been counted. first: the next; numbers: of points that there are;
+// cell: where the search for the first begins
+static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_index first, size_t numbers,
+                                             paradt_index cell) {
+    paradt__kept *kept = build->kept;
+    build->scene.hint = cell;
+    if (!kept) return PARADT_OK;
+    if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
+        return PARADT_ERROR_MEMORY;
+    kept->start = cell;
+    kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
-}
-
-// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
-// nothing of that is in a cache, the insertion would wait for one after another.
-PARADT__INLINE void paradt__bw3_fetch_around(const paradt__bw *bw, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 };
-    const paradt__spheres3 *s = bw->spheres;
-    paradt_index around[CELLS];
-    size_t count = 1, i, j;
-    around[0] = cell;
-    for (i = 0; i < count; i++) {
-        const paradt_index *vertices = bw->cells.vertices + 4 * (size_t)around[i];
-        const paradt_index *neighbors = bw->cells.neighbors + 4 * (size_t)around[i];
-        for (j = 0; j < 4; j++) {
-            paradt_index other = neighbors[j] >> 2;
-            paradt__fetch_row(bw->cells.vertices, bw->cells.neighbors, (size_t)other, 4);
-            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
-            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__bw_record(bw, vertices[j]));
-            if (count < CELLS) around[count++] = other;
-        }
-    }
-}
-
-// The first place from `place` on of a ghost, or of a cell with a vertex that is none of the first `own` points; behind
-// all places if there is none. Free places are marked.
-PARADT__INLINE size_t paradt__bw_fringe_from(const paradt__cells *cells, size_t corners, paradt_index own,
-                                             size_t place) {
-    for (; place < cells->count; place++) {
-        const paradt_index *vertices = cells->vertices + place * corners;
-        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
-        if (vertices[0] != PARADT__DEAD) break;
-    }
-    return place;
 }
 
 // Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
 // orientations, for the spheres on the way are in no table.
-static paradt_status paradt__bw_insert_one_more(paradt__bw *bw, paradt_index point, paradt_index cell) {
+static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
+    paradt__kept *kept = build->kept;
     paradt_status status;
-    if (bw->spheres && cell < 0) cell = paradt__bw_walk(bw, bw->spheres->start, paradt__bw_record(bw, point));
-    status = paradt__bw_go_on(bw, point, (size_t)point + 1, cell);
-    bw->order = NULL;
-    bw->inserted = bw->count - 1;
-    if (bw->spheres) {
-        bw->spheres->missed = 0; // such points are here and there: no larger table would have their spheres
-        paradt__bw3_fetch_around(bw, cell);
+    if (cell < 0) {
+        cell = paradt__insertion_start(build);
+        if (kept) cell = paradt__walk(&build->scene, cell, paradt__scene_record(&build->scene, point));
     }
-    return status ? status : paradt__choose_inserter(bw)(bw, point);
-}
-
-// The i-th of the cells that the last insertion made, of bw->rim_count.
-PARADT__INLINE paradt_index paradt__bw_made(const paradt__bw *bw, size_t i) {
-    const paradt__spheres3 *s = bw->spheres;
-    if (s && (bw->rim_count <= PARADT__WIDE_STAR || bw->rim_count <= s->large_star)) return bw->cavity[i] >> 2;
-    return paradt__bw_cell(bw, bw->rim[i]);
+    status = paradt__insertion_go_on(build, point, (size_t)point + 1, cell);
+    build->order = NULL;
+    build->inserted = build->count - 1;
+    if (kept) {
+        kept->missed = 0; // such points are here and there: no larger table would have their spheres
+        paradt__kept_fetch_around(build, cell);
+    }
+    if (!status) status = paradt__choose_inserter(build)(build, point);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    return status;
 }
 
 // Takes records as those of the set are.
-static void paradt__bw_layout(paradt__bw *bw, const paradt__set *set) {
-    bw->width = set->width;
-    bw->graded = set->grade == PARADT__SAGITTA;
-    bw->grade_limit = set->grade_limit;
-    bw->grade_error = set->grade_error;
+static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
+    build->scene.width = set->width;
+    build->graded = set->grade == PARADT__SAGITTA;
+    build->grade_limit = set->grade_limit;
+    build->grade_error = set->grade_error;
 }
 
-// Before paradt__bw_build. The order has the points that span the set first then.
-static void paradt__bw_begin(paradt__bw *bw, const paradt__set *set, paradt_index *order, paradt__memory *memory) {
-    memset(bw, 0, sizeof *bw);
-    bw->space = set->space;
-    paradt__bw_span_first(set, order, &bw->space.counters);
-    bw->cells.corners = set->space.dim + 1;
-    bw->memory = memory;
-    bw->records = set->records;
-    bw->order = order;
-    paradt__bw_layout(bw, set);
-    bw->count = set->count;
+// Before paradt__insertion_run: the insertion of a set in an order, which gets points that span the set first.
+static void paradt__insertion_begin(paradt__insertion *build, const paradt__set *set, paradt_index *order,
+                                    paradt__memory *memory) {
+    memset(build, 0, sizeof *build);
+    paradt__mesh_begin(&build->scene.mesh, set->space.dim + 1, 1);
+    build->scene.space = set->space;
+    paradt__insertion_span_first(set, order, &build->scene.space.counters);
+    build->memory = memory;
+    build->scene.records = set->records;
+    build->order = order;
+    paradt__insertion_layout(build, set);
+    build->count = set->count;
 }
 
-// The cells of the set, whose points are along a curve, with the caller's indices. adjacency: whether their neighbours
-// are wanted.
-static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__cells *cells,
-                                           int adjacency, const paradt__progress *progress, paradt__counters *counters,
-                                           uint64_t *hull_facets) {
-    paradt__bw bw;
+// Makes the mesh of the set, whose points are along a curve, by insertion: closed by ghosts, vertices are positions.
+static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                           const paradt__progress *progress, paradt__counters *counters) {
+    paradt__insertion build;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
     if (!order) return PARADT_ERROR_MEMORY;
-    paradt__bw_begin(&bw, set, order, memory);
-    status = paradt__bw_build(&bw, progress);
-    *counters = bw.space.counters;
-    if (!status) *hull_facets = paradt__bw_close(&bw, set->origin);
-    paradt__bw_end(&bw);
+    paradt__insertion_begin(&build, set, order, memory);
+    status = paradt__insertion_run(&build, progress);
+    *counters = build.scene.space.counters;
+    paradt__insertion_rest(&build);
     paradt__release(memory, order);
-    *cells = bw.cells;
-    if (!adjacency) {
-        paradt__release(memory, cells->neighbors);
-        cells->neighbors = NULL;
-    }
-    if (status) paradt__cells_free(cells, memory);
+    *mesh = build.scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
     return status;
 }
 
@@ -8981,7 +9676,7 @@ static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, siz
 
 // Gives the cluster of a cell that nobody reaches to its owner, see >>incode. owners: [cells->count], PARADT__OPEN for
 // such cells; cluster: room for all of them.
-static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *owner, paradt_index *owners,
+static void paradt__cluster_give(const paradt__mesh *cells, const uint32_t *owner, paradt_index *owners,
                                  paradt_index *cluster, paradt_index first) {
     enum { MET = -3 };
     paradt_index beside = PARADT__NOWHERE, within = PARADT__NOWHERE, corners = cells->corners, i, j, count = 1;
@@ -8989,9 +9684,9 @@ static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *own
     owners[first] = MET;
     for (i = 0; i < count; i++) {
         for (j = cluster[i] * corners; j < (cluster[i] + 1) * corners; j++) {
-            paradt_index neighbor = cells->neighbors[j], region = (paradt_index)owner[cells->vertices[j]];
+            paradt_index neighbor = cells->links[j] / corners, region = (paradt_index)owner[cells->vertices[j]];
             if (region < within) within = region;
-            if (neighbor < 0) continue;
+            if (cells->links[j] < 0) continue;
             if (owners[neighbor] == PARADT__OPEN) owners[neighbor] = MET, cluster[count++] = neighbor;
             else if (owners[neighbor] != MET && owners[neighbor] < beside) beside = owners[neighbor];
         }
@@ -9000,9 +9695,9 @@ static void paradt__cluster_give(const paradt__cells *cells, const uint32_t *own
 }
 
 // Fills owners[cells->count].
-static paradt_status paradt__cells_find_owners(const paradt__cells *cells, const paradt__set *set,
-                                               const paradt__region_view *view, paradt__memory *memory,
-                                               paradt_index *owners) {
+static paradt_status paradt__find_owners(const paradt__mesh *cells, const paradt__set *set,
+                                         const paradt__region_view *view, paradt__memory *memory,
+                                         paradt_index *owners) {
     size_t corners = (size_t)cells->corners, unreached = 0, i;
     paradt_index *cluster;
     for (i = 0; i < cells->count; i++) {
@@ -9019,101 +9714,44 @@ static paradt_status paradt__cells_find_owners(const paradt__cells *cells, const
     return PARADT_OK;
 }
 
-// Leaves only the cells that the region owns; their neighbours in other regions become open. *foreign: cells dropped.
-static paradt_status paradt__region_compact(paradt__cells *cells, const paradt__set *set,
-                                            const paradt__region_view *view, paradt__memory *memory,
-                                            uint64_t *foreign) {
-    size_t corners = (size_t)cells->corners, i, kept = 0;
-    paradt_index *place = (paradt_index *)paradt__alloc(memory, cells->count, sizeof *place);
-    paradt_status status = place ? paradt__cells_find_owners(cells, set, view, memory, place) : PARADT_ERROR_MEMORY;
-    if (status) {
-        paradt__release(memory, place);
-        return status;
+// Leaves only the cells that the region owns; facets that they share with others' cells become open. *foreign: the
+// number of cells dropped.
+static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__set *set, const paradt__region_view *view,
+                                            paradt__memory *memory, uint64_t *foreign) {
+    size_t end = mesh->count, gaps = 0, i;
+    paradt_index *place = (paradt_index *)paradt__alloc(memory, end, sizeof *place); // owners, then gaps
+    paradt_status status = place ? paradt__find_owners(mesh, set, view, memory, place) : PARADT_ERROR_MEMORY;
+    for (i = 0; i < end && !status; i++) {
+        if (place[i] == (paradt_index)view->region) continue;
+        paradt__mesh_drop(mesh, i, (size_t)mesh->corners, PARADT__OPEN);
+        place[gaps++] = (paradt_index)i;
     }
-    for (i = 0; i < cells->count; i++) {
-        int owned = place[i] == (paradt_index)view->region;
-        place[i] = owned ? (paradt_index)kept++ : (paradt_index)PARADT__OPEN;
+    if (!status) {
+        mesh->count -= gaps;
+        paradt__mesh_fill_gaps(mesh, place, gaps, &end);
+        *foreign = gaps;
     }
-    for (i = 0; i < cells->count; i++) {
-        paradt_index *to;
-        size_t j;
-        if (place[i] < 0) continue;
-        memmove(cells->vertices + (size_t)place[i] * corners, cells->vertices + i * corners, corners * sizeof *to);
-        to = cells->neighbors + (size_t)place[i] * corners;
-        for (j = 0; j < corners; j++) {
-            paradt_index neighbor = cells->neighbors[i * corners + j];
-            to[j] = neighbor < 0 ? neighbor : place[neighbor];
-        }
-    }
-    *foreign = cells->count - kept;
-    cells->count = kept;
     paradt__release(memory, place);
-    return PARADT_OK;
-}
-
-// Appends the cells of a region.
-static void paradt__cells_append(paradt__cells *all, const paradt__cells *part) {
-    size_t corners = (size_t)all->corners, offset = all->count, i;
-    paradt_index *to = all->neighbors + offset * corners;
-    if (!part->count) return;
-    memcpy(all->vertices + offset * corners, part->vertices, part->count * corners * sizeof *to);
-    for (i = 0; i < part->count * corners; i++) {
-        to[i] = part->neighbors[i] < 0 ? part->neighbors[i] : part->neighbors[i] + (paradt_index)offset;
-    }
-    all->count += part->count;
-}
-
-enum { PARADT__JOINED = 8 }; // facets at once: there is room for those of a cell
-
-// Links open facets to their twins, if these were seen before. Each step waits for memory, for all of them together.
-static paradt_status paradt__join_facets(paradt__active *active, paradt__cells *all, const paradt_index *handles,
-                                         size_t count, paradt__memory *memory) {
-    paradt_index corners = all->corners, *chain[PARADT__JOINED], smallest[PARADT__JOINED];
-    uint32_t key[PARADT__JOINED];
-    paradt_status status = paradt__active_room(active, memory);
-    size_t i;
-    for (i = 0; i < count && !status; i++) {
-        int opposite = (int)(handles[i] % corners);
-        const paradt_index *cell = all->vertices + (handles[i] - opposite);
-        key[i] = paradt__facet_key(paradt__cell_sum(cell, all->corners) - paradt__vertex_key(cell[opposite]));
-        smallest[i] = paradt__smallest_but(cell, all->corners, opposite);
-        chain[i] = paradt__active_chain(active, smallest[i], key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < count && !status; i++) {
-        if (*chain[i] >= 0) PARADT__PREFETCH(active->links + *chain[i]);
-    }
-    for (i = 0; i < count && !status; i++) {
-        if (*chain[i] < 0) continue;
-        PARADT__PREFETCH(all->vertices + active->links[*chain[i]].handle);
-        PARADT__PREFETCH(all->neighbors + active->links[*chain[i]].handle);
-    }
-    for (i = 0; i < count && !status; i++) {
-        paradt_index twin = paradt__active_match(active, all, chain[i], smallest[i], key[i], handles[i], all->corners);
-        if (twin < 0) continue;
-        all->neighbors[handles[i]] = twin / corners;
-        all->neighbors[twin] = handles[i] / corners;
-    }
     return status;
 }
 
 // Links the open facets of all regions to each other. What finds no partner is the hull.
-static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *memory, uint64_t *hull_facets) {
-    paradt__active active;
+static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *memory, uint64_t *hull_facets) {
+    paradt__facets table;
     size_t facets = all->count * (size_t)all->corners, count = 0, i;
     paradt_index open[PARADT__JOINED];
-    paradt_status status = paradt__active_begin(&active, 0, memory);
+    paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
-        if (all->neighbors[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
+        if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
-        status = paradt__join_facets(&active, all, open, count, memory);
+        status = paradt__facets_join(&table, all, open, count, 0, memory);
         count = 0;
     }
     for (i = 0; i < facets; i++) {
-        if (all->neighbors[i] == PARADT__OPEN) all->neighbors[i] = PARADT__HULL;
-        *hull_facets += all->neighbors[i] == PARADT__HULL;
+        if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
+        *hull_facets += all->links[i] == PARADT__HULL;
     }
-    paradt__active_free(&active, memory);
+    paradt__facets_free(&table, memory);
     return status;
 }
 
@@ -9142,7 +9780,7 @@ static paradt_status paradt__regions_join(paradt__cells *all, paradt__memory *me
 // The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
 // cells that the others' list of the seam leaves it (see there).
 //
-// Near a sphere the questions are asked with sagittas, as in >>search.
+// The questions are those of >>questions; near a sphere they are asked with sagittas.
 //
 // Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
 // none.
@@ -9165,24 +9803,16 @@ typedef struct paradt__field {
     int has_cells; // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
-// What is known of a cell: marks of it
-enum {
-    PARADT__WAITING = 2, // it is in the list of cells to be asked about, or of wrong ones
-    PARADT__ASKED = 4,   // it is one of T(P)
-    PARADT__LISTED = 8,  // it is in the list of the fringe; not in all regions
-    PARADT__DROPPED = 16 // it is not kept in the end; of ranks alone
-};
-
 typedef struct paradt__patch {
     const paradt__set *set;
     paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
     size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions: aimed at a cell, it is turned to the fields one by one
+    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
     paradt__memory *memory;
-    paradt__bw bw;
+    paradt__insertion build;
     size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][bw.width]
+    double *records;                 // [capacity][build.scene.width]
     int lent;                        // these are those of the field
     paradt_index *others;            // [capacity - own points] positions of others' points in the set
     paradt_index *origin;            // at the end, the caller's indices of all points:
@@ -9196,6 +9826,7 @@ typedef struct paradt__patch {
     // and some where such ones have been
     paradt_index *fringe;
     size_t fringe_count, fringe_capacity;
+    int facets;           // links are delivered as half-facets
     int asks;             // 1: the points that it begins with are inserted
     size_t asked;         // so many of the list have been taken from it
     size_t dropped;       // cells and ghosts, at the end
@@ -9214,7 +9845,7 @@ typedef struct paradt__patch {
     size_t nearby_count, nearby_capacity;
     uint64_t looked;      // groups of neighbours
     size_t late_cells;    // made by answers
-    size_t made;          // cells of the triangulation, of which bw.cells are owned in the end
+    size_t made;          // cells of the triangulation, of which build.scene.mesh are owned in the end
     uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
@@ -9235,14 +9866,14 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->bw.count, width = patch->bw.width, own = patch->fields[patch->own].set.count;
+    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->fields[patch->own].set.count;
     void *records = patch->lent ? NULL : patch->records, *others = patch->others;
     if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
     patch->lent = 0;
     patch->records = (double *)records;
-    patch->bw.records = patch->records;
+    patch->build.scene.records = patch->records;
     used = used > own ? used - own : 0;
     if (!paradt__grow(patch->memory, &others, used, capacity - own, sizeof *patch->others)) return PARADT_ERROR_MEMORY;
     patch->others = (paradt_index *)others;
@@ -9256,29 +9887,29 @@ static paradt_status paradt__patch_lend(paradt__patch *patch) {
     patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
     if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
-    patch->bw.records = patch->records;
+    patch->build.scene.records = patch->records;
     patch->capacity = own->room;
     patch->lent = 1;
     return PARADT_OK;
 }
 
 static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
-    size_t at = patch->bw.count, width = patch->bw.width;
+    size_t at = patch->build.count, width = patch->build.scene.width;
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
     patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
-    patch->bw.count++;
+    patch->build.count++;
     return PARADT_OK;
 }
 
 // Adds the region's own points, for which there is room.
 static void paradt__patch_add_own(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    size_t width = patch->bw.width, i;
+    size_t width = patch->build.scene.width, i;
     for (i = 0; i < own->set.count && !patch->lent; i++)
         paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
-    patch->bw.count = own->set.count;
+    patch->build.count = own->set.count;
 }
 
 // The position of a vertex in the set
@@ -9293,13 +9924,13 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
     const paradt__field *own = patch->fields + patch->own;
     size_t count = own->set.count, i;
     patch->origin = patch->set->origin + own->begin;
-    if (patch->bw.count > own->room) {
-        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->table);
+    if (patch->build.count > own->room) {
+        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->table);
         if (!patch->table) return PARADT_ERROR_MEMORY;
         memcpy(patch->table, patch->origin, count * sizeof *patch->table);
         patch->origin = patch->table;
     }
-    for (i = count; i < patch->bw.count; i++) {
+    for (i = count; i < patch->build.count; i++) {
         paradt_index position = patch->others[i - count];
         patch->origin[i] = position < end ? patch->set->origin[position] : -1;
     }
@@ -9317,7 +9948,7 @@ static int paradt__within(const double *x, const double *low, const double *high
 
 static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
                                           paradt_index item) {
-    paradt_status status = paradt__bw_list(&patch->bw, list, *count, capacity, *count + 1);
+    paradt_status status = paradt__list_room(list, *count, capacity, *count + 1, patch->memory);
     if (!status) (*list)[(*count)++] = item;
     return status;
 }
@@ -9386,8 +10017,8 @@ static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
 static paradt__set paradt__patch_known(const paradt__patch *patch) {
     paradt__set known = *patch->set;
     known.records = patch->records;
-    known.width = patch->bw.width;
-    known.count = patch->bw.count;
+    known.width = patch->build.scene.width;
+    known.count = patch->build.count;
     memset(&known.space.counters, 0, sizeof known.space.counters);
     return known;
 }
@@ -9434,8 +10065,8 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
     paradt__curve_limit(&curve, low, high);
     patch->order = paradt__merged_order(&known, own->set.count, &curve, patch->memory);
     if (!patch->order) return PARADT_ERROR_MEMORY;
-    patch->bw.order = patch->order;
-    paradt__bw_span_first(&known, patch->order, &patch->bw.space.counters);
+    patch->build.order = patch->order;
+    paradt__insertion_span_first(&known, patch->order, &patch->build.scene.space.counters);
     return PARADT_OK;
 }
 
@@ -9460,7 +10091,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 // --- cells
 
 PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
-    return patch->bw.cells.vertices + (size_t)cell * (size_t)patch->bw.cells.corners;
+    return patch->build.scene.mesh.vertices + (size_t)cell * (size_t)patch->build.scene.mesh.corners;
 }
 
 // Is the vertex a point of the region? These are the first.
@@ -9471,14 +10102,14 @@ PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index ve
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
 static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
     paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
-    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->bw.cells.corners, own);
+    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
 }
 
 // Does the region own a cell or ghost that has a vertex of it? Once patch->origin has the caller's indices, or -1.
 static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] >= 0 && patch->origin[vertices[i]] < 0) return 0;
     }
     return 1;
@@ -9489,7 +10120,7 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index end = (paradt_index)patch->fields[0].set.count;
     int i, share = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] < 0) continue;
         if (paradt__patch_has(patch, vertices[i])) share++;
         else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
@@ -9499,15 +10130,15 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
 static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
-    if (patch->bw.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
-    patch->bw.marks[cell] |= PARADT__WAITING;
+    if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
+    patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
     return PARADT__PATCH_LIST(patch, list, cell);
 }
 
 // Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
@@ -9516,11 +10147,11 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
 
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
-    const paradt__cells *cells = &patch->bw.cells;
+    const paradt__mesh *cells = &patch->build.scene.mesh;
     paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
-    size_t cell = paradt__bw_fringe_from(cells, corners, own, 0);
+    size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
-    for (; cell < cells->count && !status; cell = paradt__bw_fringe_from(cells, corners, own, cell + 1)) {
+    for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
         status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
         if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
             status = paradt__patch_wait(patch, (paradt_index)cell);
@@ -9531,63 +10162,54 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
 // To look for them takes as long as the insertion of a few points, in which the other regions go on.
 static paradt_status paradt__patch_suspects(paradt__patch *patch) {
     enum { CELLS_A_POINT = 400 };
-    paradt__relay_waits(patch->bw.relay, patch->bw.cells.count / CELLS_A_POINT);
-    paradt__bw_mark_free(&patch->bw);
-    if (patch->bw.cells.corners == 4) return paradt__patch_list_suspects(patch, 4);
-    return paradt__patch_list_suspects(patch, (size_t)patch->bw.cells.corners);
+    paradt__relay_waits(patch->build.relay, patch->build.scene.mesh.count / CELLS_A_POINT);
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_list_suspects(patch, 4);
+    return paradt__patch_list_suspects(patch, (size_t)patch->build.scene.mesh.corners);
 }
 
-// Aims the search at a cell: at the points in its sphere, or, for a ghost, strictly beyond its facet.
+// States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
 static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
-    const paradt__bw *bw = &patch->bw;
+    const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
     paradt_index nowhere[PARADT_MAX_DIM + 1];
-    int dim = bw->cells.corners - 1, i, count = 0;
-    for (i = 0; i <= dim; i++) {
+    int i;
+    for (i = 0; i < build->scene.mesh.corners; i++) {
         nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[count++] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
+        if (i != ghost) corners[i] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
     }
     if (ghost < 0) {
-        paradt__search_sphere(&patch->search, corners, nowhere);
-    } else {
-        paradt_index handle = bw->cells.neighbors[(size_t)cell * (size_t)(dim + 1) + (size_t)ghost];
-        const paradt_index *inner = paradt__patch_cell(patch, paradt__bw_cell(bw, handle));
-        paradt__search_beyond(&patch->search, corners, (dim - ghost) % 2 ? -1 : 1,
-                              paradt__bw_record(bw, inner[handle % (dim + 1)]));
+        paradt__question_cell(&patch->search, corners, nowhere);
+    } else { // the vertex behind the facet takes the ghost's place, on the other side
+        paradt_index handle = build->scene.mesh.links[cell * build->scene.mesh.corners + ghost];
+        const paradt_index *inner = paradt__patch_cell(patch, paradt__mesh_cell(&build->scene.mesh, handle));
+        corners[ghost] = paradt__scene_record(&build->scene, inner[handle % build->scene.mesh.corners]);
+        paradt__question_facet(&patch->search, corners, nowhere, ghost, -1);
     }
 }
 
-// Has the search found what it is aimed at?
-PARADT__INLINE int paradt__patch_met(const paradt__search *s) {
-    return s->conflict ? s->found : s->apex >= 0;
-}
-
-// A point of the field that the search is aimed at, or -1. positions: of the cell's vertices.
+// Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
 static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
                                             const paradt_index *positions) {
-    paradt__search *s = &patch->search;
-    paradt_index places[PARADT_MAX_DIM + 1];
+    paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t place = (size_t)positions[i] - field->begin;
         places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
     }
-    paradt__search_turn(s, &field->set, &field->grid, places);
-    paradt__search_down(s);
-    return paradt__patch_met(s) ? s->apex + (paradt_index)field->begin : (paradt_index)-1;
+    paradt__question_redirect(&patch->search, &field->set, &field->grid, places);
+    found = paradt__question_answer(&patch->search);
+    return found >= 0 ? found + (paradt_index)field->begin : (paradt_index)-1;
 }
 
-// The search is aimed at a cell with one of others' points, of which the neighbours are told: one of these that it is
-// aimed at, or -1.
+// The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
+// the question, or -1.
 static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    paradt__search *s = &patch->search;
     size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
     patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__search_turn(s, &patch->everyone, s->grid, positions);
+    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
     for (; i < end; i++) {
-        paradt__search_point(s, (size_t)patch->nearby[i]);
-        if (paradt__patch_met(s)) return s->apex;
+        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
     }
     return -1;
 }
@@ -9598,7 +10220,7 @@ static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__fi
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
         if (vertices[i] < 0) continue;
         if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
@@ -9619,16 +10241,14 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
     return 0;
 }
 
-// A point of another region that the search is aimed at, or -1.
+// Returns a point of another region that answers the question, or -1.
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
     size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
-    int i, count = 0;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
-        if (i != ghost) positions[count++] = paradt__patch_position(patch, vertices[i]);
-    }
-    if (ghost >= 0) positions[count] = PARADT__NOWHERE;
+    int i;
+    for (i = 0; i < patch->build.scene.mesh.corners; i++)
+        positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
     return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
                                : paradt__patch_ask_near(patch, witness, positions);
 }
@@ -9637,22 +10257,23 @@ static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field 
 PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
-    for (i = 0; i < patch->bw.cells.corners; i++) {
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
     }
 }
 
 // Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
 static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
-    if (!status) status = paradt__bw_insert_one_more(bw, (paradt_index)(bw->count - 1), cell);
-    patch->late_cells += bw->rim_count;
-    for (i = 0; i < bw->cavity_count && !status; i++) bw->marks[paradt__bw_cell(bw, bw->cavity[i])] = 0;
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt_index made = paradt__bw_made(bw, i);
-        bw->marks[made] = 0;
+    if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
+    patch->late_cells += build->update.made_count;
+    for (i = 0; i < build->update.killed_count && !status; i++)
+        build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        build->scene.mesh.marks[made] = 0;
         if (patch->around) paradt__patch_note_around(patch, made);
         status = PARADT__PATCH_LIST(patch, fringe, made);
         if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
@@ -9663,17 +10284,17 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
 // Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K, nor
 // beyond a ghost's facet or in its plane where these have no more of the reference sphere than a cap inside K.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    paradt__bw *bw = &patch->bw;
-    int ghost = paradt__bw_ghost(paradt__patch_cell(patch, cell), bw->cells.corners);
+    paradt__insertion *build = &patch->build;
+    int ghost = paradt__ghost_place(paradt__patch_cell(patch, cell), build->scene.mesh.corners);
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
     if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
-    bw->marks[cell] = PARADT__ASKED;
+    build->scene.mesh.marks[cell] = PARADT__ASKED;
     if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
     if (status) return status;
     paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__search_within(&patch->search, patch->room)) return PARADT_OK;
+    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
         if (i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
@@ -9681,7 +10302,9 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_wait(patch, paradt__bw_cell(bw, bw->cells.neighbors[cell * bw->cells.corners + ghost]));
+    return paradt__patch_wait(
+        patch,
+        paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9698,91 +10321,55 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // points. They are few also near surfaces, which large spheres touch so that boxes rule out little. Regions tell each
 // other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
-// Cells around a vertex
-enum {
-    PARADT__AROUND = 256, // at most, and some that are found with the last
-    PARADT__AROUND_PLACES = 512
-};
-
-typedef struct paradt__around {
-    size_t count;
-    paradt_index cells[PARADT__AROUND + PARADT_MAX_DIM + 1];
-    paradt_index table[PARADT__AROUND_PLACES]; // the same by their numbers; -1: free
-} paradt__around;
-
-// Adds a cell; 0 if it is there.
-PARADT__INLINE int paradt__around_add(paradt__around *around, paradt_index cell) {
-    size_t place = (uint32_t)cell * 0x9E3779B1u >> 23;
-    while (around->table[place] != cell) {
-        if (around->table[place] < 0) {
-            around->table[place] = around->cells[around->count++] = cell;
-            return 1;
-        }
-        place = (place + 1) % PARADT__AROUND_PLACES;
-    }
-    return 0;
-}
-
 // Makes ready to be looked at by others.
 static paradt_status paradt__patch_show(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->bw.cells.corners, cell;
+    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
     patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
     if (!patch->around) return PARADT_ERROR_MEMORY;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count; cell++) {
-        if (patch->bw.cells.vertices[cell * corners] != PARADT__DEAD)
+    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
+        if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
             paradt__patch_note_around(patch, (paradt_index)cell);
     }
     return PARADT_OK;
 }
 
-// Notes a neighbour of a point of another region, by its number there.
-PARADT__INLINE paradt_status paradt__patch_note_near(paradt__patch *patch, const paradt__patch *other,
-                                                     paradt_index neighbor) {
-    return neighbor < 0 ? PARADT_OK : PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
-}
-
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
 static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
-    const paradt_index *vertices = other->bw.cells.vertices, *links = other->bw.cells.neighbors;
-    paradt_index corners = (paradt_index)other->bw.cells.corners, first = other->around[vertex] * corners, i;
-    size_t before = patch->nearby_count, next;
-    paradt__around around;
+    const paradt__mesh *mesh = &other->build.scene.mesh;
+    paradt_index first = other->around[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt__star star;
+    size_t next;
     paradt_status status = PARADT_OK;
-    around.count = 0;
-    memset(around.table, -1, sizeof around.table);
-    paradt__around_add(&around, other->around[vertex]);
-    for (i = first; i < first + corners && !status; i++) {
-        if (vertices[i] != vertex) status = paradt__patch_note_near(patch, other, vertices[i]);
+    paradt__star_of(mesh, first, vertex, &star);
+    patch->looked += PARADT__LANES + star.count / 4;
+    if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
+    for (i = base; i < base + mesh->corners && !status; i++) {
+        if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
+            status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, mesh->vertices[i]));
     }
-    for (next = 0; next < around.count && around.count <= PARADT__AROUND; next++) {
-        first = around.cells[next] * corners;
-        for (i = first; i < first + corners && !status; i++) { // beyond each facet with the vertex
-            if (vertices[i] != vertex && paradt__around_add(&around, links[i] / corners))
-                status = paradt__patch_note_near(patch, other, vertices[links[i]]);
-        }
+    for (next = 1; next < star.count && !status; next++) {
+        paradt_index neighbor = mesh->vertices[star.handles[next]];
+        if (neighbor >= 0) status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
     }
-    if (around.count > PARADT__AROUND) patch->nearby_count = before;
-    patch->looked += PARADT__LANES + around.count / 4;
     return status;
 }
 
 // Gives back what only the building needs: all patches wait together for the last step.
 static void paradt__patch_rest(paradt__patch *patch) {
-    paradt__spheres3_free(patch->bw.spheres, patch->memory);
+    paradt__kept_free(patch->build.kept, patch->memory);
     paradt__release(patch->memory, patch->order);
     if (!patch->lent) paradt__release(patch->memory, patch->records);
-    paradt__release(patch->memory, patch->bw.marks);
+    paradt__release(patch->memory, patch->build.scene.mesh.marks);
     paradt__release(patch->memory, patch->around);
     paradt__release(patch->memory, patch->late);
     paradt__release(patch->memory, patch->told);
     paradt__release(patch->memory, patch->nearby);
     paradt__release(patch->memory, patch->border);
-    patch->bw.spheres = NULL;
-    patch->bw.order = patch->order = NULL;
+    patch->build.kept = NULL;
+    patch->build.order = patch->order = NULL;
     patch->records = NULL;
     patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
-    patch->bw.marks = NULL;
+    patch->build.scene.mesh.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
@@ -9790,10 +10377,10 @@ static void paradt__patch_end(paradt__patch *patch) {
     paradt__release(patch->memory, patch->list);
     paradt__release(patch->memory, patch->fringe);
     paradt__release(patch->memory, patch->seam);
-    paradt__bw_end(&patch->bw);
+    paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
     paradt__release(patch->memory, patch->table);
-    paradt__cells_free(&patch->bw.cells, patch->memory);
+    paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
 }
 
 static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
@@ -9806,30 +10393,28 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     patch->fields = fields;
     patch->field_count = field_count;
     patch->own = own;
-    patch->memory = patch->bw.memory = memory;
-    patch->bw.cells.corners = set->space.dim + 1;
-    patch->bw.space = set->space;
-    memset(&patch->bw.space.counters, 0, sizeof patch->bw.space.counters);
-    paradt__bw_layout(&patch->bw, set);
+    patch->memory = patch->build.memory = memory;
+    paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
+    patch->build.scene.space = set->space;
+    memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
+    paradt__insertion_layout(&patch->build, set);
     paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
-    for (i = 0; i < field_count; i++) {
-        patch->search.heaviest = paradt__larger(patch->search.heaviest, fields[i].grid.heaviest);
-    }
+    for (i = 0; i < field_count; i++) paradt__search_admit(&patch->search, &fields[i].grid);
 }
 
 // What is on the other side of a facet is dropped.
 PARADT__INLINE void paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes) {
-    if (handle >= 0) patch->bw.cells.neighbors[handle] = becomes; // else its cell was dropped before
+    if (handle >= 0) patch->build.scene.mesh.links[handle] = becomes; // else its cell was dropped before
 }
 
 // Drops a ghost, or a cell of another region. share: how many vertices are the region's; 0 too if it is wrong. The
 // links to what is dropped: a facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are
 // open.
 static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
-    int corners = patch->bw.cells.corners, ghost, j;
-    paradt_index *vertices = patch->bw.cells.vertices + cell * (size_t)corners;
-    const paradt_index *links = patch->bw.cells.neighbors + cell * (size_t)corners;
-    ghost = paradt__bw_ghost(vertices, corners);
+    int corners = patch->build.scene.mesh.corners, ghost, j;
+    paradt_index *vertices = patch->build.scene.mesh.vertices + cell * (size_t)corners;
+    const paradt_index *links = patch->build.scene.mesh.links + cell * (size_t)corners;
+    ghost = paradt__ghost_place(vertices, corners);
     if (ghost >= 0) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
@@ -9843,13 +10428,13 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 
 // Drops what the region does not own, all of it in the fringe.
 PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
-    const paradt__cells cells = patch->bw.cells; // a copy, which nothing that is written can change
+    const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
     const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
     size_t count = patch->fringe_count, i;
     for (i = 0; i < count; i++) {
         const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
-        paradt__fetch_listed(&cells, fringe, count, i);
+        paradt__mesh_fetch_listed(&cells, fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         share = paradt__vertices_below(vertices, corners, own);
         if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
@@ -9862,85 +10447,85 @@ PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corne
 // of them is not the region's.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
     const paradt__field *own = patch->fields + patch->own;
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
-    size_t end = bw->cells.count, i;
+    size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    paradt__bw_mark_free(bw);
     for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
-    if (bw->cells.corners == 4) paradt__patch_drop_fringe(patch, 4);
-    else paradt__patch_drop_fringe(patch, (size_t)bw->cells.corners);
-    bw->cells.count -= bw->spare_count + patch->dropped;
-    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
-    paradt__bw_fill_gaps(bw, patch->list, patch->list_count, &end);
-    paradt__bw_fill_gaps(bw, patch->fringe, patch->fringe_count, &end);
+    if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
+    else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->list, patch->list_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe, patch->fringe_count, &end);
     patch->list_count = 0;
     paradt__release(patch->memory, patch->fringe);
     patch->fringe = NULL;
-    patch->made += bw->cells.count;
+    patch->made += build->scene.mesh.count;
     return PARADT_OK;
 }
 
-// Lists the open facets of the cell with that number.
-static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell) {
-    size_t corners = (size_t)patch->bw.cells.corners, j;
+// Lists the open facets of a cell that has been emitted. first: the number of the region's first cell in the result
+static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
+    size_t corners = (size_t)patch->build.scene.mesh.corners, j;
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
-        if (to->neighbors[cell * corners + j] == PARADT__OPEN)
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(((size_t)to->offset + cell) * corners + j));
+        if (to->links[cell * corners + j] == PARADT__OPEN)
+            status = PARADT__PATCH_LIST(patch, list, (paradt_index)((first + cell) * corners + j));
     }
     return status;
 }
 
 // Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
 // That may be where they are, or before it. Lists the facets that are open.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t corners) {
-    const paradt__cells cells = patch->bw.cells; // copies, which nothing that is written can change
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t first,
+                                                      size_t corners) {
+    const paradt__mesh cells = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *place;
     const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < cells.count; i++) {
-        int bare = paradt__bw_number(&cells, i, corners, origin, &to);
-        paradt__fetch_row(to.vertices, to.neighbors, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i);
+        int bare = paradt__mesh_emit_row(&cells, i, corners, origin, &to);
+        paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i, first);
     }
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to) {
-    if (patch->bw.cells.corners == 4) return paradt__patch_emit_cells(patch, to, 4);
-    return paradt__patch_emit_cells(patch, to, (size_t)patch->bw.cells.corners);
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first) {
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, 4);
+    return paradt__patch_emit_cells(patch, to, first, (size_t)patch->build.scene.mesh.corners);
 }
 
 // Looks for answers so far
 static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    const paradt__counters *c = &patch->search.space.counters;
-    return patch->search.grid_cells_visited + patch->looked + c->insphere_calls + c->orient_calls;
+    return paradt__search_effort(&patch->search) + patch->looked;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
 static int paradt__patch_is_hasty(const paradt__patch *patch) {
-    size_t others = patch->bw.count - patch->fields[patch->own].set.count;
-    return paradt__patch_looked(patch) > 10000 + patch->bw.cells.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->fields[patch->own].set.count;
+    return paradt__patch_looked(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
 }
 
 // Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
 // where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
 // seam: exactly cospherical points are.
 static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_looked(patch) / (patch->bw.cells.corners <= 4 ? 2 : 4);
-    return looked + patch->late_cells > patch->bw.cells.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+    uint64_t looked = paradt__patch_looked(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
+    return looked + patch->late_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
 static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
-    if (!status) status = bw->inserted ? paradt__bw_insert_rest(bw, progress) : paradt__bw_build(bw, progress);
-    if (!status && bw->inserted < bw->count) return PARADT_OK;
+    if (!status)
+        status = build->inserted ? paradt__insertion_go(build, progress) : paradt__insertion_run(build, progress);
+    if (!status && build->inserted < build->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
-    bw->order = patch->order = NULL;
+    build->order = patch->order = NULL;
     patch->asks = 1;
     return status || patch->trusts ? status : paradt__patch_suspects(patch);
 }
@@ -9954,10 +10539,10 @@ static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, con
     paradt_status status = PARADT_OK;
     while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
         paradt_index cell = patch->list[--patch->list_count];
-        if (patch->bw.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+        if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
         if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->bw.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (paradt__relay_pauses(patch->build.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
@@ -9971,7 +10556,7 @@ static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
 static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
     size_t own = patch->fields[patch->own].set.count, i;
     paradt_status status = PARADT_OK;
-    while (own + patch->told_count < patch->bw.count && !status) {
+    while (own + patch->told_count < patch->build.count && !status) {
         paradt_index position = patch->others[patch->told_count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
@@ -10006,14 +10591,14 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 
 // Lists the facets of the seam, when all cells have been asked about.
 static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
-    int corners = patch->bw.cells.corners, i;
+    int corners = patch->build.scene.mesh.corners, i;
     size_t at;
     paradt_status status = PARADT_OK;
     for (at = 0; at < patch->border_count && !status; at++) {
         paradt_index cell = patch->border[at], apex = -1;
         const paradt_index *vertices = paradt__patch_cell(patch, cell);
-        if (!(patch->bw.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
-        patch->bw.marks[cell] = 0; // it may be there twice
+        if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
+        patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
         for (i = 0; i < corners && !status; i++) {
             paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
             if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
@@ -10027,8 +10612,7 @@ static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
 // Has any cell or ghost a vertex of the region?
 static int paradt__patch_has_cells(paradt__patch *patch) {
     size_t cell;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count; cell++) {
+    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
             paradt__patch_share(patch, (paradt_index)cell))
             return 1;
@@ -10059,7 +10643,7 @@ PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_
 // Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
 PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
     size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_key(paradt__cell_sum(facet, (int)dim)) & mask;
+    size_t place = paradt__facet_hash(paradt__cell_sum(facet, (int)dim)) & mask;
     for (; seam->table[place] >= 0; place = (place + 1) & mask) {
         const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
         for (i = 0; i < dim && other[i] == facet[i];) i++;
@@ -10092,7 +10676,7 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     const paradt__field *end = patch->fields + patch->field_count, *field;
     size_t count = 0, i;
     memset(seam, 0, sizeof *seam);
-    seam->dim = (size_t)patch->bw.cells.corners - 1;
+    seam->dim = (size_t)patch->build.scene.mesh.corners - 1;
     for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
     for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
     seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
@@ -10129,11 +10713,11 @@ PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, co
     size_t i;
     for (; next < patch->list_count && !status; next++) {
         size_t base = (size_t)patch->list[next] * corners;
-        paradt__fetch_listed(&patch->bw.cells, patch->list, patch->list_count, next);
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->list, patch->list_count, next);
         for (i = 0; i < corners && !status; i++) {
-            size_t other = (size_t)patch->bw.cells.neighbors[base + i] / corners;
-            if (!(patch->bw.marks[other] & PARADT__WAITING) &&
-                !paradt__seam_meets(seam, patch->bw.cells.vertices + base, corners, i))
+            size_t other = (size_t)patch->build.scene.mesh.links[base + i] / corners;
+            if (!(patch->build.scene.mesh.marks[other] & PARADT__WAITING) &&
+                !paradt__seam_meets(seam, patch->build.scene.mesh.vertices + base, corners, i))
                 status = paradt__patch_wait(patch, (paradt_index)other);
         }
     }
@@ -10153,8 +10737,7 @@ static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt
 static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     size_t cell;
     paradt_status status = PARADT_OK;
-    paradt__bw_mark_free(&patch->bw);
-    for (cell = 0; cell < patch->bw.cells.count && !status; cell++) {
+    for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
             status = paradt__patch_wait(patch, (paradt_index)cell);
     }
@@ -10163,8 +10746,8 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
 
 // Lists the cells and ghosts of the first region that are not of T(P).
 static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
-    paradt__bw *bw = &patch->bw;
-    paradt_index cell = bw->spheres ? bw->spheres->start : bw->last;
+    paradt__insertion *build = &patch->build;
+    paradt_index cell = paradt__insertion_start(build);
     size_t i;
     int others = 0;
     paradt_status status = PARADT_OK;
@@ -10173,7 +10756,7 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     for (i = 0; i < seam->count && !status; i++) {
         paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
         if (apex < 0) continue;
-        cell = paradt__bw_walk(bw, cell, paradt__record(patch->set, apex));
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
@@ -10181,16 +10764,18 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
 
 // Lists the ghosts that are reached from those in the fringe, through facets.
 static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
-    paradt_index corners = (paradt_index)patch->bw.cells.corners, i;
+    paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
     for (next = 0; next < patch->fringe_count && !status; next++) {
         paradt_index base = patch->fringe[next] * corners;
-        paradt__fetch_listed(&patch->bw.cells, patch->fringe, patch->fringe_count, next);
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe, patch->fringe_count, next);
         for (i = base; i < base + corners && !status; i++) {
-            paradt_index other = patch->bw.cells.neighbors[i] / corners;
-            if (patch->bw.cells.vertices[i] == PARADT__INFINITE || patch->bw.marks[other] & PARADT__LISTED) continue;
-            patch->bw.marks[other] |= PARADT__LISTED;
+            paradt_index other = patch->build.scene.mesh.links[i] / corners;
+            if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
+                patch->build.scene.mesh.marks[other] & PARADT__LISTED)
+                continue;
+            patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
             status = PARADT__PATCH_LIST(patch, fringe, other);
         }
     }
@@ -10200,19 +10785,18 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
 // The fringe of the first region are the ghosts. If any is wrong, so is the first that was listed. Else they are looked
 // for everywhere.
 static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
-    const paradt__cells *cells = &patch->bw.cells;
+    const paradt__mesh *cells = &patch->build.scene.mesh;
     int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
-    if (patch->list_count && paradt__bw_ghost(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->bw.marks[patch->list[0]] |= PARADT__LISTED;
+    if (patch->list_count && paradt__ghost_place(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
+        patch->build.scene.mesh.marks[patch->list[0]] |= PARADT__LISTED;
         status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
-    paradt__bw_mark_free(&patch->bw);
-    cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
+    cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
     for (; cell < cells->count && !status;
-         cell = paradt__bw_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
+         cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
         status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
     return status;
 }
@@ -10232,7 +10816,7 @@ static paradt_status paradt__patch_judge(paradt__patch *patch) {
 // Adds all points that the patch has not got, behind those inserted, and their order.
 static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     const paradt__field *last = patch->fields + patch->field_count - 1, *field;
-    size_t before = patch->bw.count, end = last->begin + last->set.count, i;
+    size_t before = patch->build.count, end = last->begin + last->set.count, i;
     unsigned char *has = (unsigned char *)paradt__alloc(patch->memory, end, 1);
     paradt_index *order;
     paradt_status status = has ? PARADT_OK : PARADT_ERROR_MEMORY;
@@ -10245,43 +10829,1053 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
         }
     }
     paradt__release(patch->memory, has);
-    if (status || patch->bw.count == before) return status;
+    if (status || patch->build.count == before) return status;
     paradt__release(patch->memory, patch->order);
-    patch->order = (paradt_index *)paradt__alloc(patch->memory, patch->bw.count, sizeof *patch->order);
-    order = paradt__round_order(patch->bw.count - before, patch->memory);
+    patch->order = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->order);
+    order = paradt__round_order(patch->build.count - before, patch->memory);
     if (!patch->order || !order) status = PARADT_ERROR_MEMORY;
-    for (i = before; i < patch->bw.count && !status; i++) patch->order[i] = order[i - before] + (paradt_index)before;
+    for (i = before; i < patch->build.count && !status; i++) patch->order[i] = order[i - before] + (paradt_index)before;
     paradt__release(patch->memory, order);
     return status;
 }
 
 // Makes the patch the triangulation of the whole set, with the caller's indices.
 static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
-    paradt__bw *bw = &patch->bw;
+    paradt__insertion *build = &patch->build;
     paradt_status status;
-    bw->inserted = bw->count;
-    bw->later = 0;
+    build->inserted = build->count;
+    build->later = 0;
     status = paradt__patch_add_all(patch);
-    bw->order = patch->order;
-    if (!status && bw->inserted < bw->count)
-        status = paradt__bw_go_on(bw, paradt__bw_point(bw, bw->inserted), bw->count, -1);
-    if (!status) status = paradt__bw_insert_rest(bw, progress);
+    build->order = patch->order;
+    if (!status && build->inserted < build->count)
+        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count,
+                                         paradt__insertion_start(build));
+    if (!status) status = paradt__insertion_go(build, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status) patch->hull_facets = paradt__bw_close(bw, patch->origin);
+    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets);
     return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>triangulate
+// >>call
+//
+// What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
+// the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
+// memory are joined, and what is left of the limit is shared among them anew.
+// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
+// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
+// paradt__region_view_of, paradt__may_insert, paradt__build_front.
 
-// How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
-typedef paradt_status (*paradt__front_method)(paradt__front *front);
+struct paradt__work;
 
-static paradt__front_method paradt__choose_front(paradt_method method) {
-    static const paradt__front_method methods[PARADT_METHOD_COUNT] = {NULL, paradt__incode, paradt__dewall, NULL};
-    return methods[method];
+// One row a method: what it can do, and its functions
+typedef struct paradt__method {
+    unsigned can;                                      // PARADT__CAN_* bits
+    int least_dim, most_dim;                           // affine dimensions
+    paradt_status (*front)(paradt__front *front);      // builds a region, or all, facet by facet; NULL: it inserts
+    paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
+} paradt__method;
+
+enum {
+    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_REGIONS = 2, // divided space
+    PARADT__CAN_LINK = 4,    // neighbours
+    PARADT__CAN_LIVE = 8     // more points after the first ones
+};
+
+// What one region leaves behind
+typedef struct paradt__region {
+    paradt__memory memory;
+    paradt_status status;
+    paradt__mesh mesh;   // by a front, or
+    paradt__patch patch; // by insertion:
+    size_t offset;       // the number of its first cell in the result
+    size_t slice;        // the first place of its slice
+    uint64_t hull_facets;
+    int built; // all its cells are there, or it waits
+    int waits; // it waits for what other regions know
+    size_t runs,
+        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t told; // of its share of the progress
+    paradt_stats stats;
+} paradt__region;
+
+typedef struct paradt__work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt_stats *stats;
+    // the plan
+    const paradt__method *method; // that is tried
+    int impatient;                // the method may give up
+    size_t regions;
+    int one_by_one; // insertion builds one region after another, without neighbours
+    int facets;     // links are delivered as half-facets
+    // progress
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of the share, while one task does all of it
+    // the points
+    paradt__set set;
+    paradt__grid grid; // of fronts
+    paradt__cuts cuts; // between the regions
+    uint32_t *owner;   // [set.count] with fronts: the region of each point
+    // the regions
+    struct paradt__region *region;          // [regions]
+    paradt__field *fields;                  // [regions] with insertion
+    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
+    int hollow;                             // the points may be on a surface or a curve
+    int first_alone;                        // with insertion: the first region has its own points alone
+    paradt__relay relay;                    // with insertion
+    paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
+    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    // the result
+    paradt__mesh mesh;
+    int delivered; // the mesh has the caller's indices and final links already
+} paradt__work;
+
+// --- counting
+
+static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
+    stats->orient_calls += c->orient_calls;
+    stats->insphere_calls += c->insphere_calls;
+    stats->exact_small += c->exact_small;
+    stats->exact_fixed += c->exact_fixed;
+    stats->exact_general += c->exact_general;
+    stats->perturbed += c->perturbed;
 }
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    paradt__search_add_counts(&front->search, stats);
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
+}
+
+// Adds what a region has counted.
+static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
+    stats->distance_evaluations += region->distance_evaluations;
+    stats->grid_cells_visited += region->grid_cells_visited;
+    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
+    stats->orient_calls += region->orient_calls;
+    stats->insphere_calls += region->insphere_calls;
+    stats->exact_small += region->exact_small;
+    stats->exact_fixed += region->exact_fixed;
+    stats->exact_general += region->exact_general;
+    stats->perturbed += region->perturbed;
+    stats->cells_recomputed += region->cells_recomputed;
+}
+
+// --- progress
+
+// Begins a way of building: its share is what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
+    work->told = 0;
+}
+
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
+}
+
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
+// --- steps
+
+// Number of the points of a region
+static size_t paradt__region_count(const paradt__work *work, size_t index) {
+    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+}
+
+// Joins the regions' accounts to the call's, and shares what is left of the limit among them. No task runs meanwhile.
+static void paradt__share_memory(paradt__work *work) {
+    uint64_t peaks = work->memory.held;
+    size_t i;
+    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+}
+
+// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
+// cancelled, before that a region gave up.
+static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (work->options.parallel_for) {
+        work->options.parallel_for(work->options.user, work->regions, task, work);
+    } else {
+        for (i = 0; i < work->regions; i++) {
+            task(work, i);
+            if (work->region[i].status) break;
+        }
+    }
+    for (i = 0; i < work->regions; i++) {
+        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
+    }
+    return status;
+}
+
+// Runs a step, unless there has been an error before.
+static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
+                                      void (*task)(void *context, size_t index)) {
+    if (status) return status;
+    paradt__share_memory(work);
+    status = paradt__run_tasks(work, task);
+    paradt__share_memory(work);
+    return status;
+}
+
+// Makes the regions' records, all zero but for their accounts.
+static paradt_status paradt__begin_regions(paradt__work *work) {
+    size_t i;
+    work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
+    if (!work->region) return PARADT_ERROR_MEMORY;
+    memset(work->region, 0, work->regions * sizeof *work->region);
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+    paradt__mesh_begin(&work->mesh, work->set.space.dim + 1, 0);
+    paradt__begin_way(work);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>fronts
+//
+// InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
+// task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
+// different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
+// paradt__front_task.
+
+// Runs a front that has begun, unless that failed, and ends it: leaves its mesh, adds what it counted.
+static paradt_status paradt__run_front(paradt__front *front, paradt_status status, const paradt__method *method,
+                                       paradt__mesh *mesh, paradt_stats *stats) {
+    if (!status) status = method->front(front);
+    paradt__count_front(stats, front);
+    stats->hull_facets += front->hull_facets;
+    paradt__front_end(front);
+    *mesh = front->mesh;
+    return status;
+}
+
+// Leaves the cells that the region owns in region->mesh.
+static void paradt__front_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view;
+    paradt__front front;
+    view.owner = work->owner;
+    view.cuts = &work->cuts;
+    view.region = (uint32_t)index;
+    region->status =
+        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
+    front.progress = paradt__region_progress(work, index);
+    front.impatient = work->impatient;
+    region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
+    if (!region->status)
+        region->status =
+            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+}
+
+// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        total += work->region[i].mesh.count;
+        paradt__count_region(work->stats, &work->region[i].stats);
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < work->regions; i++) {
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        paradt__mesh_free(&work->region[i].mesh, &work->memory);
+    }
+    return status;
+}
+
+// Prepares for fronts: the reference sphere and the grid.
+static paradt_status paradt__prepare_fronts(paradt__work *work) {
+    double begun = paradt__now();
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    work->stats->seconds_grid += paradt__now() - begun;
+    return status;
+}
+
+// Begins the regions, and finds the region of each point.
+static paradt_status paradt__begin_fronts(paradt__work *work) {
+    paradt_status status = paradt__begin_regions(work);
+    if (status) return status;
+    work->owner = (uint32_t *)paradt__alloc(&work->memory, work->set.count, sizeof *work->owner);
+    if (!work->owner) return PARADT_ERROR_MEMORY;
+    paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_by_front(paradt__work *work) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__front front;
+    paradt_status status = paradt__prepare_fronts(work);
+    if (!status && work->regions > 1) {
+        status = paradt__begin_fronts(work);
+        if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
+        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+    }
+    if (status) return status;
+    paradt__begin_way(work);
+    status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, undivided, 1.0);
+    front.progress = paradt__whole_progress(work);
+    front.impatient = work->impatient;
+    return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>regions of insertion
+//
+// Insertion by regions, step after step. A step is a task for each region, see >>call; what a region does in it is in
+// the sections above:
+//
+//     grid       the grid of the region's points, by which others look for points of it
+//     points     the points to begin with: its own, and others' in a margin
+//     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
+//     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
+//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
+//     learn      | looks at what others show,
+//     complete   | and asks on, until none of them waits
+//     compact    leaves only the cells that the region owns
+//     emit       writes them into the result
+//
+// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
+// than all the rest would; then the largest region takes in all points.
+// Doors: paradt__build_by_patches, paradt__close_set.
+
+// --- the steps
+
+// Of two regions of which the first is built alone, only the second looks for points of the other.
+static void paradt__grid_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__field *field = work->fields + index;
+    int is_asked = !work->first_alone || work->regions > 2 || index == 0;
+    region->status = PARADT_OK;
+    if (is_asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
+}
+
+// Begins the patch of a region with its points.
+static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
+    patch->facets = work->facets;
+    patch->trusts = work->first_alone && index == 0;
+    region->status = paradt__patch_points(patch, work->basis);
+}
+
+static void paradt__points_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__begin_patch(work, index, &work->region[index].memory);
+}
+
+// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
+// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
+// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
+// quarter of the slice could be left.
+static size_t paradt__slice_places(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    size_t count = patch->build.count, own = patch->fields[index].set.count;
+    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
+    return paradt__expected_places(count, work->set.space.dim);
+}
+
+// Reserves the slices: in two and three dimensions.
+static paradt_status paradt__reserve_slices(paradt__work *work) {
+    paradt__mesh *slices = &work->slices;
+    int dim = work->set.space.dim;
+    size_t total = 0, i;
+    paradt_status status;
+    paradt__mesh_begin(slices, dim + 1, 0);
+    if (dim < 2 || dim > 3) return PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].slice = total;
+        total += paradt__slice_places(work, i);
+    }
+    status = paradt__mesh_reserve(slices, total, total, &work->memory);
+    if (status) paradt__mesh_free(slices, &work->memory);
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+}
+
+// A patch whose cells do not fit into the slice takes rows of its own.
+static void paradt__lend_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    size_t first = region->slice * (size_t)work->slices.corners;
+    if (!work->slices.capacity) return;
+    region->status = paradt__mesh_lend(&region->patch.build.scene.mesh, work->slices.vertices + first,
+                                       work->slices.links + first, paradt__slice_places(work, index), &region->memory);
+}
+
+static void paradt__count_patch(paradt__region *region) {
+    const paradt__patch *patch = &region->patch;
+    memset(&region->stats, 0, sizeof region->stats);
+    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
+}
+
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
+// field's.
+static void paradt__end_questions(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__field *field = work->fields + index;
+    region->waits = 0;
+    region->status = paradt__patch_list_seam(patch);
+    field->seam = patch->seam;
+    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
+    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
+    patch->seam = NULL;
+}
+
+// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
+// are few, in up to three dimensions, and where there are any: without weights.
+static void paradt__build_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
+    paradt__progress progress = paradt__region_progress(work, index);
+    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
+    region->built = 1;
+    region->waits = !region->status && patch->list_count;
+    paradt__count_patch(region);
+    if (region->status || region->waits || patch->trusts) return;
+    paradt__end_questions(work, index);
+    paradt__patch_rest(patch);
+}
+
+static void paradt__publish_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    region->status = paradt__patch_show(&region->patch);
+    work->fields[index].patch = &region->patch;
+}
+
+// No region changes while others look at it.
+static void paradt__learn_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+}
+
+static void paradt__complete_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__progress progress = paradt__region_progress(work, index);
+    if (!region->waits) return;
+    region->status = paradt__patch_complete(&region->patch, 0, &progress);
+    paradt__count_patch(region);
+    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+}
+
+static void paradt__compact_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__patch *patch = &region->patch;
+    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    paradt__count_patch(region);
+    if (!region->status) region->status = paradt__patch_compact(patch);
+    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->hull_facets = patch->hull_facets;
+    paradt__patch_rest(patch);
+}
+
+// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
+// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
+    return index > 1 && work->mesh.vertices == work->slices.vertices;
+}
+
+// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    const paradt__patch *patch = &work->region[index].patch;
+    paradt_status status = PARADT_OK;
+    size_t i, j, end;
+    for (i = 0; i < patch->list_count && !status; i = end) {
+        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
+        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+        }
+        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// What is left to be done takes no coordinates.
+static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
+    paradt__release(memory, work->set.records);
+    work->set.records = NULL;
+}
+
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
+// belong then, so its open facets can wait for others'.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    const paradt__mesh *own = &region->patch.build.scene.mesh;
+    size_t first = region->offset * (size_t)work->mesh.corners;
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__rows to =
+        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
+                          stays ? own->links : work->mesh.links + first, region->offset);
+    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    if (index || region->status) return;
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
+}
+
+// --- the relay
+//
+// The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
+// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
+// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
+// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+
+typedef struct paradt__ranked {
+    size_t amount, number;
+} paradt__ranked;
+
+// Sorts by amount, the largest first.
+static void paradt__rank(paradt__ranked *list, size_t count) {
+    size_t i, j;
+    for (i = 1; i < count; i++) {
+        paradt__ranked one = list[i];
+        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
+        list[j] = one;
+    }
+}
+
+// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    const paradt__insertion *build = &patch->build;
+    if (work->region[index].built) return 0;
+    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - work->fields[index].set.count;
+}
+
+// What a region has done, in points inserted
+static size_t paradt__region_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+}
+
+static void paradt__leg_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *task = work->region + index, *region = work->region + task->runs;
+    size_t before = paradt__region_done(&region->patch);
+    if (!region->built) paradt__build_task(work, task->runs);
+    task->ran = paradt__region_done(&region->patch) - before;
+}
+
+// Decides which task runs which region in the next leg. Returns how much is left of them all.
+static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
+    size_t left = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        regions[i].number = tasks[i].number = i;
+        tasks[i].amount = work->region[i].ran;
+        regions[i].amount = paradt__region_left(work, i);
+        left += regions[i].amount;
+    }
+    paradt__rank(regions, work->regions);
+    paradt__rank(tasks, work->regions);
+    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
+    return left;
+}
+
+// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
+// taking one after another.
+static paradt_status paradt__run_relay(paradt__work *work) {
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
+    paradt__ranked regions[MOST], tasks[MOST];
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
+    paradt_status status;
+    int last;
+    if (!work->options.parallel_for || work->regions > MOST)
+        return paradt__run_step(work, PARADT_OK, paradt__build_task);
+    do {
+        size_t left = paradt__assign_leg(work, regions, tasks), i;
+        last = (double)left < fewest;
+        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
+        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
+        status = paradt__run_step(work, PARADT_OK, paradt__leg_task);
+    } while (!last && (!status || status == PARADT__GAVE_UP));
+    return status;
+}
+
+// --- all regions together
+
+// Moves the emitted cells from the slices' starts to their places.
+static void paradt__close_slices(paradt__work *work) {
+    size_t corners = (size_t)work->mesh.corners, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
+        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
+        memmove(work->mesh.vertices + first, own->vertices, bytes);
+        memmove(work->mesh.links + first, own->links, bytes);
+    }
+}
+
+// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
+// on the hull.
+static paradt_status paradt__join_patches(paradt__work *work) {
+    size_t i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
+    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        for (j = 0; j < patch->list_count; j++) {
+            paradt_index *link = work->mesh.links + patch->list[j];
+            if (*link == PARADT__OPEN) *link = PARADT__HULL;
+        }
+    }
+    return status;
+}
+
+// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
+// a quarter of them would be empty, since to copy the cells takes as much again.
+static paradt_status paradt__collect_patches(paradt__work *work) {
+    size_t total = 0, i;
+    int in_place = work->slices.vertices != NULL, lent = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        work->region[i].offset = total;
+        total += own->count;
+        in_place = in_place && own->lent;
+        lent = lent || own->lent;
+    }
+    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
+    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
+    if (in_place) {
+        work->mesh = work->slices;
+    } else {
+        paradt__release_records(work, &work->memory);
+        status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    }
+    work->mesh.count = total;
+    status = paradt__run_step(work, status, paradt__emit_task);
+    if (!status && in_place) paradt__close_slices(work);
+    if (in_place) memset(&work->slices, 0, sizeof work->slices);
+    return status ? status : paradt__join_patches(work);
+}
+
+static size_t paradt__count_waiting(const paradt__work *work) {
+    size_t waiting = 0, i;
+    for (i = 0; i < work->regions; i++) waiting += (size_t)work->region[i].waits;
+    return waiting;
+}
+
+static paradt_status paradt__build_together(paradt__work *work) {
+    paradt_status status = paradt__run_step(work, PARADT_OK, paradt__points_task);
+    if (!status) status = paradt__reserve_slices(work);
+    status = paradt__run_step(work, status, paradt__lend_task);
+    if (!status) status = paradt__run_relay(work);
+    if (!status && paradt__count_waiting(work)) status = paradt__run_step(work, status, paradt__publish_task);
+    while (!status && paradt__count_waiting(work)) {
+        status = paradt__run_step(work, status, paradt__learn_task);
+        status = paradt__run_step(work, status, paradt__complete_task);
+    }
+    status = paradt__run_step(work, status, paradt__compact_task);
+    return status ? status : paradt__collect_patches(work);
+}
+
+// --- one by one: without neighbours, a region's links are given back before the next one begins
+
+// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners;
+    void *vertices = mesh->vertices;
+    if (mesh->count + count <= mesh->capacity) return PARADT_OK;
+    count += mesh->count + expected;
+    if (!paradt__grow(&work->memory, &vertices, mesh->count * corners, count * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    mesh->vertices = (paradt_index *)vertices;
+    mesh->capacity = count;
+    return PARADT_OK;
+}
+
+// Builds a region, at the end of the result while its cells fit there.
+static paradt_status paradt__build_next(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
+    size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__rows to;
+    paradt__begin_patch(work, index, &work->memory);
+    if (region->status) return region->status;
+    capacity = paradt__expected_places(region->patch.build.count, work->set.space.dim);
+    if (capacity > paradt__most_cells(mesh->corners)) capacity = paradt__most_cells(mesh->corners);
+    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    region->status = paradt__next_room(work, capacity, rest);
+    if (region->status) return region->status;
+    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->links) return PARADT_ERROR_MEMORY;
+    region->status =
+        paradt__mesh_lend(own, mesh->vertices + mesh->count * corners, lent->links, capacity, &work->memory);
+    if (!region->status) paradt__build_task(work, index);
+    if (!region->status) paradt__compact_task(work, index);
+    if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
+    to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (region->status) return region->status;
+    mesh->count += own->count;
+    paradt__patch_end(&region->patch);
+    memset(&region->patch, 0, sizeof region->patch);
+    paradt__mesh_free(lent, &work->memory);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_one_by_one(paradt__work *work) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t used, i;
+    paradt_status status = PARADT_OK;
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
+        void *vertices = mesh->vertices;
+        used = mesh->count * (size_t)mesh->corners;
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        mesh->vertices = (paradt_index *)vertices;
+    }
+    return status;
+}
+
+// --- given up
+
+// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
+// are given back.
+static paradt_status paradt__take_over(paradt__work *work) {
+    paradt__progress progress;
+    paradt__region *largest = NULL, *region, *end = work->region + work->regions;
+    paradt__mesh *own;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    for (region = work->region; region < end; region++) {
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
+            largest = region;
+    }
+    for (region = work->region; region < end; region++) {
+        region->stats.cells_recomputed = region->hull_facets = 0;
+        if (region == largest) continue;
+        paradt__patch_end(&region->patch);
+        memset(&region->patch, 0, sizeof region->patch);
+    }
+    own = &largest->patch.build.scene.mesh;
+    if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
+    status = paradt__patch_take_all(&largest->patch, &progress);
+    paradt__count_patch(largest);
+    largest->hull_facets = largest->patch.hull_facets;
+    if (!status && own->lent) {
+        status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
+        if (!status) paradt__mesh_append(&work->mesh, own);
+    } else if (!status) {
+        work->mesh = *own;
+        memset(own, 0, sizeof *own);
+    }
+    return status;
+}
+
+// --- the points of the regions
+
+// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
+// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work, int with_room) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        size_t count = paradt__region_count(work, i);
+        work->fields[i].begin = total;
+        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].room;
+    }
+    return total;
+}
+
+static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
+    paradt__set *set = &work->set;
+    size_t count = paradt__region_count(work, index);
+    if (from == to) return;
+    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
+}
+
+// Finds points that span the set, as positions in it once it is open.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
+    }
+}
+
+// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
+// span.
+static void paradt__open_set(paradt__work *work) {
+    size_t i;
+    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
+    paradt__find_basis(work);
+    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
+    for (i = 0; i < work->regions; i++) {
+        paradt__field *field = work->fields + i;
+        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        paradt__cuts_box(&work->cuts, i, field->low, field->high);
+    }
+    work->first_alone = work->regions > 1 && paradt__spans(&work->fields[0].set);
+}
+
+// Closes the gaps again.
+static void paradt__close_set(paradt__work *work) {
+    size_t i;
+    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
+}
+
+static paradt_status paradt__build_by_patches(paradt__work *work) {
+    int taken;
+    paradt_status status = paradt__begin_regions(work);
+    size_t i;
+    if (status) return status;
+    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
+    if (!work->fields) return PARADT_ERROR_MEMORY;
+    memset(work->fields, 0, work->regions * sizeof *work->fields);
+    paradt__open_set(work);
+    status = paradt__run_step(work, PARADT_OK, paradt__grid_task);
+    if (!status) status = work->one_by_one ? paradt__build_one_by_one(work) : paradt__build_together(work);
+    taken = status == PARADT__GAVE_UP && !work->one_by_one;
+    if (taken) status = paradt__take_over(work);
+    work->delivered = !status;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->hull_facets;
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_end(&region->patch);
+        paradt__grid_free(&work->fields[i].grid, &work->memory);
+        paradt__release(&work->memory, work->fields[i].seam);
+    }
+    paradt__mesh_free(&work->slices, &work->memory);
+    paradt__facets_free(&work->open_facets, &work->memory);
+    if (taken) work->regions = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>methods
+//
+// One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
+// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+
+// --- do regions pay?
+//
+// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
+// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
+// such look: few of them have neighbours beyond a cut.
+
+enum { PARADT__SAMPLED = 2048 }; // points of the sample
+
+// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
+// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
+static int paradt__is_hollow(const paradt__set *set) {
+    enum { EVERY = 64 };
+    int dim = set->space.dim;
+    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
+    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
+    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
+}
+
+// Number of the sample's points that have a neighbour on the other side of the first cut. side: [SAMPLED]
+static size_t paradt__count_across(const paradt__mesh *mesh, unsigned char *side) {
+    enum { UPPER = 1, ACROSS = 2 };
+    size_t corners = (size_t)mesh->corners, i, j, count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *cell = mesh->vertices + i * corners;
+        size_t upper = 0;
+        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
+        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
+    }
+    for (i = 0; i < PARADT__SAMPLED; i++) count += side[i] >= ACROSS;
+    return count;
+}
+
+// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
+// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
+static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
+    const paradt__set *set = &work->set;
+    paradt__set sample = *set;
+    paradt__mesh mesh;
+    paradt__counters counters;
+    paradt__progress silent;
+    size_t i;
+    unsigned char side[PARADT__SAMPLED];
+    paradt_status status = PARADT_OK;
+    *in_vain = 0;
+    if (set->count < 4 * PARADT__SAMPLED || set->space.weighted) return PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    memset(&silent, 0, sizeof silent);
+    sample.count = PARADT__SAMPLED;
+    sample.origin = NULL;
+    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
+    if (!sample.records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < sample.count; i++) {
+        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
+        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
+        side[i] = at < work->cuts.cut[work->regions / 2].begin;
+    }
+    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
+    if (!status && mesh.count) {
+        paradt__mesh_close(&mesh, NULL, 0);
+        *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
+    }
+    paradt__mesh_free(&mesh, &work->memory);
+    paradt__set_free(&sample, &work->memory);
+    return status;
+}
+
+// --- what a row's function does
+
+// Gives back what the building of cells needs beside the set.
+static void paradt__release_helpers(paradt__work *work) {
+    paradt__memory *memory = &work->memory;
+    paradt__grid_free(&work->grid, memory);
+    paradt__release(memory, work->owner);
+    paradt__release(memory, work->fields);
+    paradt__release(memory, work->region);
+    memset(&work->grid, 0, sizeof work->grid);
+    work->owner = NULL;
+    work->fields = NULL;
+    work->region = NULL;
+}
+
+// Forgets what a way that gave up has built.
+static void paradt__begin_again(paradt__work *work) {
+    paradt__release_helpers(work);
+    paradt__mesh_free(&work->mesh, &work->memory);
+    work->stats->cells_recomputed = work->stats->hull_facets = 0;
+}
+
+static paradt_status paradt__insert_undivided(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__bowyer_watson(&work->set, &work->memory, &work->mesh, &progress, &counters);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+static paradt_status paradt__build_by_insertion(paradt__work *work) {
+    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
+    paradt_status status = PARADT_OK;
+    int in_vain = 0;
+    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    if (work->hollow) status = paradt__foresee(work, &in_vain);
+    if (in_vain) work->regions = 1;
+    if (!status && work->regions > 1) // for the questions, too
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+    if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
+    if (!status) status = paradt__build_by_patches(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__close_set(work);
+    paradt__begin_again(work);
+    work->regions = 1;
+    return paradt__insert_undivided(work);
+}
+
+// --- the table and the choice
+
+enum {
+    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
+};
+
+// The row of a method. AUTO's says what all methods can do that it chooses from.
+static const paradt__method *paradt__method_of(paradt_method method) {
+    static const paradt__method rows[PARADT_METHOD_COUNT] = {
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL},                                           // AUTO
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front},               // INCODE
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front},               // DEWALL
+        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}}; // BOWYER_WATSON
+    return rows + method;
+}
+
+// The method that builds points of an affine dimension: AUTO's choice. In four dimensions and more, what insertion
+// makes only to destroy it again costs more than InCoDe's searches, unless these have to decide ties, see
+// paradt__front_is_stuck; where InCoDe gave up, insertion is next.
+static const paradt__method *paradt__choose_method(paradt_method wanted, int dim, int gave_up) {
+    if (wanted != PARADT_AUTO) return paradt__method_of(wanted);
+    return paradt__method_of(dim >= PARADT__AUTO_INCODE_DIM && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
+}
+
+// Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
+// order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
+// and makes some for that of many points: each gives its links back before the next one begins.
+static void paradt__plan(paradt__work *work, const paradt_points *points) {
+    enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    work->facets = (work->options.flags & PARADT_FACETS) != 0;
+    work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
+    if (work->regions > points->count) work->regions = points->count ? points->count : 1;
+    work->one_by_one = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 && !first->front &&
+                       (work->regions == 1 || !work->options.parallel_for);
+    if (work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = ONE_BY_ONE;
+    work->cuts.boxes = work->regions;
+    work->cuts.partition = work->options.partition;
+    work->cuts.larger_first = !work->one_by_one && !first->front;
+    work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
+}
+
+// Makes the cell of a set of one point, or of none.
+static paradt_status paradt__build_trivial(paradt__work *work) {
+    paradt_status status;
+    work->regions = 1;
+    paradt__mesh_begin(&work->mesh, 1, 0);
+    status = paradt__mesh_reserve(&work->mesh, 1, 1, &work->memory);
+    if (status) return status;
+    work->mesh.count = work->set.count;
+    work->mesh.vertices[0] = 0;
+    work->mesh.links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Builds the mesh, by another method where the first gives up.
+static paradt_status paradt__build_mesh(paradt__work *work) {
+    paradt_method wanted = work->options.method;
+    paradt_status status;
+    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
+    work->impatient = wanted == PARADT_AUTO && work->method->front != NULL;
+    status = work->method->build(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__begin_again(work);
+    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
+    return work->method->build(work);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+//
+// The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
+// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -10405,806 +11999,49 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-enum { PARADT__AUTO_INCODE_DIM = 4 }; // AUTO tries InCoDe from here on
-
-// Is insertion the first method that is tried?
-static int paradt__inserts(paradt_method method, int dim) {
-    return !paradt__choose_front(method) && (method != PARADT_AUTO || dim < PARADT__AUTO_INCODE_DIM);
-}
-
-// All that one call works with.
-typedef struct paradt__work {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt_options options;
-    paradt_method method; // that is tried; AUTO has become one
-    int impatient;        // 1: it may give up
-    size_t regions;
-    int in_turn; // 1: insertion builds one after another, without neighbours
-    int hollow;  // 1: the points may be on a surface or a curve
-    paradt__meter meter;
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of it, while one task does all of it
-    paradt_stats *stats;
-    paradt__cells cells;
-    paradt__cuts cuts;                      // between the regions
-    uint32_t *owner;                        // [set.count] with a front: the region of each point
-    paradt__field *fields;                  // [regions] with insertion
-    struct paradt__region *region;          // [regions]
-    paradt__cells slices;                   // with insertion: each region's cells in a part of it, while they fit
-    paradt__active seam;                    // with insertion: open facets of regions, in the end
-    int trusts;                             // with insertion: the first region has its own points alone
-    paradt__relay relay;                    // with insertion
-    int translated;                         // the cells have the caller's indices already
-    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
-} paradt__work;
-
-// What one region leaves behind.
-typedef struct paradt__region {
-    paradt__memory memory;
+// Reads the points into the set.
+static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
+    double begun = paradt__now();
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
-    paradt__cells cells; // of a front, or
-    paradt__patch patch; // what insertion builds,
-    size_t offset;       // with the number of its first cell
-    uint64_t hull_facets;
-    int built;     // it has ended the third step
-    int open;      // it waits for what others have to tell
-    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;    // and what this task has done, in points inserted
-    uint32_t told; // of its share of the work
-    paradt_stats stats;
-} paradt__region;
-
-static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
-    stats->orient_calls += c->orient_calls;
-    stats->insphere_calls += c->insphere_calls;
-    stats->exact_small += c->exact_small;
-    stats->exact_fixed += c->exact_fixed;
-    stats->exact_general += c->exact_general;
-    stats->perturbed += c->perturbed;
-}
-
-static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    stats->distance_evaluations += front->search.distance_evaluations;
-    stats->grid_cells_visited += front->search.grid_cells_visited;
-    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, &front->search.space.counters);
-}
-
-// Adds what a region counted.
-static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
-    stats->distance_evaluations += region->distance_evaluations;
-    stats->grid_cells_visited += region->grid_cells_visited;
-    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
-    stats->orient_calls += region->orient_calls;
-    stats->insphere_calls += region->insphere_calls;
-    stats->exact_small += region->exact_small;
-    stats->exact_fixed += region->exact_fixed;
-    stats->exact_general += region->exact_general;
-    stats->perturbed += region->perturbed;
-    stats->cells_recomputed += region->cells_recomputed;
-}
-
-// A way of building begins: it has what is left of the work but for the finish.
-static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
-    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
-}
-
-static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
-}
-
-static paradt_status paradt__build_undivided(paradt__work *work) {
-    paradt__front front;
-    paradt__region_view view = {NULL, NULL, 0};
-    paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    paradt__begin_way(work);
-    front.progress = paradt__whole_progress(work);
-    front.impatient = work->impatient;
-    if (!status) status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(work->stats, &front);
-    paradt__front_end(&front);
-    work->cells = front.cells;
-    work->stats->hull_facets = front.hull_facets;
-    return status;
-}
-
-static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
+    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
+    if (!out->representative) return PARADT_ERROR_MEMORY;
     status =
-        paradt__bowyer_watson(&work->set, &work->memory, &work->cells, !(work->options.flags & PARADT_NO_NEIGHBORS),
-                              &progress, &counters, &work->stats->hull_facets);
-    paradt__count_predicates(work->stats, &counters);
-    work->translated = !status;
-    return status;
-}
-
-// --- regions: the work of one is a task
-
-static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
-    paradt__region_view view;
-    view.owner = work->owner;
-    view.cuts = &work->cuts;
-    view.region = (uint32_t)index;
-    return view;
-}
-
-static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
-    double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
-}
-
-// Points of a region
-static size_t paradt__region_count(const paradt__work *work, size_t index) {
-    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
-}
-
-// By InCoDe or DeWall.
-static void paradt__front_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__region_view view = paradt__view_of(work, index);
-    paradt__front front;
-    region->status =
-        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
-    front.impatient = work->impatient;
-    if (!region->status) region->status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(&region->stats, &front);
-    paradt__front_end(&front);
-    region->cells = front.cells;
-    if (!region->status)
-        region->status =
-            paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
-}
-
-// By insertion, first step: the grid of the region's points. Of two regions of which the first trusts the other, only
-// that one looks for points of the other.
-static void paradt__grid_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__field *field = work->fields + index;
-    int asked = !work->trusts || work->regions > 2 || index == 0;
-    region->status = PARADT_OK;
-    if (asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
-}
-
-// By insertion, second step: the points to begin with.
-static void paradt__points_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
-    region->patch.trusts = work->trusts && index == 0;
-    region->status = paradt__patch_points(&region->patch, work->basis);
-}
-
-// Can regions be asked by the cells around their vertices? Up to three dimensions these are few, and without weights
-// there are some.
-static int paradt__asks_around(const paradt__work *work) {
-    return !work->in_turn && work->set.space.dim <= 3 && !work->set.space.weighted;
-}
-
-static void paradt__count_patch(paradt__region *region) {
-    const paradt__patch *patch = &region->patch;
-    memset(&region->stats, 0, sizeof region->stats);
-    paradt__count_predicates(&region->stats, &patch->bw.space.counters);
-    paradt__count_predicates(&region->stats, &patch->search.space.counters);
-    region->stats.distance_evaluations = patch->search.distance_evaluations;
-    region->stats.grid_cells_visited = patch->search.grid_cells_visited;
-}
-
-// All cells of T(P) with a vertex of the region are there.
-static void paradt__end_questions(paradt__work *work, size_t index) {
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
-    region->open = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->bw.cells.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
-}
-
-// By insertion, third step: the cells, unless it pauses. The region remains open if it would rather be told by others
-// what it lacks.
-static void paradt__patch_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    int hasty = paradt__asks_around(work);
-    paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
-    if (!region->status && paradt__patch_pauses(patch, hasty)) return;
-    region->built = 1;
-    region->open = !region->status && patch->list_count;
-    paradt__count_patch(region);
-    if (region->status || region->open || patch->trusts) return;
-    paradt__end_questions(work, index);
-    paradt__patch_rest(patch);
-}
-
-// Fourth step: leaves only the region's cells.
-static void paradt__compact_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
-    paradt__count_patch(region);
-    if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->bw.cells.count;
-    region->hull_facets = patch->hull_facets;
-    paradt__patch_rest(patch);
-}
-
-// Regions that are open look at others' cells while none of them changes.
-static void paradt__show_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
-}
-
-static void paradt__hear_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->open) region->status = paradt__patch_hear_all(&region->patch);
-}
-
-static void paradt__complete_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__region_progress(work, index);
-    if (!region->open) return;
-    region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
-}
-
-// Are the cells of the region in a slice of the result that they are not moved from yet? The second slice's cells can
-// go to their places while they are written: nobody reads what is between them and the first's.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->cells.vertices == work->slices.vertices;
-}
-
-// Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->cells.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->cells.neighbors + patch->list[j]);
-        }
-        status = paradt__join_facets(&work->seam, &work->cells, patch->list + i, end - i, memory);
-    }
-    return status;
-}
-
-// What is left to be done takes no coordinates.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
-// are where they are to be then, so its open facets can wait for others'.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    size_t first = region->offset * (size_t)work->cells.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    paradt__rows to;
-    to.vertices = stays ? region->patch.bw.cells.vertices : work->cells.vertices + first;
-    to.neighbors = stays ? region->patch.bw.cells.neighbors : work->cells.neighbors + first;
-    to.offset = (paradt_index)region->offset;
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to);
-    if (index || region->status) return;
-    region->status = paradt__active_begin(&work->seam, region->patch.list_count, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
-// Runs a task for each region; the first status that is not PARADT_OK.
-static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *context, size_t index)) {
-    paradt_status status = PARADT_OK;
-    size_t i;
-    if (work->options.parallel_for) {
-        work->options.parallel_for(work->options.user, work->regions, task, work);
-    } else {
-        for (i = 0; i < work->regions; i++) {
-            task(work, i);
-            if (work->region[i].status) break;
-        }
-    }
-    for (i = 0; i < work->regions; i++) { // an error, or that it was cancelled, before that one gave up
-        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
-    }
-    return status;
-}
-
-// --- the relay
-//
-// The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: it is done in legs, each of which ends for all when together they have done a part of
-// what is left. In the next the region that has most left goes to the task that did most, since that is likely to be on
-// the same thread again. What a region builds does not depend on where it pauses.
-
-typedef struct paradt__ranked {
-    size_t amount, number;
-} paradt__ranked;
-
-// The largest amounts first.
-static void paradt__rank(paradt__ranked *list, size_t count) {
-    size_t i, j;
-    for (i = 1; i < count; i++) {
-        paradt__ranked one = list[i];
-        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
-        list[j] = one;
-    }
-}
-
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__bw *bw = &patch->bw;
-    if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
-    return bw->count - bw->inserted + bw->count - work->fields[index].set.count;
-}
-
-// What it has done, likewise
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->bw.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
-}
-
-static void paradt__leg_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
-    if (!region->built) paradt__patch_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
-}
-
-// Who runs which region in the next leg. Returns how much is left of them all.
-static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
-    size_t left = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        regions[i].number = tasks[i].number = i;
-        tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
-        left += regions[i].amount;
-    }
-    paradt__rank(regions, work->regions);
-    paradt__rank(tasks, work->regions);
-    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
-    return left;
-}
-
-// The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
-// work by taking one after another.
-static paradt_status paradt__run_relay(paradt__work *work) {
-    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
-    paradt__ranked regions[MOST], tasks[MOST];
-    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
-    paradt_status status;
-    int last;
-    if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    do {
-        size_t left = paradt__assign_leg(work, regions, tasks), i;
-        last = (double)left < fewest;
-        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
-        for (i = 0; i < work->regions; i++) work->region[i].patch.bw.relay = last ? NULL : &work->relay;
-        status = paradt__run_regions(work, paradt__leg_task);
-    } while (!last && (!status || status == PARADT__GAVE_UP));
-    return status;
-}
-
-// --- regions together
-
-// Puts the cells of the regions together, giving their memory back one by one.
-static paradt_status paradt__collect_regions(paradt__work *work, paradt__cells *cells, paradt_status status) {
-    uint64_t peaks = work->memory.held;
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        total += region->cells.count;
-        paradt__count_region(work->stats, &region->stats);
-        paradt__memory_join(&work->memory, &region->memory, &peaks);
-    }
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__cells_reserve(cells, total, total, &work->memory);
-    for (i = 0; i < work->regions; i++) {
-        if (!status) paradt__cells_append(cells, &work->region[i].cells);
-        paradt__cells_free(&work->region[i].cells, &work->memory);
-    }
-    return status;
-}
-
-// Links the open facets that the patches have listed, when the first region's wait for theirs. What finds no partner is
-// the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
-    paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->seam.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->cells.neighbors + patch->list[j];
-            if (*link == PARADT__OPEN) *link = PARADT__HULL;
-        }
-    }
-    return status;
-}
-
-// What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs.
-static void paradt__share_memory(paradt__work *work) {
-    uint64_t peaks = work->memory.held;
-    size_t i;
-    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
-}
-
-// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, though the
-// gap that is left has to be closed; and more of the last one, behind which nothing has to be moved. Surfaces may have
-// a tenth more cells a point, solids nothing but what shaken lattices have, 2 %. Not where there are so many points of
-// others that a quarter could be left.
-static size_t paradt__slice_places(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    size_t count = patch->bw.count, own = patch->fields[index].set.count;
-    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
-    return paradt__bw_places(count, work->set.space.dim);
-}
-
-// Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
-// dimensions. A patch whose cells don't fit takes arrays of its own.
-static paradt_status paradt__lend_slices(paradt__work *work) {
-    paradt__cells *slices = &work->slices;
-    int dim = work->set.space.dim;
-    size_t total = 0, first = 0, i;
-    paradt_status status;
-    slices->corners = dim + 1;
-    if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__cells_reserve(slices, total, total, &work->memory);
-    if (status) {
-        paradt__cells_free(slices, &work->memory);
-        return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
-    }
-    paradt__share_memory(work);
-    for (i = 0; i < work->regions && !status; i++) {
-        paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice_places(work, i);
-        status = paradt__bw_lend(&patch->bw, slices->vertices + first * (size_t)slices->corners,
-                                 slices->neighbors + first * (size_t)slices->corners, capacity);
-        first += capacity;
-    }
-    return status;
-}
-
-// Other slices' cells are at their begins: closes the gaps between them.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->cells.corners, i;
-    for (i = 0; i < work->regions; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners, bytes = patch->bw.cells.count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->cells.vertices + first, patch->bw.cells.vertices, bytes);
-        memmove(work->cells.neighbors + first, patch->bw.cells.neighbors, bytes);
-    }
-}
-
-// Puts the cells of the patches together.
-static paradt_status paradt__collect_patches(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
-    size_t total = 0, i;
-    int in_place = work->slices.vertices != NULL, lent = 0;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].offset = total;
-        total += work->region[i].patch.bw.cells.count;
-        in_place = in_place && work->region[i].patch.bw.cells.lent;
-        lent = lent || work->region[i].patch.bw.cells.lent;
-    }
-    if (!lent) paradt__cells_free(&work->slices, &work->memory);
-    // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
-    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
-    if (in_place) {
-        *cells = work->slices;
-    } else {
-        paradt__release_records(work, &work->memory);
-        status = paradt__cells_reserve(cells, total, total, &work->memory);
-    }
-    cells->count = total;
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__emit_task);
-    paradt__share_memory(work);
-    if (!status && in_place) paradt__close_slices(work);
-    if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
-}
-
-// Where the points of the regions are to be in the set, each but the first's with room for what others' points it is
-// likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int roomy) {
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        size_t count = paradt__region_count(work, i);
-        work->fields[i].begin = total;
-        work->fields[i].room = roomy && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
-    }
-    return total;
-}
-
-// Moves the points of a region.
-static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
-    paradt__set *set = &work->set;
-    size_t count = paradt__region_count(work, index);
-    if (from == to) return;
-    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
-    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
-}
-
-// Points that span the set, as positions in it once it is open.
-static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
-    for (i = 0; i < count; i++) {
-        size_t position = (size_t)work->basis[i], region = 0;
-        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[i] = (paradt_index)position;
-    }
-}
-
-// Gaps between the regions' points make room for others'. The first region trusts the others if its points span.
-static void paradt__open_set(paradt__work *work) {
-    size_t i;
-    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
-    paradt__find_basis(work);
-    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
-    for (i = 0; i < work->regions; i++) {
-        paradt__field *field = work->fields + i;
-        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
-        paradt__cuts_box(&work->cuts, i, field->low, field->high);
-    }
-    work->trusts = work->regions > 1 && paradt__spans(&work->fields[0].set);
-}
-
-// The set without them
-static void paradt__close_set(paradt__work *work) {
-    size_t i;
-    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
-}
-
-// Completes the regions that are open with what they tell each other.
-static paradt_status paradt__complete_together(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__show_task);
-    size_t open, i;
-    do {
-        if (!status) status = paradt__run_regions(work, paradt__hear_task);
-        if (!status) status = paradt__run_regions(work, paradt__complete_task);
-        for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    } while (!status && open);
-    return status;
-}
-
-// All regions at once, each step a task for each.
-static paradt_status paradt__build_together(paradt__work *work) {
-    size_t open, i;
-    paradt_status status = paradt__run_regions(work, paradt__points_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__lend_slices(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_relay(work);
-    for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    paradt__share_memory(work);
-    if (!status && open) status = paradt__complete_together(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
-    paradt__share_memory(work);
-    return status;
-}
-
-// --- regions in turn: without neighbours, a region's links are given back before the next one begins
-
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
-static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
-    paradt__cells *cells = &work->cells;
-    size_t corners = (size_t)cells->corners;
-    void *vertices = cells->vertices;
-    if (cells->count + count <= cells->capacity) return PARADT_OK;
-    count += cells->count + expected;
-    if (!paradt__grow(&work->memory, &vertices, cells->count * corners, count * corners, sizeof(paradt_index)))
-        return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)vertices;
-    cells->capacity = count;
-    return PARADT_OK;
-}
-
-// Builds a region, at the end of the result while its cells fit there.
-static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
-    paradt__patch *patch = &work->region[index].patch;
-    paradt__cells *cells = &work->cells, *own = &patch->bw.cells, *lent = &work->slices;
-    size_t corners = (size_t)cells->corners, capacity, rest;
-    paradt__rows to;
-    paradt_status status;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
-    patch->trusts = work->trusts && index == 0;
-    status = paradt__patch_points(patch, work->basis);
-    capacity = paradt__bw_places(patch->bw.count, work->set.space.dim);
-    if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
-    rest = paradt__bw_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
-    if (!status) status = paradt__turn_room(work, capacity, rest);
+        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    work->stats->seconds_points = paradt__now() - begun;
+    if (!status && paradt__progress_cancels(&progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
-    lent->neighbors = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
-    if (!lent->neighbors) return PARADT_ERROR_MEMORY;
-    status = paradt__bw_lend(&patch->bw, cells->vertices + cells->count * corners, lent->neighbors, capacity);
-    if (!status) {
-        paradt__patch_task(work, index);
-        if (!work->region[index].status) paradt__compact_task(work, index);
-        status = work->region[index].status;
-    }
-    if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
-    to.vertices = cells->vertices + cells->count * corners;
-    to.neighbors = own->neighbors;
-    to.offset = 0;
-    if (!status) status = paradt__patch_emit(patch, &to);
-    if (status) return status;
-    cells->count += own->count;
-    paradt__patch_end(patch);
-    memset(patch, 0, sizeof *patch);
-    paradt__cells_free(lent, &work->memory);
-    return PARADT_OK;
+    work->stats->duplicates = points->count - work->set.count;
+    return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-static paradt_status paradt__build_in_turn(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
-    size_t corners = (size_t)cells->corners, i;
-    paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
-    if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
-        void *vertices = cells->vertices;
-        size_t used = cells->count * corners;
-        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-        cells->vertices = (paradt_index *)vertices;
+// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+static paradt_status paradt__close(paradt__work *work) {
+    if (!work->delivered) {
+        PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
     }
-    return status;
-}
-
-// --- regions given up
-
-// The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
-// back.
-static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress;
-    paradt__region *largest = NULL, *region;
-    paradt__patch *patch;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->patch.memory = region->patch.bw.memory = &work->memory;
-        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.bw.count > largest->patch.bw.count))
-            largest = region;
+    paradt__mesh_rest(&work->mesh, &work->memory);
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
+        paradt__release(&work->memory, work->mesh.links);
+        work->mesh.links = NULL;
     }
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->stats.cells_recomputed = region->hull_facets = 0;
-        if (region == largest) continue;
-        paradt__patch_end(&region->patch);
-        memset(&region->patch, 0, sizeof region->patch);
-    }
-    patch = &largest->patch;
-    if (!patch->bw.cells.lent) paradt__cells_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(patch, &progress);
-    paradt__count_patch(largest);
-    largest->hull_facets = patch->hull_facets;
-    if (!status && patch->bw.cells.lent) {
-        work->cells.corners = patch->bw.cells.corners;
-        status = paradt__cells_reserve(&work->cells, patch->bw.cells.count, patch->bw.cells.count, &work->memory);
-        if (!status) paradt__cells_append(&work->cells, &patch->bw.cells);
-    } else if (!status) {
-        work->cells = patch->bw.cells;
-        memset(&patch->bw.cells, 0, sizeof patch->bw.cells);
-    }
-    return status;
-}
-
-// Regions by insertion.
-static paradt_status paradt__build_patches(paradt__work *work) {
-    int taken;
-    paradt_status status;
-    size_t i;
-    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
-    if (!work->fields) return PARADT_ERROR_MEMORY;
-    memset(work->fields, 0, work->regions * sizeof *work->fields);
-    paradt__open_set(work);
-    paradt__share_memory(work);
-    status = paradt__run_regions(work, paradt__grid_task);
-    paradt__share_memory(work);
-    if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
-    taken = status == PARADT__GAVE_UP && !work->in_turn;
-    if (taken) status = paradt__take_over(work);
-    work->translated = !status;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        paradt__count_region(work->stats, &region->stats);
-        work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.bw.memory = &work->memory;
-        paradt__patch_end(&region->patch);
-        paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
-    }
-    paradt__cells_free(&work->slices, &work->memory);
-    paradt__active_free(&work->seam, &work->memory);
-    if (taken) work->regions = 1;
-    return status;
-}
-
-static paradt_status paradt__build_fronts(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__front_task);
-    status = paradt__collect_regions(work, &work->cells, status);
-    return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
-}
-
-static paradt_status paradt__build_regions(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    int front = paradt__choose_front(work->method) != NULL;
-    size_t i;
-    if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
-    work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
-    memset(work->region, 0, work->regions * sizeof *work->region);
-    if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
-    paradt__begin_way(work);
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].memory = paradt__memory_fork(memory, work->regions);
-        work->region[i].cells.corners = work->set.space.dim + 1;
-    }
-    work->cells.corners = work->set.space.dim + 1;
-    return front ? paradt__build_fronts(work) : paradt__build_patches(work);
-}
-
-// The cell of a set of one point, or of none.
-static paradt_status paradt__build_trivial(paradt__work *work) {
-    paradt__cells *cells = &work->cells;
-    paradt_status status;
-    work->regions = 1;
-    cells->corners = 1;
-    status = paradt__cells_reserve(cells, 1, 1, &work->memory);
-    if (status) return status;
-    cells->count = work->set.count;
-    cells->vertices[0] = 0;
-    cells->neighbors[0] = PARADT__HULL;
-    return PARADT_OK;
+    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
-    const paradt__cells *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
+    const paradt__mesh *mesh = &work->mesh;
+    size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
     for (i = 0; i < vertices; i++) {
-        size_t point = (size_t)cells->vertices[i];
+        size_t point = (size_t)mesh->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
     for (i = 0; i < out->point_count; i++) {
@@ -11217,235 +12054,6 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Positions become the caller's indices.
-static paradt_status paradt__translate(paradt__work *work) {
-    enum { PACE = 1 << 20 }; // vertices between two looks at whether the call is cancelled
-    paradt_index *vertices = work->cells.vertices;
-    const paradt_index *origin = work->set.origin;
-    size_t count = work->translated ? 0 : work->cells.count * (size_t)work->cells.corners, i, end;
-    for (i = 0; i < count;) {
-        end = count - i < PACE ? count : i + PACE;
-        for (; i < end; i++) vertices[i] = origin[vertices[i]];
-        if (paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
-    }
-    return PARADT_OK;
-}
-
-// Gives back what the building of cells needs beside the set.
-static void paradt__release_helpers(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    paradt__grid_free(&work->grid, memory);
-    paradt__release(memory, work->owner);
-    paradt__release(memory, work->fields);
-    paradt__release(memory, work->region);
-    memset(&work->grid, 0, sizeof work->grid);
-    work->owner = NULL;
-    work->fields = NULL;
-    work->region = NULL;
-}
-
-// Forgets what a way that gave up has built.
-static void paradt__begin_again(paradt__work *work) {
-    paradt__release_helpers(work);
-    paradt__cells_free(&work->cells, &work->memory);
-    work->stats->cells_recomputed = work->stats->hull_facets = 0;
-}
-
-// Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
-// points makes regions for that: five need 190 bytes a point where one needs 280, and a tenth to a fifth more time.
-static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
-    enum { TURNS = 5, LEAST_POINTS = 500000 };
-    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&
-                    !paradt__choose_front(work->options.method) && (work->regions == 1 || !work->options.parallel_for);
-    if (work->in_turn && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = TURNS;
-}
-
-// --- do regions pay?
-//
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
-
-enum { PARADT__FORETELLING = 2048 }; // points of the sample
-
-// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
-// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
-static int paradt__is_hollow(const paradt__set *set) {
-    enum { EVERY = 64 };
-    int dim = set->space.dim;
-    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
-    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
-    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
-}
-
-// Points of the sample that have a neighbour on the other side of the first cut. cells: of the sample; side:
-// [FORETELLING]
-static size_t paradt__count_across(const paradt__cells *cells, unsigned char *side) {
-    enum { UPPER = 1, ACROSS = 2 };
-    size_t corners = (size_t)cells->corners, i, j, count = 0;
-    for (i = 0; i < cells->count; i++) {
-        const paradt_index *cell = cells->vertices + i * corners;
-        size_t upper = 0;
-        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
-        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
-    }
-    for (i = 0; i < PARADT__FORETELLING; i++) count += side[i] >= ACROSS;
-    return count;
-}
-
-// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
-// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
-static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
-    const paradt__set *set = &work->set;
-    paradt__set sample = *set;
-    paradt__cells cells;
-    paradt__counters counters;
-    paradt__progress progress;
-    uint64_t hull_facets;
-    size_t i;
-    unsigned char side[PARADT__FORETELLING];
-    paradt_status status = PARADT_OK;
-    *in_vain = 0;
-    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted) return PARADT_OK;
-    memset(&cells, 0, sizeof cells);
-    memset(&progress, 0, sizeof progress);
-    sample.count = PARADT__FORETELLING;
-    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
-    sample.origin = (paradt_index *)paradt__alloc(&work->memory, sample.count, sizeof *sample.origin);
-    if (!sample.records || !sample.origin) status = PARADT_ERROR_MEMORY;
-    for (i = 0; i < sample.count && !status; i++) {
-        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
-        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
-        sample.origin[i] = (paradt_index)i;
-        side[i] = at < work->cuts.cut[work->regions / 2].begin;
-    }
-    if (!status && paradt__spans(&sample))
-        status = paradt__bowyer_watson(&sample, &work->memory, &cells, 0, &progress, &counters, &hull_facets);
-    if (!status) *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
-    paradt__cells_free(&cells, &work->memory);
-    paradt__set_free(&sample, &work->memory);
-    return status;
-}
-
-// By insertion. When regions in turn give up, the set is left in their order.
-static paradt_status paradt__insert_all(paradt__work *work) {
-    enum { WORTH = 512 }; // points: with fewer, a sphere is not looked for
-    paradt_status status = PARADT_OK;
-    int in_vain = 0;
-    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
-    if (work->hollow) status = paradt__foretell(work, &in_vain);
-    if (!status && in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTH)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
-    if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
-    if (!status) status = paradt__build_regions(work);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__close_set(work);
-    paradt__begin_again(work);
-    work->regions = 1;
-    return paradt__build_by_insertion(work);
-}
-
-// The cells, by work->method. *sorted: when the points were ready for it.
-static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
-    paradt_status status;
-    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
-    if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
-    status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
-    *sorted = paradt__now();
-    if (status) return status;
-    return work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
-}
-
-// AUTO. In four dimensions and more, what insertion makes only to destroy it again costs more than InCoDe's searches,
-// unless these have to decide ties.
-static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
-    paradt_status status;
-    work->method = work->options.method;
-    if (paradt__inserts(work->method, work->set.space.dim) || work->method != PARADT_AUTO)
-        return paradt__build_cells(work, sorted);
-    work->method = PARADT_INCODE;
-    work->impatient = 1;
-    status = paradt__build_cells(work, sorted);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__begin_again(work);
-    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
-    work->method = PARADT_BOWYER_WATSON;
-    return paradt__build_cells(work, sorted);
-}
-
-static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
-    double begun = paradt__now(), loaded, sorted;
-    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__team team;
-    paradt_status status;
-    paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
-    work->cuts.boxes = work->regions;
-    work->cuts.partition = work->options.partition;
-    work->cuts.larger_first = !work->in_turn && paradt__inserts(work->options.method, points->dim);
-    work->cuts.gaps = !paradt__choose_front(work->options.method);
-    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
-    if (!out->representative) return PARADT_ERROR_MEMORY;
-    status =
-        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
-    loaded = sorted = paradt__now();
-    work->stats->seconds_points = loaded - begun;
-    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
-    if (status) return status;
-    work->stats->duplicates = points->count - work->set.count;
-    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
-    status = paradt__build_by_any(work, &sorted);
-    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
-        paradt__release(&work->memory, work->cells.neighbors);
-        work->cells.neighbors = NULL;
-    }
-    if (!status) status = paradt__translate(work);
-    work->stats->seconds_grid = sorted - loaded;
-    work->stats->seconds_build = paradt__now() - sorted;
-    return status;
-}
-
-// The corner of the cell `other` that is no vertex of the neighbour `cell`.
-static size_t paradt__opposite_corner(const paradt_index *cell, const paradt_index *other, size_t corners) {
-    size_t i, j;
-    for (j = 0; j < corners; j++) {
-        for (i = 0; i < corners && cell[i] != other[j]; i++) {
-        }
-        if (i == corners) break;
-    }
-    return j;
-}
-
-// Neighbours, which are cells, become half-facets. Those that have are negative, below PARADT__HULL, until all have.
-static void paradt__make_half_facets(paradt__work *work) {
-    const paradt_index *vertices = work->cells.vertices;
-    paradt_index *neighbors = work->cells.neighbors;
-    size_t corners = (size_t)work->cells.corners, facets = work->cells.count * corners, facet, twin;
-    for (facet = 0; facet < facets; facet++) {
-        if (neighbors[facet] < 0) continue;
-        twin = (size_t)neighbors[facet] * corners;
-        twin += paradt__opposite_corner(vertices + facet / corners * corners, vertices + twin, corners);
-        neighbors[facet] = -2 - (paradt_index)twin;
-        neighbors[twin] = -2 - (paradt_index)facet;
-    }
-    for (facet = 0; facet < facets; facet++)
-        if (neighbors[facet] < PARADT__HULL) neighbors[facet] = -2 - neighbors[facet];
-}
-
-static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
-    paradt__cells *cells = &work->cells;
-    if (work->options.flags & PARADT_FACETS && cells->neighbors) paradt__make_half_facets(work);
-    out->dim = work->set.space.dim;
-    out->cell_count = cells->count;
-    out->cells = cells->vertices;
-    out->neighbors = cells->neighbors;
-    cells->vertices = cells->neighbors = NULL;
-}
-
 // Why the points don't span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
@@ -11454,12 +12062,55 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing but what says which.
+// After an error: leaves nothing in `out` but what says which.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
     out->error_point = bad;
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
+// Begins a call.
+static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
+                               const paradt_points *points, const paradt_options *options) {
+    memset(work, 0, sizeof *work);
+    memset(stats, 0, sizeof *stats);
+    if (options) work->options = *options;
+    paradt__memory_begin(&work->memory, options);
+    paradt__meter_begin(&work->meter, options);
+    work->stats = stats;
+    out->point_count = points->count;
+    out->allocator = work->memory.allocator;
+    paradt__plan(work, points);
+}
+
+// Ends a call: hands the mesh over, frees all else, and fills the statistics. begun, built: the clock
+static paradt_status paradt__end_call(paradt__work *work, paradt_triangulation *out, paradt_status status, double begun,
+                                      double built) {
+    paradt_stats *stats = work->stats;
+    int dim = work->set.space.dim;
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) {
+        out->dim = dim;
+        out->cell_count = work->mesh.count;
+        out->cells = work->mesh.vertices;
+        out->neighbors = work->mesh.links;
+        work->mesh.vertices = work->mesh.links = NULL;
+    }
+    paradt__mesh_free(&work->mesh, &work->memory);
+    paradt__set_free(&work->set, &work->memory);
+    paradt__release(&work->memory, work->cuts.cut);
+    if (status) paradt__withdraw(out, status, dim);
+    stats->cells = out->cell_count;
+    stats->regions = work->regions;
+    stats->peak_bytes = work->memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats->needed_bytes = work->memory.needed;
+    stats->seconds_build = built - begun - stats->seconds_points - stats->seconds_grid;
+    stats->seconds_finish = paradt__now() - built;
+    stats->seconds = paradt__now() - begun;
+    out->stats = *stats;
+    return status;
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -11468,171 +12119,78 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
-    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
-    memset(&work, 0, sizeof work);
-    memset(&stats, 0, sizeof stats);
-    if (options) work.options = *options;
-    paradt__memory_begin(&work.memory, options);
-    paradt__meter_begin(&work.meter, options);
-    work.stats = &stats;
-    out->point_count = points->count;
-    out->allocator = work.memory.allocator;
-    work.regions = work.options.regions ? work.options.regions : 1;
-    if (work.regions > points->count) work.regions = points->count ? points->count : 1;
-    status = paradt__build(&work, points, out);
+    paradt__begin_call(&work, &stats, out, points, options);
+    status = paradt__load(&work, points, out);
+    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__close(&work);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    work.meter.done = PARADT__ALL_DONE;
-    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
-    if (!status) paradt__deliver(&work, out);
-    dim = work.set.space.dim;
-    paradt__cells_free(&work.cells, &work.memory);
-    paradt__set_free(&work.set, &work.memory);
-    paradt__release(&work.memory, work.cuts.cut);
-    if (status) paradt__withdraw(out, status, dim);
-    stats.cells = out->cell_count;
-    stats.regions = work.regions;
-    stats.peak_bytes = work.memory.peak;
-    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
-    stats.seconds_finish = paradt__now() - built;
-    stats.seconds = paradt__now() - begun;
-    out->stats = stats;
-    return status;
+    return paradt__end_call(&work, out, status, begun, built);
 }
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+// paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
+// `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
+// Hidden points are not found: that takes the cells of all regions.
+static paradt_status paradt__triangulate_region(paradt_triangulation *out, const paradt_points *points,
+                                                const paradt_options *options, size_t index) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_status status;
+    double begun = paradt__now();
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.larger_first = work.cuts.gaps = 0;
+    work.method = paradt__method_of(options->method);
+    if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
+    status = paradt__load(&work, points, out);
+    if (!status && work.set.space.dim <= 0) {
+        status = paradt__build_trivial(&work);
+        if (index) work.mesh.count = 0;
+    } else if (!status) {
+        status = paradt__prepare_fronts(&work);
+        if (!status) status = paradt__begin_fronts(&work);
+        if (!status) {
+            size_t only = index < work.regions ? index : 0;
+            paradt__front_task(&work, only);
+            status = work.region[only].status;
+            work.mesh = work.region[only].mesh;
+            if (index != only) work.mesh.count = 0;
+            paradt__count_region(&stats, &work.region[only].stats);
+            paradt__share_memory(&work);
+        }
+    }
+    if (!status) status = paradt__close(&work);
+    paradt__release_helpers(&work);
+    return paradt__end_call(&work, out, status, begun, paradt__now());
+}
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>remote
 //
-// What paradt_mpi.h stands on, beside the doors of the sections above: the searches of >>search for cells whose
-// vertices need not be points of the set, and one region built alone. A facet or cell is given by the records of its
-// vertices, laid out as those of the set (axes permuted alike, the same grade), and measured with it. `own` names those
-// of them that are points of the set, or is PARADT__OPEN.
+// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
+// region built alone.
 //
 // It is only compiled where paradt_mpi.h is implemented.
 //
-// paradt__remote_cell and paradt__remote_facet set the question: points in conflict with a cell, or strictly beyond a
-// hull facet. paradt__remote_boxes, paradt__remote_confined and paradt__remote_any answer it, the first two on the safe
-// side, the last exactly. Doors: these, what begins with paradt__remote_engine, paradt__remote_late_order,
-// paradt__remote_is_suspect, paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
+// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
+// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__REMOTE 1
 
-// The question is the conflict with the positively oriented cell. corners, own: [dim + 1]
-static void paradt__remote_cell(paradt__search *s, const double *const *corners, const paradt_index *own) {
-    paradt_index vertices[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i <= s->space.dim; i++) vertices[i] = own[i] >= 0 ? own[i] : (paradt_index)s->set->count;
-    paradt__search_sphere(s, corners, vertices);
-}
-
-// The question is what lies strictly beyond the facet opposite vertex `opposite` of the positively oriented cell.
-static void paradt__remote_facet(paradt__search *s, const double *const *corners, const paradt_index *own,
-                                 int opposite) {
-    int dim = s->space.dim, i, count = 0;
-    for (i = 0; i <= dim; i++) {
-        if (i == opposite) continue;
-        s->facet[count] = own[i];
-        s->corners[count++] = corners[i];
-    }
-    s->outside = (dim - opposite) % 2 ? 1 : -1;
-    s->conflict = s->found = 0;
-    s->apex = PARADT__OPEN;
-    if (s->space.filtered) paradt__search_facet(s, corners[opposite]);
-}
-
-// Which of a group of eight boxes reach strictly beyond the facet? In a box N(u) + its error is at most the sum over
-// the axes of the largest of normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that is not positive, nothing
-// in the box is beyond: so the many points in the plane of a facet on a flat hull are no candidates.
-static unsigned paradt__remote_beyond(const paradt__search *s, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    for (lane = 0; lane < PARADT__LANES; lane++) {
-        double most = 0.0;
-        for (j = 0; j < s->space.dim; j++) {
-            double low = group[2 * j * PARADT__LANES + lane] - s->q.origin[j];
-            double high = group[(2 * j + 1) * PARADT__LANES + lane] - s->q.origin[j];
-            double a = s->q.normal[j] * low + s->q.reach[j] * paradt__abs(low);
-            double b = s->q.normal[j] * high + s->q.reach[j] * paradt__abs(high);
-            most += a > b ? a : b;
-        }
-        mask |= (unsigned)(most > 0.0) << lane;
-    }
-    return mask;
-}
-
-// Which of a group of eight boxes, laid out as those of the grid, may hold an answer?
-static unsigned paradt__remote_boxes(const paradt__search *s, const double *group) {
-    paradt__lane_bounds bounds;
-    unsigned mask;
-    if (!s->space.filtered) return 255u;
-    mask = s->test.group(&s->q, group, &bounds);
-    return mask && !s->conflict && s->q.n_floor == 0.0 ? mask & paradt__remote_beyond(s, group) : mask;
-}
-
-// Lies the sphere of the cell in the room, so that points outside of it are no answers? room: low and high of each axis
-static int paradt__remote_confined(const paradt__search *s, const double *room) {
-    return s->space.filtered && paradt__search_within(s, room);
-}
-
-// Is the point strictly beyond the facet?
-static int paradt__remote_is_beyond(paradt__search *s, size_t point) {
-    const double *x = s->set->records + point * s->set->width;
-    double n = 0.0, n_bound = 0.0;
-    int j;
-    for (j = 0; j < s->space.dim && s->space.filtered; j++) {
-        double u = x[j] - s->q.origin[j];
-        n += s->q.normal[j] * u;
-        n_bound += s->q.reach[j] * paradt__abs(u);
-    }
-    if (s->space.filtered && n + n_bound < s->q.n_floor) return 0;
-    if (s->space.filtered && n > n_bound && n > s->q.n_floor) return 1;
-    return paradt__search_is_outside(s, x);
-}
-
-// A point beyond the facet in the boxes of a group.
-static paradt_index paradt__remote_find_beyond(paradt__search *s, int level, size_t group) {
-    unsigned mask = paradt__remote_boxes(s, s->grid->boxes[level] + group * s->grid->group_width);
-    size_t lane, i, first;
-    for (lane = 0; lane < PARADT__LANES && group * PARADT__LANES + lane < s->grid->box_count[level]; lane++) {
-        if (!(mask >> lane & 1)) continue;
-        first = group * PARADT__LANES + lane;
-        if (level) {
-            paradt_index found = paradt__remote_find_beyond(s, level - 1, first);
-            if (found >= 0) return found;
-            continue;
-        }
-        for (i = first * PARADT__LANES; i < (first + 1) * PARADT__LANES && i < s->set->count; i++) {
-            if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-        }
-    }
-    return PARADT__OPEN;
-}
-
-// A point of the set that answers the question, or PARADT__OPEN: there is none.
-static paradt_index paradt__remote_any(paradt__search *s) {
-    size_t i;
-    if (s->conflict) {
-        paradt__search_down(s);
-        return s->found ? s->apex : (paradt_index)PARADT__OPEN;
-    }
-    if (s->space.filtered) return paradt__remote_find_beyond(s, s->grid->levels - 1, 0);
-    for (i = 0; i < s->set->count; i++) {
-        if (paradt__remote_is_beyond(s, i)) return (paradt_index)i;
-    }
-    return PARADT__OPEN;
-}
-
 // Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
 // the set.
 typedef struct paradt__remote_engine {
-    paradt__bw bw;
+    paradt__insertion build;
     paradt_index *order; // of the insertion of the first points
     // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
     // such ones have been, and few more than once
@@ -11641,9 +12199,8 @@ typedef struct paradt__remote_engine {
 } paradt__remote_engine;
 
 static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->bw.memory = memory;
-    paradt__bw_end(&engine->bw);
-    paradt__cells_free(&engine->bw.cells, memory);
+    engine->build.memory = memory;
+    paradt__insertion_end(&engine->build);
     paradt__release(memory, engine->fringe);
     paradt__release(memory, engine->order);
     memset(engine, 0, sizeof *engine);
@@ -11661,9 +12218,9 @@ static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, 
                         set->count / 8);
     engine->order = paradt__merged_order(set, own, &curve, memory);
     if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__bw_begin(&engine->bw, set, engine->order, memory);
-    engine->bw.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__bw_build(&engine->bw, progress);
+    paradt__insertion_begin(&engine->build, set, engine->order, memory);
+    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&engine->build, progress);
 }
 
 // The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
@@ -11693,9 +12250,10 @@ static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__m
 // Puts a place on the list of the fringe.
 PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
     size_t count = engine->fringe_count;
-    paradt_status status = paradt__bw_list(&engine->bw, &engine->fringe, count, &engine->fringe_capacity, count + 1);
+    paradt_status status =
+        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
     if (status) return status;
-    engine->bw.marks[place] |= PARADT__LISTED;
+    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
     engine->fringe[engine->fringe_count++] = (paradt_index)place;
     return PARADT_OK;
 }
@@ -11703,18 +12261,17 @@ PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *en
 // Forgets the list of the fringe, to make it anew.
 static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
     size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->bw.marks[engine->fringe[i]] = 0;
+    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
     engine->fringe_count = 0;
-    paradt__bw_mark_free(&engine->bw);
 }
 
 // Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
 // positions are the own points'.
 PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
                                                         size_t *place) {
-    const paradt__cells *cells = &engine->bw.cells;
-    *place = cells->corners == 4 ? paradt__bw_fringe_from(cells, 4, own, *place)
-                                 : paradt__bw_fringe_from(cells, (size_t)cells->corners, own, *place);
+    const paradt__mesh *cells = &engine->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
     return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
 }
 
@@ -11722,7 +12279,7 @@ PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *e
 static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
     paradt_status status = PARADT_OK;
     size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->bw.cells.count && !status; place++)
+    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
         status = paradt__remote_engine_list(engine, own, &place);
     return status;
 }
@@ -11731,15 +12288,15 @@ static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engin
 // where such cells were.
 static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
                                                   paradt_index position) {
-    paradt__bw *bw = &engine->bw;
+    paradt__insertion *build = &engine->build;
     size_t i;
     paradt_status status;
-    bw->records = set->records;
-    bw->count++;
-    status = paradt__bw_insert_one_more(bw, position, -1);
-    for (i = 0; i < bw->rim_count && !status; i++) {
-        paradt_index made = paradt__bw_made(bw, i);
-        if (!(bw->marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
     }
     return status;
 }
@@ -11748,15 +12305,15 @@ static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine,
 // there; else *facet is -1.
 PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
                                                int *facet) {
-    const paradt__cells *cells = &engine->bw.cells;
+    const paradt__mesh *cells = &engine->build.scene.mesh;
     size_t base = *place * corners;
     int ghost;
     *facet = -1;
     if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
     if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__bw_ghost(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->neighbors[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->neighbors[base + (size_t)ghost] % corners);
+    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
+    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
+    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
     return 1;
 }
 
@@ -11777,34 +12334,34 @@ PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_
 // The place on the other side of a facet of what is at a place
 PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
                                                    size_t facet) {
-    return (size_t)engine->bw.cells.neighbors[place * corners + facet] / corners;
+    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
 }
 
 // Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
 PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->bw.marks + place;
+    unsigned char *mark = engine->build.scene.mesh.marks + place;
     if (*mark & PARADT__WAITING) return 0;
     *mark |= PARADT__WAITING;
     return 1;
 }
 
 static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->bw.marks[place] &= (unsigned char)~PARADT__WAITING;
+    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
 }
 
 // Fetches what is at a place ahead of its use.
 PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->bw.cells.vertices, engine->bw.cells.neighbors, place, corners);
+    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
 }
 
 // The same of its vertices' records, and of the marks of what is around it.
 PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
                                                        size_t place) {
-    const paradt_index *vertices = engine->bw.cells.vertices + place * corners;
+    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
     size_t i;
     for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__bw_record(&engine->bw, vertices[i]));
-        PARADT__PREFETCH(engine->bw.marks + paradt__remote_engine_across(engine, corners, place, i));
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
+        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
     }
 }
 
@@ -11813,25 +12370,16 @@ PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engi
                                                paradt_index *vertices, const double **records) {
     size_t i;
     for (i = 0; i < corners; i++) {
-        vertices[i] = engine->bw.cells.vertices[place * corners + i];
-        records[i] = paradt__bw_record(&engine->bw, vertices[i]);
+        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
     }
 }
 
 // No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
 static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt_index *spare = engine->bw.spare;
-    unsigned char *marks = engine->bw.marks;
-    paradt__bw_mark_free(&engine->bw);
-    engine->bw.spare = NULL;
-    engine->bw.marks = NULL;
-    paradt__bw_end(&engine->bw);
+    paradt__insertion_rest(&engine->build);
     paradt__release(memory, engine->order);
-    engine->bw.marks = marks;
-    engine->bw.cavity = engine->bw.rim = engine->order = NULL;
-    engine->bw.ridges = NULL;
-    engine->bw.spheres = NULL;
-    engine->bw.spare = spare;
+    engine->order = NULL;
 }
 
 // What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
@@ -11868,24 +12416,24 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
 // marked as dropped. Returns how many are cells.
 PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
                                                     paradt_index *mark) {
-    const paradt__cells *cells = &engine->bw.cells;
+    const paradt__mesh *cells = &engine->build.scene.mesh;
     size_t count = engine->fringe_count, i, j, left = 0;
     uint64_t others = 0;
     for (i = 0; i < count; i++) {
         paradt_index place = engine->fringe[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__fetch_listed(cells, engine->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
             continue;
         }
-        if (engine->bw.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
         for (j = 0; j < corners && is_cell; j++)
             mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
         others += (uint64_t)is_cell;
-        engine->bw.marks[place] |= PARADT__DROPPED;
+        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
         engine->fringe[left++] = place;
     }
     engine->fringe_count = left;
@@ -11907,16 +12455,16 @@ PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, si
 // others' points have had their vertices marked already.
 PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
                                                paradt_index *mark) {
-    paradt__cells *cells = &engine->bw.cells;
+    paradt__mesh *cells = &engine->build.scene.mesh;
     size_t i, j, count = engine->fringe_count;
     for (i = 0; i < count; i++) {
         size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__fetch_listed(cells, engine->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
         for (j = 0; j < corners; j++) {
-            paradt_index link = cells->neighbors[base + j];
+            paradt_index link = cells->links[base + j];
             const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->bw.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->neighbors[link] = PARADT__OPEN;
+            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
             if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
                 paradt__vertices_among(across, (int)corners, 0, own))
                 paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
@@ -11937,78 +12485,28 @@ PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine 
 // gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
 // cells are dropped since others own them.
 static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__cells *cells, paradt_index *mark) {
-    paradt__bw *bw = &engine->bw;
+                                          paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &engine->build;
     paradt_index own = (paradt_index)set->count;
-    size_t end = bw->cells.count, corners = (size_t)bw->cells.corners, i;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
     // of points without weights none is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
                           : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    bw->cells.count -= bw->spare_count + engine->fringe_count;
-    paradt__bw_fill_gaps(bw, bw->spare, bw->spare_count, &end);
-    paradt__bw_fill_gaps(bw, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < bw->cells.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, bw->cells.vertices + i * corners, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, bw->spare);
-    paradt__release(memory, bw->marks);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
     paradt__release(memory, engine->fringe);
-    *cells = bw->cells;
+    *cells = build->scene.mesh;
     memset(engine, 0, sizeof *engine);
     return others;
-}
-
-// What paradt__remote_region works with
-typedef struct paradt__remote_part {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt__cuts cuts;
-    uint32_t *owner; // [set.count]
-    paradt__cells cells;
-    paradt__meter meter;
-    uint32_t told;
-} paradt__remote_part;
-
-// Builds one region of a loaded set facet by facet.
-static paradt_status paradt__remote_front(paradt__remote_part *part, const paradt_options *options, size_t region,
-                                          paradt_stats *stats) {
-    paradt__set *set = &part->set;
-    paradt__memory *memory = &part->memory;
-    paradt__region_view view;
-    paradt__front front;
-    paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
-    paradt_status status;
-    part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
-    if (!part->owner) return PARADT_ERROR_MEMORY;
-    status = paradt__set_grade(set, PARADT__NEAR_SPHERE, memory);
-    if (!status) status = paradt__grid_build(&part->grid, set, memory);
-    if (status) return status;
-    paradt__regions_assign(set, &part->cuts, part->owner);
-    view.owner = part->owner;
-    view.cuts = &part->cuts;
-    view.region = (uint32_t)region;
-    status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
-    if (!status) status = paradt__choose_front(method)(&front);
-    paradt__count_front(stats, &front);
-    paradt__front_end(&front);
-    part->cells = front.cells;
-    return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
-}
-
-// The cell of a set of one point, in region 0.
-static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
-    paradt_status status;
-    part->cells.corners = 1;
-    status = paradt__cells_reserve(&part->cells, 1, 1, &part->memory);
-    if (status) return status;
-    part->cells.count = region ? 0 : part->set.count;
-    part->cells.vertices[0] = 0;
-    part->cells.neighbors[0] = PARADT__HULL;
-    return PARADT_OK;
 }
 
 // The bytes that a result holds: each block begins with its size.
@@ -12022,60 +12520,6 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
         sum += bytes;
     }
     return sum;
-}
-
-// paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor
-// DeWall: `out` gets just the cells that it owns. Their neighbours in other regions are PARADT__OPEN. Hidden points are
-// not found: that takes the cells of all regions.
-static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
-                                           const paradt_options *options, size_t region) {
-    paradt__remote_part part;
-    paradt__cells *cells = &part.cells;
-    paradt_stats stats;
-    paradt_status status = PARADT_ERROR_MEMORY;
-    double begun = paradt__now();
-    size_t i;
-    memset(out, 0, sizeof *out);
-    memset(&part, 0, sizeof part);
-    memset(&stats, 0, sizeof stats);
-    paradt__memory_begin(&part.memory, options);
-    paradt__meter_begin(&part.meter, options);
-    out->point_count = points->count;
-    out->allocator = part.memory.allocator;
-    out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
-    part.cuts.boxes = options->regions;
-    part.cuts.partition = options->partition;
-    if (out->representative)
-        status = paradt__set_load(&part.set, points, &part.cuts, &paradt__alone, &part.memory, out->representative,
-                                  &out->error_point);
-    if (!status)
-        status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
-                                        : paradt__remote_trivial(&part, region);
-    if (!status) {
-        for (i = 0; i < cells->count * (size_t)cells->corners; i++)
-            cells->vertices[i] = part.set.origin[cells->vertices[i]];
-        out->dim = part.set.space.dim;
-        out->cell_count = cells->count;
-        out->cells = cells->vertices;
-        out->neighbors = cells->neighbors;
-        cells->vertices = cells->neighbors = NULL;
-        stats.cells = out->cell_count;
-        stats.duplicates = points->count - part.set.count;
-        stats.peak_bytes = part.memory.peak;
-        stats.seconds = paradt__now() - begun;
-        out->stats = stats;
-    }
-    paradt__cells_free(cells, &part.memory);
-    paradt__grid_free(&part.grid, &part.memory);
-    paradt__release(&part.memory, part.owner);
-    paradt__release(&part.memory, part.cuts.cut);
-    paradt__set_free(&part.set, &part.memory);
-    if (status) {
-        i = out->error_point;
-        paradt_free(out);
-        out->error_point = i;
-    }
-    return status;
 }
 
 #endif // PARADT_MPI_IMPLEMENTATION

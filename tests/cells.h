@@ -1,4 +1,4 @@
-// What the tests share: a sample of points, a set of cells, and the comparison of two sets. Needs nothing but the C library.
+// A sample of points, a set of cells and the comparison of two such sets. Shared by all tests; needs nothing but the C library.
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -9,7 +9,7 @@
 
 #define CELLS_MAX_DIM 8
 
-// Points with or without weights, as a family of tests/families.h or a test makes them.
+// Points with or without weights, made by a family of tests/families.h or by a test.
 typedef struct sample {
     char name[96];
     int dim;
@@ -18,17 +18,18 @@ typedef struct sample {
     double *w; // [count], or NULL
 } sample;
 
-// Vertices in ascending order, then -1: so cells of different dimensions compare too.
+// Vertices in ascending order, then -1, so that cells of different dimensions can be compared.
 typedef struct cell {
     int v[CELLS_MAX_DIM + 1];
 } cell;
 
-// After cells_sort: in lexicographic order.
+// The cells are in lexicographic order after cells_sort.
 typedef struct cell_set {
     size_t count, capacity;
     cell *cells;
 } cell_set;
 
+// Returns zeroed memory, or ends the program.
 static inline void *need(size_t count, size_t size) {
     void *memory = calloc(count ? count : 1, size);
     if (!memory) {
@@ -53,7 +54,7 @@ static inline void sample_free(sample *s) {
     memset(s, 0, sizeof *s);
 }
 
-// The points order[0], order[1], ... of s, count of them; order NULL: the first ones.
+// Returns a sample of the `count` points order[0], order[1], ... of s. order may be NULL: the first points.
 static inline sample sample_pick(const sample *s, const int *order, int count) {
     sample t = sample_make(s->name, s->dim, count);
     if (s->w)
@@ -67,7 +68,7 @@ static inline sample sample_pick(const sample *s, const int *order, int count) {
     return t;
 }
 
-// Coordinates (and the weight last) in hexadecimal, a point a line: exact, and C and Python read them.
+// Prints one point a line, its coordinates and then its weight in hexadecimal, which is exact and can be read by C and Python.
 static inline void sample_print(FILE *file, const sample *s) {
     fprintf(file, "# %s: %d points, dim %d%s\n", s->name, s->count, s->dim, s->w ? ", the last column is the weight" : "");
     for (int i = 0; i < s->count; i++) {
@@ -102,8 +103,9 @@ static inline int compare_placed(const void *a, const void *b) {
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-// Fills rank (unless NULL) with each point's place in the lexicographic order of distinct coordinates and leader with the point
-// that stands for it: among equals the largest weight, then the smallest index. Returns how many distinct points there are.
+// Fills leader with the point that represents each point: among equal points the heaviest one, then the one with the smallest
+// index. Fills rank, unless it is NULL, with each point's place in the lexicographic order of distinct points. Returns the
+// number of distinct points.
 static inline int sample_leaders(const sample *s, int *leader, int *rank) {
     placed *order = (placed *)need((size_t)s->count, sizeof *order);
     int distinct = 0;
@@ -176,7 +178,7 @@ static inline void cell_print(FILE *file, const char *prefix, const cell *c) {
     fprintf(file, "}\n");
 }
 
-// How many cells are in one sorted set only; prints the first few to file unless it is NULL.
+// Returns the number of cells that are in only one of two sorted sets. Prints the first few to file unless it is NULL.
 static inline size_t cells_difference(const cell_set *a, const char *name_a, const cell_set *b, const char *name_b,
                                       FILE *file) {
     size_t i = 0, j = 0, different = 0;

@@ -1,5 +1,5 @@
-// CGAL as an oracle: its triangulations are perturbed by the same rule, so the sets of cells must be equal, hidden points included.
-// Each call fills cells (sorted, vertices are leaders) and returns the affine dimension.
+// CGAL as an oracle: it perturbs by the same rule, so its cells and hidden points must equal ParaDT's.
+// Each function fills cells, sorted and with leaders for vertices, and returns the affine dimension.
 #ifndef CGAL_H
 #define CGAL_H
 

@@ -1,4 +1,5 @@
-// The plane and space: Delaunay_triangulation_2/3 and Regular_triangulation_2/3, in whatever dimension the points span.
+// CGAL's classes for the plane and for space: Delaunay_triangulation_2/3 and Regular_triangulation_2/3. The points may span a
+// lower dimension.
 #include "cgal.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -1,4 +1,4 @@
-// Any dimension: CGAL's dD triangulations.
+// CGAL's triangulations of any dimension.
 #include "cgal.h"
 
 #include <CGAL/Delaunay_triangulation.h>

@@ -1,6 +1,5 @@
-// The order in which points are read: Hilbert's curve, the sorting along it, equal points, the rounds of insertion. And
-// what is measured meanwhile.
-#define PARADT_STATIC // what is not called is not compiled
+// Reading the points: Hilbert's curve, sorting along it, equal points, what is measured meanwhile, and the rounds of insertion.
+#define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
 
@@ -8,12 +7,13 @@
 
 enum { LATTICE_POINTS = 4096, SCALES = 3000, BOXED = 3000, SPREAD = 200000 };
 
-// The lattice point number i of a cube with `levels` levels
+// Makes point i of a lattice of 2^levels points along each axis.
 static void lattice_point(int i, int dim, int levels, double *x) {
     for (int j = 0; j < dim; j++, i >>= levels) x[j] = i & ((1 << levels) - 1);
 }
 
-// Keys of all points of a cube of 2^levels points along each axis: they are 0 to count - 1. order: who has each.
+// Computes the keys of all points of a lattice of 2^levels points along each axis. order[key] becomes the point with this key.
+// Returns the number of points, or -1 if the keys are not the numbers below it.
 static int keys_of_cube(const paradt__hilbert *hilbert, int dim, int levels, int *order) {
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int count = 1 << (dim * levels);
@@ -110,10 +110,10 @@ static void sorting_keeps_the_order_of_equal_keys(void **state) {
 
 static void tasks_in_turn(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     (void)user;
-    for (size_t i = count; i-- > 0;) task(context, i); // from the last: nothing may depend on which comes first
+    for (size_t i = count; i-- > 0;) task(context, i); // backwards: nothing may depend on the order of the tasks
 }
 
-// SCALES points, each of the places 2^-i away from 0 three times, in any order
+// Makes SCALES points in random order, about three at each of the places whose distances from 0 are powers of two.
 static void fill_scales(double *x, int dim) {
     for (size_t i = 0; i < SCALES; i++) {
         size_t place = paradt__mix(i) % (SCALES / 3);
@@ -122,8 +122,8 @@ static void fill_scales(double *x, int dim) {
     }
 }
 
-// Far below every lattice's reach: the lattices of runs find what is equal, whatever the number of tasks and of levels,
-// which are more where many points are crowded.
+// The distances are far too small for the first lattice, so runs of equal keys get lattices of their own. The number of tasks, and
+// that of the levels, which crowded points increase, have no influence.
 static void equal_points_are_found_on_all_scales(void **state) {
     static double x[SCALES * PARADT_MAX_DIM];
     static paradt_index representative[SCALES];
@@ -192,7 +192,7 @@ static int is_crowded(const double *x, size_t count) {
     return crowded;
 }
 
-// Near a plane few points have few places in common by the levels that they get.
+// Near a plane a few points get levels enough to tell most of them apart; many points do not.
 static void a_sample_tells_whether_points_are_crowded(void **state) {
     static const struct {
         int kind, few, many;
@@ -206,7 +206,8 @@ static void a_sample_tells_whether_points_are_crowded(void **state) {
     }
 }
 
-// Points anywhere, on a small lattice, far from 1, or where the second axis is longest and a multiple of the first
+// Makes points by kind. 0: anywhere in a cube; 1: on a small lattice; 2: of large coordinates; 3: the second axis is the longest,
+// and a multiple of the first.
 static void fill_boxes(double *x, size_t count, int dim, int kind) {
     for (size_t i = 0; i < count; i++) {
         double *p = x + i * (size_t)dim;
@@ -220,7 +221,7 @@ static void fill_boxes(double *x, size_t count, int dim, int kind) {
     }
 }
 
-// Each box has the points within its bounds; if `even`, its share of them.
+// Each box has the points within its bounds. even: each has an equal share of the points.
 static void expect_boxes(const paradt__set *set, const paradt__cuts *cuts, int even) {
     size_t begin = 0, share = set->count / cuts->boxes;
     for (size_t box = 0; box < cuts->boxes; box++) {
@@ -243,7 +244,7 @@ static void expect_boxes(const paradt__set *set, const paradt__cuts *cuts, int e
     assert_int_equal(begin, set->count);
 }
 
-// A grid is built in an order of its own.
+// Building a grid sorts the set in another way; the points are then moved back to their boxes.
 static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__memory *memory) {
     paradt__grid grid;
     if (set->space.dim < 2 || cuts->boxes < 2) return;
@@ -254,7 +255,7 @@ static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__mem
     expect_boxes(set, cuts, 0);
 }
 
-// A set in the order of boxes is the same set.
+// A set that is sorted by boxes has the same representatives.
 static void boxes_follow_each_other(void **state) {
     static double x[BOXED * PARADT_MAX_DIM];
     static paradt_index representative[BOXED], expected[BOXED];
@@ -280,7 +281,7 @@ static void boxes_follow_each_other(void **state) {
                 assert_int_equal(paradt__set_load(&set, &points, &cuts, &team, &memory, representative, &bad),
                                  PARADT_OK);
                 assert_memory_equal(representative, expected, sizeof expected);
-                expect_boxes(&set, &cuts, kind % 2 == 0); // the others have many points at a place, or on a cut
+                expect_boxes(&set, &cuts, kind % 2 == 0); // kinds 1 and 3 have many points at one place or on one cut
                 expect_dealt(&set, &cuts, &memory);
                 paradt__set_free(&set, &memory);
                 paradt__release(&memory, cuts.cut);
@@ -288,7 +289,7 @@ static void boxes_follow_each_other(void **state) {
             }
 }
 
-// Widens a range by a number, as frexp tells its exponent and bits.
+// Widens a range by a number, whose exponent and bits are found by frexp.
 static void widen(paradt__range *range, double x) {
     int exponent, bits = 53;
     int64_t digits = (int64_t)ldexp(frexp(fabs(x), &exponent), bits);
@@ -305,7 +306,7 @@ static void expect_range(const paradt__range *range, const paradt__range *expect
     assert_int_equal(range->top, expected->top);
 }
 
-// The set has been gathered from the sample, and nothing else done with it.
+// Compares the measures of a set that has just been gathered with those of its sample.
 static void expect_measured(const paradt__set *set, const sample *s) {
     paradt__range coordinates = paradt__no_range, weights = paradt__no_range;
     int biased = 0;
@@ -365,7 +366,7 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
             assert_false(seen[order[i]]);
             seen[order[i]] = 1;
             if (i < early) assert_int_equal(order[i], paradt__earlier_one((size_t)order[i] / 16, 0));
-            if (i > early) assert_true(order[i - 1] < order[i]); // the last round is along the curve
+            if (i > early) assert_true(order[i - 1] < order[i]); // the last round follows the curve
         }
         if (rounds) assert_true(early >= count / 16 && early <= count / 16 + 1);
         else assert_int_equal(early, 0);
@@ -376,15 +377,15 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
 
 enum { OWN = 4000, TWINS = 200, OUTSIDE = 100, OTHERS = TWINS + OUTSIDE, NEAR = 16 };
 
-// To `own` points of the set, in a box, along the curve of OWN, come others: at the places of own ones, and all around.
-// Those at their places must come with at most NEAR own ones between them and their twins.
+// The set's first `own` points, in a box, are along the curve. Merges other points with them: TWINS of the others are at the
+// places of own points, the rest anywhere. At most NEAR own points may stand between a point and its twin.
 static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, const int64_t *high) {
     static paradt__keyed sorted[OTHERS], other[OTHERS];
     static paradt_index merged[OWN + OTHERS];
     static size_t place[OWN + OTHERS];
     size_t all = set->count = own + OTHERS;
     paradt__curve curve;
-    paradt__rounds one; // and no more
+    paradt__rounds one; // only one round
     memset(&one, 0, sizeof one);
     paradt__curve_begin(&curve, 3, paradt__levels_for(OWN, 3), set->space.low, set->space.high, all);
     paradt__curve_limit(&curve, low, high);
@@ -425,7 +426,7 @@ static void others_come_where_the_curve_passes_them(void **state) {
     paradt__set_free(&set, &memory);
     set.records = x;
     merge_and_compare(&set, OWN, set.space.low, set.space.high);
-    for (size_t i = 0; i < OWN; i++) { // those of a region, with the curve of all
+    for (size_t i = 0; i < OWN; i++) { // the points of a region, along the curve of all points
         if (x[3 * i] > 0.37 && x[3 * i + 1] > 0.21) memmove(x + 3 * own++, x + 3 * i, 3 * sizeof *x);
     }
     memcpy(low, set.space.low, sizeof low);

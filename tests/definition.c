@@ -1,11 +1,11 @@
-// Every method gives exactly the cells of the definition, found by trying all subsets of the points, in every
-// dimension, with and without weights, in any input order, divided into regions or not.
+// Every method gives exactly the cells of the definition (oracle.h), in every dimension, with and without weights, in any input
+// order, divided into regions or not.
 #include "harness.h"
 
 enum { LARGEST_DIM = SANITIZED ? 5 : 8 };
 static const int points_in[] = {0, 0, 14, 14, 12, 11, 10, 10, 11};
 
-// One sample and what the definition says of it; made when first asked for, shared by all methods.
+// A sample and its cells by the definition. Made when first needed, and used for all methods.
 typedef struct answer {
     sample s;
     cell_set cells;
@@ -35,7 +35,7 @@ static void expect_answer(const answer *a, const paradt_options *options) {
     paradt_free(&t);
 }
 
-// The same points in another order give the same cells of the same points.
+// Expects the same cells of the same points in another order.
 static void expect_answer_shuffled(const answer *a, const paradt_options *options) {
     int *order = (int *)need((size_t)a->s.count, sizeof(int)), *leader = (int *)need((size_t)a->s.count, sizeof(int));
     uint64_t seed = 77;
@@ -59,7 +59,7 @@ static void equals_the_definition(void **state) {
     int row = (int)(intptr_t)*state, f = row % FAMILY_COUNT;
     for (int w = 0; w < WEIGHTING_COUNT; w++)
         for (int dim = 2; dim <= LARGEST_DIM; dim++) {
-            // Determinants of thousands of bits take their time: in high dimensions one weighting a dimension must do.
+            // Determinants of thousands of bits are slow, so a high dimension gets only one of the weightings.
             if ((families[f].extremes || weightings[w].extremes) && dim > 5 && w != 2 * (dim % 3))
                 continue;
             const answer *a = answer_to(f, w, dim);
@@ -75,7 +75,7 @@ static void equals_the_definition(void **state) {
         }
 }
 
-// 0 to 4 points, and few more than make a first cell, in every dimension: all subsets of small cubes' corners and of lines.
+// Up to dim + 2 points, in every dimension: random corners of a cube, or random sites of a small lattice.
 static void a_few_points_equal_the_definition(void **state) {
     paradt_options options = {0};
     (void)state;

@@ -1,5 +1,5 @@
-// CGAL's triangulations are perturbed by the same rule. First the two oracles are compared with each other on small sets (CGAL with the
-// definition tried out), then ParaDT with CGAL on larger ones: equal sets of cells, so equal hidden points too.
+// CGAL perturbs by the same rule. On small sets CGAL is compared with the definition, on larger ones ParaDT with CGAL. The sets of
+// cells must be equal, and with them the hidden points.
 #include "harness.h"
 
 #include "cgal.h"
@@ -7,13 +7,13 @@
 enum { LARGEST_DIM = 6 };
 static const int small[] = {0, 0, 14, 14, 11, 10, 9}, large[] = {0, 0, 2000, 2000, 150, 60, 30};
 
-// In the plane and in space CGAL has special classes and the general one; both must agree.
+// For the plane and for space CGAL has special classes beside the general one.
 typedef int (*cgal_call)(const sample *s, cell_set *cells);
 static cgal_call cgal_for(int dim, int general) {
     return general || dim > 3 ? cgal_triangulate_d : dim == 2 ? cgal_triangulate_2 : cgal_triangulate_3;
 }
 
-// CGAL's exact stage takes minutes for coordinates of all exponents beside each other in many dimensions.
+// CGAL's exact stage takes minutes for weights and coordinates of all magnitudes in many dimensions.
 static int takes_cgal_too_long(int f, int w, int dim) {
     return weightings[w].extremes && dim > (families[f].extremes ? 2 : 3);
 }
@@ -64,7 +64,7 @@ static void cells_equal_cgals(void **state) {
                 continue;
             if (families[f].extremes || weightings[w].extremes)
                 count = dim <= 3 ? 100 : dim + 10;
-            else if (w > 0) // without weights the whole size
+            else if (w > 0) // only unweighted sets have their full size
                 count /= 2;
             sample s = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(11 + f + w));
             expect_cgals_cells(&s, (f + w + dim) % PARADT_METHOD_COUNT, dim == 2 && w % 2);

@@ -1,5 +1,5 @@
-// Point families, a row each: name, generator, what is special. Generators fill any dimension from 2 to 8 and use nothing but the
-// seed, so a failing sample can be made again; lattice-like ones keep a random subset of their sites in random order.
+// Families of points, one row each: name, generator, what is special about them. Every generator works in 2 to 8 dimensions and
+// depends on the seed alone, so a failing sample can be made again. Lattices keep a random subset of their sites in random order.
 #ifndef FAMILIES_H
 #define FAMILIES_H
 
@@ -36,7 +36,7 @@ static inline void shuffle(int *order, int count, uint64_t *state) {
     }
 }
 
-// Every point gets its coordinates from one of these: s->x + i * s->dim is theirs to fill.
+// Loops over the points of a sample; x is the address of the point's coordinates.
 #define FOR_EACH_POINT(s, x)                                                                                           \
     for (double *x = (s)->x; x < (s)->x + (s)->count * (s)->dim; x += (s)->dim)
 
@@ -65,7 +65,7 @@ static inline void points_sphere(sample *s, uint64_t *seed) {
     direction(x, s->dim, seed);
 }
 
-// A shell of 2^-11 to 2^-50 of the radius, thinner on one half, off the origin
+// Points in a thin shell around a sphere: 2^-11 to 2^-50 of the radius, thinner on one half. Its centre is not the origin.
 static inline void points_rough_sphere(sample *s, uint64_t *seed) {
     double roughness = ldexp(1, -11 - random_below(seed, 40));
     FOR_EACH_POINT(s, x) {
@@ -97,7 +97,7 @@ static inline void points_plummer(sample *s, uint64_t *seed) {
     }
 }
 
-// Fills s with a random choice of the integer points in [0, side)^dim that keep() wants, the smallest side that has enough.
+// Fills s with a random choice of the integer points in [0, side)^dim that keep() accepts, for the smallest side that has enough.
 static inline void fill_from_lattice(sample *s, uint64_t *seed, int (*keep)(const int *at, int dim, int side)) {
     for (int side = 2;; side++) {
         int at[CELLS_MAX_DIM] = {0}, found = 0, k;
@@ -153,14 +153,14 @@ static inline void points_lattice(sample *s, uint64_t *seed) { fill_from_lattice
 static inline void points_fcc(sample *s, uint64_t *seed) { fill_from_lattice(s, seed, keep_even); }
 static inline void points_lattice_surface(sample *s, uint64_t *seed) { fill_from_lattice(s, seed, keep_surface); }
 
-// Lattice sites, each coordinate moved by an ulp or not: almost cospherical everywhere.
+// Lattice sites with some coordinates moved by one ulp: almost cospherical everywhere.
 static inline void points_lattice_off_by_ulps(sample *s, uint64_t *seed) {
     fill_from_lattice(s, seed, keep_all);
     for (int i = 0; i < s->count * s->dim; i++)
         s->x[i] = (s->x[i] + 1) * (1 + (random_below(seed, 3) - 1) * 0x1p-52);
 }
 
-// Integer points with x.x equal to one number, moved by an offset: all on one sphere, exactly. In the plane there are few.
+// Integer points x of equal |x|^2, moved by an offset: all exactly on one sphere. The plane has only few of them.
 static inline int count_cospherical(int dim, int rest, int *at, int k, sample *s, int *found) {
     for (int v = 0, r = 0; (r = rest - v * v) >= 0; v++) {
         if (k < dim - 1) {
@@ -211,7 +211,7 @@ static inline void points_cube_surface(sample *s, uint64_t *seed) {
     }
 }
 
-// Pythagorean angles on circles (exactly cocircular), all further coordinates small integers.
+// Circles of points at Pythagorean angles, which are exactly cocircular. The other coordinates are small integers.
 static inline void points_cylinder(sample *s, uint64_t *seed) {
     static const int circle[12][2] = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4},
                                       {0, -5}, {3, -4}, {4, -3}};
@@ -225,7 +225,7 @@ static inline void points_cylinder(sample *s, uint64_t *seed) {
     }
 }
 
-// Integer combinations of rank integer vectors: a lattice of lower affine dimension in a slanted position.
+// Integer combinations of `rank` integer vectors: a slanted lattice of lower affine dimension.
 static inline void points_in_subspace(sample *s, uint64_t *seed, int rank) {
     int basis[CELLS_MAX_DIM][CELLS_MAX_DIM], range = (int)pow(2.0 * s->count, 1.0 / rank) + 2;
     for (int r = 0; r < rank; r++)
@@ -333,7 +333,7 @@ static inline void points_helix(sample *s, uint64_t *seed) {
     }
 }
 
-// Two skew lines of integer points: as many cells as there are pairs of gaps.
+// Integer points on two skew lines: one cell for each pair of gaps.
 static inline void points_skew_lines(sample *s, uint64_t *seed) {
     int at = 0;
     (void)seed;
@@ -346,7 +346,7 @@ static inline void points_skew_lines(sample *s, uint64_t *seed) {
     }
 }
 
-// (t, t^2, t^3, ...): neighbourly, the most cells that a number of points can have.
+// (t, t^2, t^3, ...): a neighbourly set, which has the most cells for its number of points.
 static inline void points_moment_curve(sample *s, uint64_t *seed) {
     int t = -s->count / 2;
     (void)seed;
@@ -357,7 +357,7 @@ static inline void points_moment_curve(sample *s, uint64_t *seed) {
     }
 }
 
-// Halving steps towards a corner: every scale from 1 to 2^-n, and rows of equal coordinates.
+// Steps towards a corner, each half of the one before: every scale from 1 to 2^-n, and rows of equal coordinates.
 static inline void points_graded(sample *s, uint64_t *seed) {
     for (int i = 0; i < s->count * s->dim; i++)
         s->x[i] = ldexp(1, -random_below(seed, s->count / 2 + 2) % 60);
@@ -366,20 +366,20 @@ static inline void points_graded(sample *s, uint64_t *seed) {
 typedef struct family {
     const char *name;
     void (*fill)(sample *s, uint64_t *seed);
-    int at_most;  // points, because the number of cells grows faster than theirs; 0: any number
+    int at_most;  // points, where the number of cells grows faster than that of the points; 0: any number
     int extremes; // 1: coordinates whose squares over- or underflow
 } family;
 
 static const family families[] = {
     {"uniform", points_uniform, 0, 0},                           // general position
-    {"gauss", points_gauss, 0, 0},                               // the hull far from the bulk
+    {"gauss", points_gauss, 0, 0},                               // a hull far from the bulk
     {"sphere", points_sphere, 0, 0},                             // nearly cospherical, all on the hull
     {"clusters", points_clusters, 0, 0},                         // two scales
     {"plummer", points_plummer, 0, 0},                           // a dense core and a halo
     {"lattice", points_lattice, 0, 0},                           // cospherical everywhere
-    {"fcc", points_fcc, 0, 0},                                   // cospherical in other numbers
+    {"fcc", points_fcc, 0, 0},                                   // cospherical, more points on a sphere
     {"lattice surface", points_lattice_surface, 0, 0},           // coplanar hull, cospherical
-    {"lattice off by ulps", points_lattice_off_by_ulps, 0, 0},   // all but cospherical
+    {"lattice off by ulps", points_lattice_off_by_ulps, 0, 0},   // almost cospherical
     {"cospherical", points_cospherical, 200, 0},                 // every point on one sphere, exactly
     {"cube surface", points_cube_surface, 0, 0},                 // coplanar hull facets
     {"cylinder", points_cylinder, 0, 0},                         // cocircular layers, duplicates
@@ -398,7 +398,7 @@ static const family families[] = {
     {"smallest normal", points_around_smallest_normal, 500, 1},  // subnormal and normal beside each other
     {"huge", points_huge, 500, 1},                               // differences overflow
     {"huge lattice", points_huge_lattice, 500, 1},               // squares overflow, cospherical
-    {"near plane", points_near_plane, 0, 0},                     // thin as rounding errors
+    {"near plane", points_near_plane, 0, 0},                     // as thin as rounding errors
     {"helix", points_helix, 1000, 0},                            // a curve: long thin cells
     {"skew lines", points_skew_lines, 200, 0},                   // quadratically many cells
     {"moment curve", points_moment_curve, 40, 0},                // neighbourly
@@ -407,7 +407,7 @@ static const family families[] = {
 };
 enum { FAMILY_COUNT = sizeof families / sizeof families[0] };
 
-// --- weights: another table, to be crossed with the families
+// --- weights: a second table, to be combined with the families
 
 static inline void weights_small(sample *s, uint64_t *seed) { // some points hidden
     double extent = 0;
@@ -417,7 +417,7 @@ static inline void weights_small(sample *s, uint64_t *seed) { // some points hid
         s->w[i] = random_unit(seed) * fmin(extent, 1e150) * fmin(extent, 1e150) * 0.05;
 }
 
-static inline void weights_wild(sample *s, uint64_t *seed) { // most points hidden, also negative weights
+static inline void weights_wild(sample *s, uint64_t *seed) { // most points hidden, some weights negative
     weights_small(s, seed);
     for (int i = 0; i < s->count; i++)
         s->w[i] *= random_gauss(seed) * 200;
@@ -434,7 +434,7 @@ static inline void weights_constant(sample *s, uint64_t *seed) { // the same as 
         s->w[i] = 12.25;
 }
 
-static inline void weights_flat(sample *s, uint64_t *seed) { // all heights 0: nothing but the perturbation decides
+static inline void weights_flat(sample *s, uint64_t *seed) { // all heights 0: the perturbation alone decides
     (void)seed;
     for (int i = 0; i < s->count; i++)
         for (int k = 0; k < s->dim; k++)
@@ -463,7 +463,7 @@ static const weighting weightings[] = {
 };
 enum { WEIGHTING_COUNT = sizeof weightings / sizeof weightings[0] };
 
-// The number of a family, or of none: FAMILY_COUNT.
+// Returns the place of a family in the table, or FAMILY_COUNT.
 static inline int family_named(const char *name) {
     int f = 0;
     while (f < FAMILY_COUNT && strcmp(families[f].name, name) != 0)
@@ -471,6 +471,7 @@ static inline int family_named(const char *name) {
     return f;
 }
 
+// w may be NULL: no weights.
 static inline sample family_make(const family *f, const weighting *w, int dim, int count, uint64_t seed) {
     uint64_t state = seed * 1000003u + (uint64_t)dim;
     char name[96];
@@ -481,7 +482,7 @@ static inline sample family_make(const family *f, const weighting *w, int dim, i
     if (w && w->fill) {
         s.w = (double *)need((size_t)s.count, sizeof(double));
         w->fill(&s, &state);
-        for (int i = 0; i < s.count; i++) // |x|^2 of huge points is no double
+        for (int i = 0; i < s.count; i++) // |x|^2 of a huge point overflows
             if (!(fabs(s.w[i]) <= 1.7e308))
                 s.w[i] = 1.7e308;
     }

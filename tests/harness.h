@@ -1,5 +1,5 @@
-// What the cmocka programs share: one way to run the library on a sample and to say what went wrong. The implementation is
-// linked in, unless a program that looks into it has defined PARADT_IMPLEMENTATION.
+// Runs the library on a sample and reports what went wrong; shared by the cmocka programs. They are linked with the
+// implementation, except for those that test its internals and define PARADT_IMPLEMENTATION themselves.
 #ifndef HARNESS_H
 #define HARNESS_H
 
@@ -29,12 +29,12 @@
 #endif
 #if defined(__SANITIZE_THREAD__)
 #define SANITIZED 1
-#define RACES_ONLY 1 // 1: built to find data races; what runs on one thread is left to the other builds
+#define RACES_ONLY 1 // 1: built to find data races; tests of a single thread are left to the other builds
 #else
 #define RACES_ONLY 0
 #endif
 #ifndef SANITIZED
-#define SANITIZED 0 // 1: this program is several times slower, and tests take fewer seeds
+#define SANITIZED 0 // 1: the program is several times slower, so tests take fewer seeds
 #endif
 
 static inline paradt_points points_of(const sample *s) {
@@ -46,7 +46,7 @@ static inline paradt_points points_of(const sample *s) {
     return points;
 }
 
-// The cells as a sorted set. original: what to call each vertex, or NULL for its own index.
+// Returns the cells as a sorted set. original[v] is the number that vertex v gets in it; NULL: its own index.
 static inline cell_set cells_of(const paradt_triangulation *t, const int *original) {
     cell_set set = {0};
     int n = t->dim + 1, vertices[CELLS_MAX_DIM + 1];
@@ -61,7 +61,7 @@ static inline cell_set cells_of(const paradt_triangulation *t, const int *origin
     return set;
 }
 
-// Leaves the sample where it can be looked at.
+// Writes the sample to a file under build/tests/failures and prints what failed.
 static inline void report_sample(const sample *s, const char *what) {
     static int written;
     char path[64];
@@ -83,7 +83,7 @@ static inline void fail_on_sample(const sample *s, const char *what) {
     fail();
 }
 
-// A run that does not end fails with its points written down, instead of being stopped from outside without a trace.
+// The sample that is being triangulated. If the run does not end in time, the sample is written down before the program ends.
 static const sample *watched;
 
 static inline void watch_ended(int number) {
@@ -109,7 +109,8 @@ static inline void fail_if_different(const sample *s, const char *how, const cel
     }
 }
 
-// Runs, and fails the test on any status but success or any fault that verify.h or paradt_check finds. Free the result.
+// Triangulates the sample. The test fails on an error and on any fault found by verify.h or paradt_check. The caller frees
+// the result.
 static inline paradt_triangulation triangulate_and_verify(const sample *s, const paradt_options *options,
                                                           const char *how) {
     paradt_points points = points_of(s);
@@ -133,7 +134,7 @@ static inline paradt_triangulation triangulate_and_verify(const sample *s, const
     return t;
 }
 
-// What a run is called in a failure's message.
+// Returns the name of a run in messages of failures.
 static inline const char *how_text(const paradt_options *options) {
     static char text[96];
     snprintf(text, sizeof text, "%s, %u %s regions", paradt_method_string(options->method),
@@ -142,7 +143,7 @@ static inline const char *how_text(const paradt_options *options) {
     return text;
 }
 
-// Tests are rows "name_on_family": names are made, not written, and each gets a number to know its row by.
+// Makes a test whose name is formatted. row is passed to the test as its state.
 static inline struct CMUnitTest named_test(CMUnitTestFunction run, void *row, const char *format, ...) {
     struct CMUnitTest test = {NULL, run, NULL, NULL, row};
     char *name = (char *)need(1, 128);
@@ -157,7 +158,7 @@ static inline struct CMUnitTest named_test(CMUnitTestFunction run, void *row, co
     return test;
 }
 
-// cmocka's macro wants an array of known size; the names last as long as the program.
+// cmocka's own macro needs an array of known size. The names are never freed.
 static inline int run_named_tests(const char *group, const struct CMUnitTest *tests, size_t count) {
     return _cmocka_run_group_tests(group, tests, count, NULL, NULL);
 }

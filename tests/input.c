@@ -1,4 +1,4 @@
-// Points as callers hand them in: floats, strides, negative zeros, NaN and infinity, duplicates, arguments out of range.
+// What callers hand in: floats, strides, negative zeros, NaN and infinity, duplicates, arguments out of range.
 #include "harness.h"
 
 #include <float.h>
@@ -9,7 +9,7 @@ static void expect_status(paradt_status expected, const paradt_points *points, c
     paradt_status status = paradt_triangulate(&t, points, options);
     assert_int_equal(status, expected);
     if (status != PARADT_OK) {
-        // The output is empty: no arrays, no counts, nothing that paradt_free would give back.
+        // The output is empty: no arrays, no counts, nothing for paradt_free to release.
         assert_null(t.cells);
         assert_null(t.neighbors);
         assert_null(t.representative);
@@ -19,10 +19,10 @@ static void expect_status(paradt_status expected, const paradt_points *points, c
     paradt_free(&t);
 }
 
-// The cells of any points, as a set.
+// Triangulates the points and returns the cells as a set.
 static cell_set triangulate_points(const paradt_points *points, const paradt_options *options) {
     paradt_triangulation t;
-    memset(&t, 0x5a, sizeof t); // what was in the output before has no influence
+    memset(&t, 0x5a, sizeof t); // the earlier contents of the output have no influence
     assert_int_equal(paradt_triangulate(&t, points, options), PARADT_OK);
     cell_set cells = cells_of(&t, NULL);
     paradt_free(&t);
@@ -58,7 +58,7 @@ static void floats_give_what_their_doubles_give(void **state) {
         }
 }
 
-// Bytes between the points are not looked at, and points need not be aligned.
+// Bytes between the points are not read, and points need not be aligned.
 static void any_stride_is_read(void **state) {
     static const size_t gaps[] = {0, 4, 8, 1, 3, 24, 1000};
     (void)state;
@@ -108,7 +108,7 @@ static void a_negative_zero_is_a_zero(void **state) {
             fail_if_different(&s, "without negative zeros", &with, &without);
             cells_free(&with);
             cells_free(&without);
-            // A weight's sign of zero says nothing either.
+            // A weight of negative zero is zero too.
             s.w = (double *)need((size_t)s.count, sizeof(double));
             for (int i = 0; i < s.count; i++)
                 s.w[i] = i % 2 ? -0.0 : 0.0;
@@ -142,7 +142,7 @@ static void the_first_point_that_is_not_finite_is_named(void **state) {
                 options.method = (paradt_method)(at % PARADT_METHOD_COUNT);
                 for (int i = 0; i < N * DIM; i++)
                     narrow[i] = (float)s.x[i];
-                // The second one is not named, wherever it stands behind the first.
+                // A second point that is not finite follows the first, here and there.
                 for (int i = at; i < N; i += 1 + (N - at) / 2) {
                     memcpy(&s.x[i * DIM + (i + kind) % DIM], &doubles[kind], what == 0 ? sizeof(double) : 0);
                     memcpy(&narrow[i * DIM + (i + kind) % DIM], &floats[kind], what == 1 ? sizeof(float) : 0);
@@ -211,7 +211,7 @@ static void the_heaviest_of_equal_points_stands_for_them(void **state) {
     }
 }
 
-// A lower affine dimension is a result: dim says it, and the cells are those within the affine hull.
+// Points of lower affine dimension have a result: its dim is that dimension, and its cells are those within the affine hull.
 static void points_of_lower_dimension_are_no_error(void **state) {
     (void)state;
     for (int dim = 2; dim <= 8; dim++)
@@ -248,7 +248,7 @@ static void no_points_give_an_empty_result(void **state) {
     paradt_free(&t);
 }
 
-// Blocks that free() does not take
+// Returns a block that free() would not accept.
 static void *take(void *user, size_t size) {
     char *block = (char *)malloc(size + 64);
     (void)user;
@@ -300,12 +300,12 @@ static void arguments_out_of_range_are_refused(void **state) {
     options.allocator.free = give_back;
     expect_status(PARADT_ERROR_ARGUMENT, &good, &options);
     memset(&t, 0, sizeof t);
-    paradt_free(&t); // of an empty result: nothing
+    paradt_free(&t); // does nothing to an empty result
     paradt_free(&t);
     paradt_free(NULL);
 }
 
-// Nothing is read and nothing is allocated before the count is found to be too large.
+// The error comes before anything is read or allocated.
 static void counts_that_no_index_can_number_are_refused(void **state) {
     static const double x[3] = {0, 0, 0};
     static const size_t counts[] = {(size_t)INT32_MAX + 1, (size_t)INT32_MAX * 2, SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8,

@@ -1,5 +1,5 @@
-// Insertion: stars of all sizes, and in three dimensions the numbers that their vertices have, and the errors of powers.
-#define PARADT_STATIC // what is not called is not compiled
+// Insertion: stars of all sizes; in three dimensions also the numbers of their vertices, and the errors of powers.
+#define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
 
@@ -10,7 +10,7 @@ enum { POINTS = 4000, MOST_POINTS = 30001 };
 typedef struct building {
     paradt__memory memory;
     paradt__set set;
-    paradt__bw bw;
+    paradt__insertion build;
     paradt_index *order, *representative;
 } building;
 
@@ -19,7 +19,7 @@ static int stops(void *user, double fraction) {
     return fraction > 0;
 }
 
-// Points in the order in which they are given; all of them, or as many as come before the first report.
+// Inserts points in the given order: all of them, or those before the first report of progress.
 static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
     paradt_points given = paradt_points_f64(x, points, dim);
     paradt_options options = {0};
@@ -38,10 +38,10 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
     assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
-    // the set is along a curve, set.origin says whose point each is
+    // The set is sorted along a curve; set.origin[i] is the caller's index of point i.
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
-    paradt__bw_begin(&b->bw, &b->set, b->order, &b->memory);
-    assert_int_equal(paradt__bw_build(&b->bw, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
+    paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
+    assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
 }
 
 static void begin(building *b, const double *x, size_t points, int all) {
@@ -49,8 +49,7 @@ static void begin(building *b, const double *x, size_t points, int all) {
 }
 
 static void end(building *b) {
-    paradt__bw_end(&b->bw);
-    paradt__cells_free(&b->bw.cells, &b->memory);
+    paradt__insertion_end(&b->build);
     paradt__set_free(&b->set, &b->memory);
     free(b->order);
     free(b->representative);
@@ -60,7 +59,7 @@ static double random_coordinate(uint64_t i) {
     return (double)(paradt__mix(i) >> 11) * 0x1p-53;
 }
 
-// Numbers that are about to reach their end begin again: all becomes as without that.
+// Numbers that approach their limit begin again from the start. The result is the same as without that.
 static void numbers_of_vertices_begin_again(void **state) {
     static double x[3 * POINTS];
     building plain, again;
@@ -70,22 +69,22 @@ static void numbers_of_vertices_begin_again(void **state) {
     for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i);
     begin(&plain, x, POINTS, 1);
     begin(&again, x, POINTS, 0);
-    assert_in_range(again.bw.inserted, 1000, POINTS - 1000);
-    before = again.bw.spheres->next_number;
-    again.bw.spheres->next_number = PARADT__LAST_NUMBER - 40000;
-    assert_int_equal(paradt__bw_insert_rest(&again.bw, &silent), PARADT_OK);
-    assert_true(again.bw.spheres->next_number > before);
-    assert_true(again.bw.spheres->next_number < PARADT__LAST_NUMBER - 40000); // some 70 insertions took it there
-    assert_int_equal(again.bw.cells.count, plain.bw.cells.count);
-    assert_memory_equal(again.bw.cells.vertices, plain.bw.cells.vertices,
-                        plain.bw.cells.count * 4 * sizeof(paradt_index));
-    assert_memory_equal(again.bw.cells.neighbors, plain.bw.cells.neighbors,
-                        plain.bw.cells.count * 4 * sizeof(paradt_index));
+    assert_in_range(again.build.inserted, 1000, POINTS - 1000);
+    before = again.build.kept->next_number;
+    again.build.kept->next_number = PARADT__LAST_NUMBER - 40000;
+    assert_int_equal(paradt__insertion_go(&again.build, &silent), PARADT_OK);
+    assert_true(again.build.kept->next_number > before);
+    assert_true(again.build.kept->next_number < PARADT__LAST_NUMBER - 40000); // they began again after some 70 insertions
+    assert_int_equal(again.build.scene.mesh.count, plain.build.scene.mesh.count);
+    assert_memory_equal(again.build.scene.mesh.vertices, plain.build.scene.mesh.vertices,
+                        plain.build.scene.mesh.count * 4 * sizeof(paradt_index));
+    assert_memory_equal(again.build.scene.mesh.links, plain.build.scene.mesh.links,
+                        plain.build.scene.mesh.count * 4 * sizeof(paradt_index));
     end(&plain);
     end(&again);
 }
 
-// A point on a sphere, rounded
+// Makes a point on the unit sphere, up to rounding.
 static void on_sphere(double *p, uint64_t i) {
     double length = 0;
     for (; length < 0.01 || length > 1; i += 1000000007) {
@@ -98,16 +97,16 @@ static void on_sphere(double *p, uint64_t i) {
     for (size_t j = 0; j < 3; j++) p[j] /= sqrt(length);
 }
 
-// Cells that share a facet must say so of each other, and have its vertices.
-static void check_links(const paradt__bw *bw) {
-    for (size_t c = 0; c < bw->cells.count; c++) {
-        const paradt_index *vertices = bw->cells.vertices + 4 * c;
+// Cells that share a facet must link to each other and share the facet's vertices.
+static void check_links(const paradt__insertion *build) {
+    for (size_t c = 0; c < build->scene.mesh.count; c++) {
+        const paradt_index *vertices = build->scene.mesh.vertices + 4 * c;
         if (vertices[0] == PARADT__DEAD) continue;
         for (size_t i = 0; i < 4; i++) {
-            paradt_index across = bw->cells.neighbors[4 * c + i];
-            const paradt_index *other = bw->cells.vertices + (across & ~3);
+            paradt_index across = build->scene.mesh.links[4 * c + i];
+            const paradt_index *other = build->scene.mesh.vertices + (across & ~3);
             int shared = 0;
-            assert_int_equal(bw->cells.neighbors[across], 4 * c + i);
+            assert_int_equal(build->scene.mesh.links[across], 4 * c + i);
             for (int j = 0; j < 4; j++) {
                 for (size_t k = 0; k < 4 && j != (across & 3); k++) shared += k != i && vertices[k] == other[j];
             }
@@ -116,8 +115,7 @@ static void check_links(const paradt__bw *bw) {
     }
 }
 
-// After the middle of a sphere, with a cell for each of 49,996 facets, come others, whose stars have some of its
-// vertices.
+// The middle of a sphere makes a cell for each of 49,996 facets. The stars of later points share some of its vertices.
 static void stars_after_a_very_large_one_are_whole(void **state) {
     static double x[3 * MOST_POINTS];
     (void)state;
@@ -129,27 +127,26 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
     memset(x + 3 * 25000, 0, 3 * sizeof *x);
     building b;
     begin(&b, x, MOST_POINTS, 1);
-    paradt__bw_mark_free(&b.bw);
-    check_links(&b.bw);
+    check_links(&b.build);
     end(&b);
 }
 
-// The table of ridges is cleared as far as a star needs it, not as far as the largest one did.
+// A large star makes the table of ridges large. The table is empty after every star, so nobody has to clear it.
 static void a_large_star_does_not_slow_what_follows(void **state) {
     (void)state;
     static double x[2 * POINTS];
     building b;
-    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes when half of its points are there
+    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes after half of the circle's points
         x[2 * i] = i == POINTS / 2 ? 0.0 : cos(2e-3 * (double)i);
         x[2 * i + 1] = i == POINTS / 2 ? 0.0 : sin(2e-3 * (double)i);
     }
     begin_in(2, &b, x, POINTS, 1);
-    assert_true(b.bw.ridge_capacity >= 3 * (POINTS / 2 - 2)); // what its star needed,
-    assert_true(b.bw.ridge_mask < 64);                        // and what the last point's did
+    assert_true(b.build.ridges.mask >= POINTS / 2 - 2);
+    assert_int_equal(b.build.ridges.count, 0);
     end(&b);
 }
 
-// The middle of a rounded sphere comes last: it drives out all cells there are and shares one with each hull facet.
+// The middle of a rounded sphere comes last: it replaces all cells by one cell for each hull facet.
 static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     static const size_t sizes[] = {20, 31, 33, 100, 129, 131, 500, 1025, 1027, 3000, 30000};
     static double x[3 * MOST_POINTS];
@@ -160,14 +157,13 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
         memset(x + 3 * n, 0, 3 * sizeof *x);
         building b;
         begin(&b, x, n + 1, 1);
-        paradt__bw_mark_free(&b.bw);
-        check_links(&b.bw);
+        check_links(&b.build);
         size_t facets = 2 * n - 4, cells = 0, ghosts = 0;
         paradt_index middle = b.order[n];
-        for (size_t c = 0; c < b.bw.cells.count; c++) {
-            const paradt_index *vertices = b.bw.cells.vertices + 4 * c;
+        for (size_t c = 0; c < b.build.scene.mesh.count; c++) {
+            const paradt_index *vertices = b.build.scene.mesh.vertices + 4 * c;
             if (vertices[0] == PARADT__DEAD) continue;
-            int is_ghost = paradt__bw_ghost(vertices, 4) >= 0, has = 0;
+            int is_ghost = paradt__ghost_place(vertices, 4) >= 0, has = 0;
             for (int i = 0; i < 4; i++) has += vertices[i] == middle;
             cells += (size_t)!is_ghost;
             ghosts += (size_t)is_ghost;
@@ -185,7 +181,7 @@ typedef struct exact_vector {
     mpq_t at[3], square;
 } exact_vector;
 
-// to - from
+// Sets v to `to` - `from`.
 static void exact_begin(exact_vector *v, const double *from, const double *to) {
     mpq_t x;
     mpq_init(x);
@@ -225,7 +221,7 @@ static void exact_add_determinant(mpq_t sum, const mpq_t factor, const exact_vec
     mpq_clear(y);
 }
 
-// The power of x with regard to the sphere through four points, exactly, less what it is said to be: as a double, rounded
+// Returns the error of `power`: its distance from the exact power of x with regard to the sphere through four points.
 static double error_of_power(double power, const double *const *v, const double *x) {
     exact_vector a, b, c, f;
     mpq_t one, det, sum, said;
@@ -253,23 +249,23 @@ static double error_of_power(double power, const double *const *v, const double 
     return error;
 }
 
-// Powers are as exact as they say, which is seldom too little to tell anything.
+// Computed powers are within their error bounds, and few of the bounds are too large to tell a power's sign.
 static void check_powers(const building *b) {
     enum { EVERY = 23, OTHERS = 4 };
     size_t asked = 0, vague = 0;
-    for (size_t at = 0; at < b->bw.cells.count; at += EVERY) {
-        const paradt_index *vertices = b->bw.cells.vertices + 4 * at;
+    for (size_t at = 0; at < b->build.scene.mesh.count; at += EVERY) {
+        const paradt_index *vertices = b->build.scene.mesh.vertices + 4 * at;
         const double *v[4];
-        if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, 4) >= 0) continue;
-        for (int i = 0; i < 4; i++) v[i] = paradt__bw_record(&b->bw, vertices[i]);
-        for (size_t k = 0; k < 4 + OTHERS; k++) { // the points across its facets, and some from anywhere
+        if (vertices[0] == PARADT__DEAD || paradt__ghost_place(vertices, 4) >= 0) continue;
+        for (int i = 0; i < 4; i++) v[i] = paradt__scene_record(&b->build.scene, vertices[i]);
+        for (size_t k = 0; k < 4 + OTHERS; k++) { // the apexes of the neighbours, and some other points
             paradt_index other = (paradt_index)(paradt__mix(at + k) % b->set.count);
-            if (k < 4) other = b->bw.cells.vertices[b->bw.cells.neighbors[4 * at + k]];
+            if (k < 4) other = b->build.scene.mesh.vertices[b->build.scene.mesh.links[4 * at + k]];
             if (other < 0) continue;
-            const double *x = paradt__bw_record(&b->bw, other);
-            paradt__seen3 seen = paradt__seen3_of(b->bw.spheres, x);
-            const paradt__sphere3 *sphere = paradt__bw3_sphere_of(&b->bw, (paradt_index)at);
-            double power = paradt__sphere3_power(sphere, &seen);
+            const double *x = paradt__scene_record(&b->build.scene, other);
+            paradt__centred seen = paradt__centred_of(b->build.kept, x);
+            const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
+            double power = paradt__sphere_power(sphere, &seen);
             assert_true(error_of_power(power, v, x) <= sphere->error);
             asked++;
             vague += other != vertices[0] && other != vertices[1] && other != vertices[2] && other != vertices[3] &&
@@ -287,17 +283,17 @@ static void powers_are_as_exact_as_they_say(void **state) {
     for (int sharp = 0; sharp < 2; sharp++) {
         for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i) * (sharp && i % 3 == 2 ? 0x1p-10 : 1);
         begin(&b, x, POINTS, 1);
-        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_QUICKLY);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_QUICKLY);
         if (sharp) {
-            b.bw.spheres->making = PARADT__MAKE_SHARP;
-            for (size_t i = 0; i <= b.bw.spheres->mask; i++) b.bw.spheres->table[i].tag = PARADT__NO_SPHERE;
+            b.build.kept->making = PARADT__MAKE_SHARP;
+            for (size_t i = 0; i <= b.build.kept->mask; i++) b.build.kept->table[i].tag = PARADT__NO_SPHERE;
         }
         check_powers(&b);
         end(&b);
     }
 }
 
-// Near a sphere, wherever it is, whatever its size and the noise, they tell what the in-sphere filter can't.
+// Near a sphere of any place and size, with or without noise, powers decide what the in-sphere filter can't.
 static void powers_by_sagittas_tell_more(void **state) {
     static const struct {
         double centre[3], radius, noise;
@@ -314,14 +310,14 @@ static void powers_by_sagittas_tell_more(void **state) {
         }
         building b;
         begin(&b, x, POINTS, 1);
-        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_GRADED);
-        assert_in_range(b.bw.space.counters.insphere_calls, 0, POINTS / 20);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_GRADED);
+        assert_in_range(b.build.scene.space.counters.insphere_calls, 0, POINTS / 20);
         check_powers(&b);
         end(&b);
     }
 }
 
-// A plane, far from the origin or not, is no part of a large sphere.
+// Points near a plane, far from the origin or not, are not taken for points near a large sphere.
 static void near_a_plane_there_are_no_sagittas(void **state) {
     static double x[3 * POINTS];
     (void)state;

@@ -1,14 +1,14 @@
-// On sets too large for trying all subsets: every method, every number of regions, both partitions, any input order and any way of
-// running the regions give one set of cells, which paradt_check certifies.
+// Sets that are too large for the definition: all methods, numbers of regions, partitions, input orders and ways of running the
+// regions give the same cells, which paradt_check certifies.
 #include "harness.h"
 
 #include <pthread.h>
 
 enum { LARGEST_DIM = SANITIZED ? 3 : 8, MOST_REGIONS = 9, REGIONS_STEP = SANITIZED ? 3 : 1 };
 static const int points_in[] = {0, 0, 300, 250, 45, 20, 16, 14, 13};
-static const int few_points_in[] = {0, 0, 60, 40, 14, 9}; // where nearly all predicates take thousands of bits
+static const int few_points_in[] = {0, 0, 60, 40, 14, 9}; // of families whose predicates mostly take thousands of bits
 
-// The undivided InCoDe's cells, verified and certified.
+// A sample and its cells by InCoDe without regions, verified and certified.
 typedef struct reference {
     sample s;
     cell_set cells;
@@ -36,7 +36,7 @@ static void reference_free(reference *r) {
     sample_free(&r->s);
 }
 
-// Insertion builds regions in another way then, one after another.
+// Without neighbours, insertion builds the regions in another way, one after another. Returns what differs, or NULL.
 static const char *differs_without_neighbors(const reference *r, paradt_options options, const paradt_triangulation *with) {
     paradt_points points = points_of(&r->s);
     paradt_triangulation without;
@@ -127,7 +127,7 @@ static void methods_and_regions_agree(void **state) {
         }
 }
 
-// Some have one point each, and there are cells that none of them reaches.
+// Many regions have one point or none, and some cells are found by no region alone.
 static void more_regions_than_points_agree(void **state) {
     static const struct {
         int dim, count;
@@ -210,14 +210,14 @@ static void regions_may_run_in_any_order_and_on_threads(void **state) {
         }
 }
 
-// Regions of many points are built in legs: all pause together, and go on from another task. Neither where they pause nor
-// who goes on may show in the result: its arrays are those of regions built without a pause.
+// Regions of many points are built in legs: all of them pause together, and other tasks may continue them. The result's arrays
+// are the same as without pauses, whoever continues.
 static void regions_that_change_hands_build_what_they_build_alone(void **state) {
     static const struct {
         const char *family;
         int dim, count;
         size_t regions;
-    } sets[] = {{"plummer", 3, 100000, 5}, // some pause while they ask, too
+    } sets[] = {{"plummer", 3, 100000, 5}, // some of its regions also pause while they ask for foreign points
                 {"uniform", 3, 45000, 2},
                 {"clusters", 3, 80000, 3},
                 {"lattice", 3, 45000, 2},
@@ -243,7 +243,7 @@ static void regions_that_change_hands_build_what_they_build_alone(void **state) 
                 continue;
             }
             size_t indices = t.cell_count * (size_t)(t.dim + 1);
-            if (calls < 12) // it takes 10 steps, one of them in legs
+            if (calls < 12) // there are 10 steps, and one of them has several legs
                 fail_on_sample(&s, "regions do not change hands");
             assert_int_equal(t.cell_count, alone.cell_count);
             assert_memory_equal(t.cells, alone.cells, indices * sizeof *t.cells);
@@ -278,10 +278,10 @@ static void large_sets_agree(void **state) {
     }
 }
 
-// Two of four regions each have a dense cluster close to the sphere that the first region has, so that cells of the
-// sphere alone are wrong in two places, with right ones between them.
+// The first of four regions has points on a sphere; two others have a dense cluster each, close to that sphere. The cells of the
+// first region's own points are wrong in two separate places.
 static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
-    enum { LEFT = 396, BELOW = 198, SPHERE = 206 }; // so the cuts are close to the sphere's first points
+    enum { LEFT = 396, BELOW = 198, SPHERE = 206 }; // put the cuts close to the lowest points of the sphere
     (void)state;
     for (int dim = 2; dim <= 3; dim++) {
         sample s = sample_make("sphere and clusters", dim, LEFT + BELOW + SPHERE);
@@ -315,7 +315,7 @@ static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
     }
 }
 
-// The plane's longest axis is a multiple of its first, and not among those that orient.
+// The longest axis of the plane is a multiple of its first axis, and not one of the axes that its cells are oriented in.
 static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) {
     static const paradt_method methods[] = {PARADT_BOWYER_WATSON, PARADT_INCODE, PARADT_DEWALL};
     sample s = sample_make("leaning plane", 3, 2000);
@@ -343,7 +343,7 @@ static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) 
     sample_free(&s);
 }
 
-// The insertion has tables for stars of few cells and for those of many, and a general way for more.
+// Insertion has one table for small stars, one for large stars, and a general method for the largest.
 static void stars_of_thousands_of_cells_agree(void **state) {
     family many = families[family_named("moment curve")];
     (void)state;
@@ -366,7 +366,7 @@ static void stars_of_thousands_of_cells_agree(void **state) {
     sample_free(&s);
 }
 
-// Several calls at once from several threads, each with its own points and method.
+// A thread that calls the library several times, with its own points and method.
 typedef struct caller {
     pthread_t thread;
     sample s;
@@ -414,7 +414,7 @@ static void many_calls_at_once_do_not_disturb_each_other(void **state) {
     }
 }
 
-// The hash is the sum of the cells' hashes, each the same for any order of its vertices, and tells sets apart.
+// The hash is the sum of the hashes of the cells. It does not depend on the order of a cell's vertices, and differs for other sets.
 static void the_hash_is_one_of_a_set(void **state) {
     sample s = family_make(&families[0], NULL, 3, 100, 9);
     paradt_points points = points_of(&s);

@@ -1,9 +1,9 @@
-// The definition itself as an oracle: T(P) by trying every (k+1)-subset of the points against every other point, in integers
-// (GMP). No orientation or in-sphere determinant is used: with q = sum b[i] p[i], sum b[i] = 1 (the barycentric
-// coordinates of q in the cell), q lies below the cell's lifted hyperplane exactly when h(q) - sum b[i] h(p[i]) < 0 for the
-// heights h(x) = |x|^2 - w + e(x). Where that is 0 without e, the sign is the one of the largest e with a coefficient other than
-// 0: +1 for e(q), -b[i] for e(p[i]). Barycentric coordinates are the same in any projection that keeps the affine hull's dimension, so
-// points of affine dimension k < d need no second rule.
+// The definition itself as an oracle: computes T(P) by testing every (k+1)-subset of the points against every other point in
+// GMP integers. It uses neither orientation nor in-sphere determinants. Let b[i] be the barycentric coordinates of q in the
+// cell: q = sum b[i] p[i], sum b[i] = 1. With the heights h(x) = |x|^2 - w + e(x), q lies below the cell's lifted hyperplane
+// exactly when h(q) - sum b[i] h(p[i]) < 0. If this difference is 0 without the e, its sign is that of the largest e whose
+// coefficient is not 0; e(q) has the coefficient 1, e(p[i]) has -b[i]. Barycentric coordinates are the same in every
+// projection that keeps the dimension of the affine hull, so points of affine dimension k < d need no rule of their own.
 #ifndef ORACLE_H
 #define ORACLE_H
 
@@ -12,13 +12,14 @@
 #include <gmp.h>
 #include <math.h>
 
-// The points scaled by a power of two to integers: 2 scale bits more for squares and weights, so heights are integers too.
+// The points as integers: coordinates are scaled by a power of two, heights by its square.
 typedef struct exact_points {
     int dim, count;
     mpz_t *x;      // [count][dim]
     mpz_t *height; // [count]: |x|^2 - w
 } exact_points;
 
+// value != 0
 static inline int exponent_of_lowest_bit(double value) {
     int exponent;
     uint64_t mantissa = (uint64_t)ldexp(frexp(fabs(value), &exponent), 53);
@@ -30,7 +31,7 @@ static inline int exponent_of_lowest_bit(double value) {
     return exponent;
 }
 
-// value * 2^shift, which is an integer
+// Sets z to value * 2^shift, which must be an integer.
 static inline void mpz_set_scaled(mpz_t z, double value, int shift) {
     int exponent;
     double mantissa = ldexp(frexp(value, &exponent), 53);
@@ -85,7 +86,8 @@ static inline void exact_free(exact_points *e) {
     mpz_array_free(e->height, e->count);
 }
 
-// Affine dimension k of the points listed; axes[0..k-1] become coordinate axes whose projection keeps it. -1: no points.
+// Returns the affine dimension k of the listed points, -1 without points. Fills axes[0..k-1] with coordinate axes on which the
+// points can be projected without losing dimensions.
 static inline int exact_affine_dim(const exact_points *e, const int *points, int count, int *axes) {
     int d = e->dim, rank = 0;
     mpz_t *basis = mpz_array(d * d), *row = mpz_array(d), t;
@@ -93,7 +95,7 @@ static inline int exact_affine_dim(const exact_points *e, const int *points, int
     for (int i = 1; i < count && rank < d; i++) {
         for (int k = 0; k < d; k++)
             mpz_sub(row[k], e->x[points[i] * d + k], e->x[points[0] * d + k]);
-        // Eliminating with each basis row in turn leaves its axis zero in all that follows.
+        // Once a basis row has been used, its axis is zero in this row and stays zero.
         for (int r = 0; r < rank; r++) {
             mpz_set(t, row[axes[r]]);
             for (int k = 0; k < d; k++) {
@@ -112,12 +114,13 @@ static inline int exact_affine_dim(const exact_points *e, const int *points, int
     mpz_clear(t);
     mpz_array_free(row, d);
     mpz_array_free(basis, d * d);
-    qsort(axes, (size_t)rank, sizeof(int), compare_ints); // ascending: a projection on all axes keeps orientations
+    qsort(axes, (size_t)rank, sizeof(int), compare_ints); // ascending, so that a projection on all axes keeps orientations
     return count == 0 ? -1 : rank;
 }
 
-// For the rows (x projected on the axes, 1) of n = k + 1 points: matrix M, inverse * determinant into adjugate, determinant.
-// Gauss and Jordan without fractions (Bareiss): every division is exact. Returns the determinant's sign.
+// M is the matrix of the rows (x projected on the axes, 1) of n = k + 1 points. Computes its determinant and its adjugate,
+// inverse * determinant, by fraction-free Gauss-Jordan elimination (Bareiss), in which every division is exact. Returns the
+// sign of the determinant.
 static inline int exact_invert(const exact_points *e, const int *points, int n, const int *axes, mpz_t *work,
                                mpz_t *adjugate, mpz_t determinant) {
     int width = 2 * n, sign = 1;
@@ -154,8 +157,8 @@ static inline int exact_invert(const exact_points *e, const int *points, int n, 
         mpz_set(previous, work[c * width + c]);
     }
     if (sign) {
-        // All diagonal entries are now the same number, the determinant up to the sign of the row exchanges, which the
-        // right half shares: their quotient is the inverse.
+        // All diagonal entries now equal the determinant, up to the sign of the row exchanges. The right half has the same
+        // sign, so the quotient of the two is the inverse.
         mpz_set(determinant, previous);
         sign = mpz_sgn(determinant);
         for (int i = 0; i < n; i++)
@@ -167,8 +170,8 @@ static inline int exact_invert(const exact_points *e, const int *points, int n, 
     return sign;
 }
 
-// T(P) on a small sample. leader: as sample_leaders gives it, for vertices; in representative (unless NULL) also -1 for hidden
-// points. Vertices of the cells are leaders. Returns the affine dimension.
+// Computes T(P) of a small sample: its cells, sorted and with leaders for vertices (see sample_leaders), and, unless
+// representative is NULL, the leader of each point, or -1 where the leader is hidden. Returns the affine dimension.
 static inline int oracle_triangulate(const sample *s, cell_set *cells, int *representative) {
     int *leader = (int *)need((size_t)s->count, sizeof(int)), *rank = (int *)need((size_t)s->count, sizeof(int));
     int *points = (int *)need((size_t)s->count, sizeof(int)), *used = (int *)need((size_t)s->count, sizeof(int));
@@ -208,7 +211,7 @@ static inline int oracle_triangulate(const sample *s, cell_set *cells, int *repr
             }
             int side = mpz_sgn(difference) * sign;
             for (int below = rank[q] + s->count + 1; side == 0;) {
-                // The largest of the e not looked at yet; q's coefficient is 1, so the loop ends at q at the latest.
+                // Takes the largest e that is left. The coefficient of e(q) is not 0, so the loop ends at q at the latest.
                 int largest = -1;
                 for (int i = 0; i < n; i++)
                     if (rank[corner[i]] < below && (largest < 0 || rank[corner[i]] > rank[corner[largest]]))

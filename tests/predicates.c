@@ -1,10 +1,10 @@
-// The predicates against an independent oracle: determinants of GMP integers, of the homogeneous coordinates (no
-// differences), by fraction-free elimination; the perturbed rule evaluated directly on them.
+// The predicates are compared with an independent oracle: it computes determinants of homogeneous coordinates, without
+// differences, in GMP integers by fraction-free elimination, and applies the perturbed rule to them directly.
 //
-// With PREDICATES_HASH it needs neither cmocka nor GMP and prints one hash of all signs of all cases, for comparison
-// between compilers, flags and FPU modes (tests/predicates_flags.sh). Cases are made with integers and bits only, so
-// that they are the same everywhere. Its argument sets the FPU's mode: nearest, up, down, zero, flush (to zero,
-// operands too).
+// Built with PREDICATES_HASH, the program needs neither cmocka nor GMP. It prints one hash of the signs of all cases, for
+// comparison between compilers, flags and modes of the FPU (tests/predicates_flags.sh). Cases are made from integers and
+// bits alone, so that they are the same everywhere. The argument is the mode: nearest, up, down, zero, or flush
+// (subnormal operands and results are zeros).
 
 #define PARADT_IMPLEMENTATION
 #define PARADT_STATIC
@@ -41,19 +41,19 @@ static int random_between(int low, int high) {
     return low + random_below(high - low + 1);
 }
 
-// i * 2^e; i of at most 53 bits
+// Returns i * 2^e; i has at most 53 bits.
 static double shifted(int64_t i, int e) {
     int exact = 1;
     return paradt__scale((double)i, e, &exact);
 }
 
-// (No expression may call for two random numbers: compilers would call in different orders.)
+// No expression may draw two random numbers, because compilers would draw them in different orders.
 
 static double random_fraction(void) {
     return (double)(random_bits() >> 11) * 0x1p-53;
 }
 
-// A mantissa of 53 random bits with its leading bit at 2^e; either sign
+// Returns a number of either sign with 53 random bits, the first of which stands for 2^e.
 static double random_with_exponent(int e) {
     int64_t mantissa = (int64_t)(random_bits() >> 12 | (uint64_t)1 << 52);
     return shifted(random_below(2) ? -mantissa : mantissa, e - 52);
@@ -71,7 +71,7 @@ static double random_finite(void) {
     }
 }
 
-// x moved by so many units in the last place; x is not 0
+// Returns x moved by `ulps` units in the last place; x is not 0.
 static double by_ulps(double x, int ulps) {
     double y = paradt__from_bits(paradt__bits(x) + (uint64_t)(int64_t)ulps);
     return paradt__is_finite(y) ? y : x;
@@ -85,7 +85,7 @@ static int64_t square_root(uint64_t x) {
     return (int64_t)root;
 }
 
-// --- families of samples: each fills the coordinates
+// --- families of samples: each function fills the coordinates
 
 static void make_uniform(sample *s) {
     for (int i = 0; i < s->k + 2; i++)
@@ -149,7 +149,7 @@ static void make_flat(sample *s) { // integer combinations of too few vectors
     }
 }
 
-static void nudge(sample *s) { // by units in the last place, or by a tiny number where there is 0
+static void nudge(sample *s) { // moves coordinates by units in the last place, zeros by a tiny number
     for (int i = 0; i < s->k + 2; i++)
         for (int j = 0; j < s->d; j++) {
             double *x = &s->memory[i][j];
@@ -197,7 +197,7 @@ static void make_magnitudes(sample *s) {
             s->memory[i][j] = random_with_exponent(random_between(-300, 300));
 }
 
-static void make_axis_magnitudes(sample *s) { // every axis has its own
+static void make_axis_magnitudes(sample *s) { // every axis has its own magnitude
     for (int j = 0; j < s->d; j++) {
         int e = random_between(-300, 300);
         for (int i = 0; i < s->k + 2; i++)
@@ -205,7 +205,7 @@ static void make_axis_magnitudes(sample *s) { // every axis has its own
     }
 }
 
-// The largest and least numbers of a length: differences just about as long as the integers of some stage
+// Makes the largest and smallest integers of some length, so that differences are about as long as the integers of some stage.
 static void make_edges(sample *s) {
     int parts = random_between(1, 2), length = parts * random_between(56, 62);
     int least = random_below(4) ? -30 : -1074, below = random_below(2);
@@ -228,7 +228,7 @@ static void make_subnormal(sample *s) {
             s->memory[i][j] = with_random_sign(random_bits() >> (64 - bits));
 }
 
-static void make_huge(sample *s) { // among them the largest double and neighbours
+static void make_huge(sample *s) { // also the largest double and its neighbours
     for (int i = 0; i < s->k + 2; i++)
         for (int j = 0; j < s->d; j++) {
             s->memory[i][j] = random_below(3) ? with_random_sign(0x7fefffffffffffffu - (uint64_t)random_below(3))
@@ -236,14 +236,14 @@ static void make_huge(sample *s) { // among them the largest double and neighbou
         }
 }
 
-static void make_extremes(sample *s) { // 0, the least, 1, the largest
+static void make_extremes(sample *s) { // 0, the smallest double, 1, the largest double
     static const uint64_t values[] = {0, 1, 0x0010000000000000u, 0x3ff0000000000000u, 0x7fefffffffffffffu};
     for (int i = 0; i < s->k + 2; i++)
         for (int j = 0; j < s->d; j++)
             s->memory[i][j] = with_random_sign(values[random_below(5)]);
 }
 
-static void make_repeated(sample *s) { // points on other points, zeros of both signs
+static void make_repeated(sample *s) { // equal points, zeros of both signs
     make_lattice(s);
     for (int i = 0; i < s->k + 2; i++) {
         if (random_below(3) == 0)
@@ -287,7 +287,7 @@ static void weigh_any(sample *s) {
         s->memory[i][s->d] = random_finite();
 }
 
-// The weight that puts the lifted point on a plane: |x|^2 where that is a small number, else 1
+// The lifted points lie in a plane: the weight is |x|^2 if that is a small number, else 1.
 static void weigh_flat(sample *s) {
     for (int i = 0; i < s->k + 2; i++) {
         int64_t square = 0;
@@ -333,10 +333,10 @@ static const maker weighings[] = {weigh_nothing, weigh_lattice, weigh_unit, weig
                                   weigh_huge,    weigh_any,     weigh_flat};
 enum { WEIGHINGS = sizeof weighings / sizeof weighings[0] };
 
-// A k-flat in d dimensions: further coordinates are integer combinations of the first k.
+// Makes points of a k-flat in d dimensions: all further coordinates are integer combinations of the first k.
 static void make_in_flat(sample *s) {
     int factor[PARADT_MAX_DIM][PARADT_MAX_DIM], size = random_below(2) ? 4 : 50000;
-    int64_t stretch = random_below(2) ? 1 : 0x1000001; // odd, so that differences have many bits
+    int64_t stretch = random_below(2) ? 1 : 0x1000001; // odd and long, so that differences have many bits
     for (int j = s->k; j < s->d; j++)
         for (int t = 0; t < s->k; t++)
             factor[j][t] = random_between(-3, 3);
@@ -375,7 +375,7 @@ typedef struct verdict {
     int orient, insphere, conflict; // conflict: -1 when the cell is flat
 } verdict;
 
-// Turns the cell of the sample to the positive side first.
+// Orients the cell of the sample positively first.
 static verdict judge(paradt__space *space, sample *s) {
     verdict v = {paradt__orient(space, s->points), 0, -1};
     if (v.orient < 0) {
@@ -401,7 +401,7 @@ static verdict judge_publicly(sample *s) {
 
 enum { BATCH = 8 };
 
-// Samples that share a space, so that its facts are those of a set
+// Samples that share a space: what it knows of its points holds for all of them.
 typedef struct batch {
     paradt__space space;
     sample samples[BATCH];
@@ -417,7 +417,7 @@ static void make_batch(batch *b, maker make, int k, int d, maker weigh) {
     paradt__space_end(&b->space);
 }
 
-// Calls visit for batches of all families, dimensions and weights; the same ones for the same rounds.
+// Calls visit for batches of all families, dimensions and weights. They depend on the number of rounds alone.
 static void for_all_batches(int rounds, void (*visit)(batch *b, const char *name, void *context), void *context) {
     static batch b;
     random_state = 1;
@@ -425,7 +425,7 @@ static void for_all_batches(int rounds, void (*visit)(batch *b, const char *name
         for (int k = 1; k <= PARADT_MAX_DIM; k++)
             for (int w = -4; w < WEIGHINGS; w++) {
                 maker weigh = w < 0 ? NULL : weighings[w];
-                // higher dimensions are slow for the oracle
+                // The oracle is slow in high dimensions.
                 for (int f = 0; f < FAMILIES; f++) {
                     if (w >= 0 && (f + w + round) % 3)
                         continue;
@@ -509,7 +509,7 @@ static void set_scaled(mpz_t z, double x, int scale) {
     mpz_mul_2exp(z, z, (mp_bitcnt_t)(e + scale));
 }
 
-// Sign of the determinant of n rows, which are destroyed (Bareiss' fraction-free elimination)
+// Returns the sign of the determinant of n rows by fraction-free elimination (Bareiss), which overwrites them.
 static int sign_of_determinant(mpz_t (*a)[MAX_POINTS], int n) {
     int sign = 1;
     mpz_t last, t;
@@ -554,7 +554,7 @@ static int oracle_orient(const double *const *p, int k) {
     return sign_of_determinant(oracle_matrix, k + 1);
 }
 
-// Below the lifted hyperplane of a positively oriented cell is inside.
+// A point is inside a positively oriented cell's sphere when its lift is below the cell's lifted hyperplane.
 static int oracle_insphere(const double *const *p, int k, int d, int weighted) {
     mpz_t x;
     mpz_init(x);
@@ -576,7 +576,7 @@ static int oracle_insphere(const double *const *p, int k, int d, int weighted) {
     return -sign_of_determinant(oracle_matrix, k + 2);
 }
 
-// By rational numbers, coordinate by coordinate
+// Compares two points lexicographically in rational numbers.
 static int oracle_compare(const double *a, const double *b, int k) {
     int sign = 0;
     mpq_t x, y;
@@ -597,7 +597,7 @@ static int oracle_conflict(const double *const *p, int k, int d, int weighted) {
     int sign = oracle_insphere(p, k, d, weighted), order[MAX_POINTS];
     if (sign)
         return sign > 0;
-    for (int i = 0; i < k + 2; i++) { // insertion sort, largest first; of equal points the query
+    for (int i = 0; i < k + 2; i++) { // insertion sort: the largest first, the query before points equal to it
         int at = i;
         for (; at > 0; at--) {
             int c = oracle_compare(p[order[at - 1]], p[i], k);
@@ -630,7 +630,7 @@ static void stop_oracle(void) {
             mpz_clear(oracle_matrix[i][j]);
 }
 
-// Says what failed, with the sample in full.
+// Prints what differs, and the whole sample, and fails.
 static void expect(int actual, int expected, const char *what, const sample *s, const char *name) {
     if (actual == expected)
         return;
@@ -666,7 +666,7 @@ static void check_predicates(batch *b, const char *name, void *context) {
             continue;
         verdict own = judge_publicly(s);
         if (orient < 0)
-            orient = 1; // judge turned it
+            orient = 1; // judge has oriented the cell positively
         expect(own.orient, orient, "paradt_orient", s, name);
         expect(own.insphere, insphere, "paradt_insphere", s, name);
         if (orient)
@@ -701,7 +701,7 @@ static void predicates_agree_with_the_oracle(void **state) {
     assert_true(zero_orients && zero_inspheres && conflicts);
 }
 
-// Every exact stage that can take a task must give the same sign.
+// Expects the same sign from every exact stage that can take the task. Counts in seen[] how often each could.
 static void check_stages(const paradt__task *q, int expected, const sample *s, const char *name, int *seen) {
     static paradt__digit work[1 << 20];
     static paradt__wide sum[1 << 12];
@@ -711,7 +711,7 @@ static void check_stages(const paradt__task *q, int expected, const sample *s, c
     paradt__minors m = {q, &y, work, 0};
     int lifted = q->n > q->k, digits;
     paradt__space_begin(&space, q->k, q->d, q->weighted);
-    space.coordinates.unit = -1074, space.coordinates.top = 1024; // nothing is known of the set
+    space.coordinates.unit = -1074, space.coordinates.top = 1024; // nothing is known about the set
     y = paradt__lay_out(&space, q);
     digits = paradt__minor_digits(&m, q->n);
     paradt__digit *rest = work + q->n * (q->k * y.digits + y.lift_digits);
@@ -794,13 +794,13 @@ static void check_antisymmetry(batch *b, const char *name, void *context) {
         sample *s = &b->samples[n];
         int orient = paradt__orient(&b->space, s->points), insphere = paradt__insphere(&b->space, s->points);
         for (int round = 0; round < 4; round++) {
-            swap_any(s, s->k + 1); // two vertices of the cell: both signs turn
+            swap_any(s, s->k + 1); // swaps two vertices of the cell: both signs change
             orient = -orient, insphere = -insphere;
             expect(paradt__orient(&b->space, s->points), orient, "orientation of swapped points", s, name);
             expect(paradt__insphere(&b->space, s->points), insphere, "in-sphere of swapped points", s, name);
         }
         for (int round = 0; round < 4; round++) {
-            swap_any(s, s->k + 2); // any two: the lifted simplex turns
+            swap_any(s, s->k + 2); // swaps any two points: the orientation of the lifted simplex changes
             insphere = -insphere;
             expect(paradt__insphere(&b->space, s->points), insphere, "in-sphere of swapped points", s, name);
         }
@@ -812,8 +812,8 @@ static void swapping_two_points_turns_the_sign(void **state) {
     for_all_batches(2, check_antisymmetry, NULL);
 }
 
-// Of two cells on both sides of a facet each has the other's apex in conflict, or neither has: the perturbation moves
-// points, not answers.
+// Two cells share a facet. Each is in conflict with the other's apex, or neither is: the perturbation is a property of the
+// points, so it gives consistent answers.
 static void check_both_sides(batch *b, const char *name, void *context) {
     for (int n = 0; n < BATCH; n++) {
         sample *s = &b->samples[n];
@@ -822,10 +822,10 @@ static void check_both_sides(batch *b, const char *name, void *context) {
         if (s->k == 1 || paradt__orient(&b->space, s->points) <= 0)
             continue;
         int here = paradt__conflict(&b->space, s->points);
-        swap_points(s, 0, s->k + 1); // the other cell on the facet without point 0
+        swap_points(s, 0, s->k + 1); // the other cell of the facet opposite to point 0
         if (paradt__orient(&b->space, s->points) >= 0)
             continue;
-        swap_points(s, 1, 2); // to its positive side
+        swap_points(s, 1, 2); // orients it positively
         expect(paradt__conflict(&b->space, s->points), here, "conflict from the other side", s, name);
         ++*(int *)context;
     }
@@ -871,12 +871,12 @@ static void uniform_points_stay_in_the_filter(void **state) {
         for (int weighted = 0; weighted < 2; weighted++) {
             paradt__counters c;
             run_uniform(k, weighted, &c);
-            // the bound of the elimination in 8 dimensions fails about once in 10^5
+            // In 7 and 8 dimensions the bound of the elimination fails about once in 10^5.
             assert_in_range(c.exact_small + c.exact_fixed + c.exact_general, 0, k < 7 ? 0 : 3);
         }
 }
 
-// Neighbours on a lattice of any size and place
+// The points are neighbours on lattices of several sizes, far from the origin.
 static void lattices_stay_in_the_filter(void **state) {
     (void)state;
     for (int k = 2; k <= 3; k++)
@@ -907,7 +907,8 @@ static void lattices_stay_in_the_filter(void **state) {
         }
 }
 
-// Measured in d dimensions, asked in the planes of any of their axes: in flat sets, with units above and below 1
+// The space is measured in d dimensions, and the predicates are asked about projections on some of the axes. The sets are flat,
+// and their units are above and below 1.
 static void facts_hold_for_any_fewer_axes(void **state) {
     (void)state;
     start_oracle();
@@ -941,8 +942,8 @@ static void facts_hold_for_any_fewer_axes(void **state) {
     stop_oracle();
 }
 
-// Simplices of integers whose determinant is 0 to 3, by row and column operations on a diagonal matrix: where the
-// filter's error comes up to the smallest determinant there is
+// Makes an integer simplex whose determinant is 0 to 3, by row and column operations on a diagonal matrix. The filter's error
+// bound reaches the smallest nonzero determinant.
 static void make_unimodular(sample *s, int k) {
     int64_t a[PARADT_MAX_DIM][PARADT_MAX_DIM] = {{0}}, largest = 1, size = (int64_t)1 << random_between(1, 26);
     memset(s, 0, sizeof *s);
@@ -1009,7 +1010,7 @@ static void only_finite_doubles_are_finite(void **state) {
     }
 }
 
-// Against x * 2^e as a rational number cut off to a double by GMP
+// The oracle is the rational number x * 2^e, which GMP truncates to a double.
 static void scaling_is_exact_or_says_so(void **state) {
     mpq_t q, r;
     int inexact = 0, overflows = 0;
@@ -1052,8 +1053,8 @@ static void scaling_is_exact_or_says_so(void **state) {
     mpz_clear(largest);
 }
 
-// Four points in the cube [-1, 1]^3 and a fifth that is near their sphere, the last. Short: the points are in pairs, as
-// those of a curve are, so that the tetrahedron is long and thin.
+// Makes four points in the cube [-1, 1]^3, and a fifth near their sphere. The four come in two pairs, whose points are the closer
+// the larger shortness is; then the tetrahedron is long and thin, as those of points on a curve.
 static void take_near_a_sphere(sample *s, int shortness) {
     double centre[3], radius = random_fraction() / 2;
     for (int j = 0; j < 3; j++)
@@ -1079,22 +1080,22 @@ typedef struct sphere {
     double normal[3], constant, error;
 } sphere;
 
-static const paradt__frame3 unit_cube = {{1, 1, 1}, 3, 0};
+static const paradt__frame unit_cube = {{1, 1, 1}, 3, 0};
 
 static sphere plain_sphere(const sample *s, int sharp) {
     const double *a = s->points[1], *b = s->points[0], *c = s->points[2], *p = s->points[3];
-    const paradt__seen3 at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
-    const paradt__making3 making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
+    const paradt__centred at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
+    const paradt__making making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
     sphere made;
-    const paradt__around3 to_a = paradt__around3_of(making, p, a), to_b = paradt__around3_of(making, p, b);
-    const paradt__around3 to_c = paradt__around3_of(making, p, c);
-    paradt__sphere3_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
+    const paradt__spoke to_a = paradt__spoke_of(making, p, a), to_b = paradt__spoke_of(making, p, b);
+    const paradt__spoke to_c = paradt__spoke_of(making, p, c);
+    paradt__sphere_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
                          &made.error);
     return made;
 }
 
-#if PARADT__BW_AVX2
-// The same by the copy for AVX2, which makes four at a time: all of them the same here.
+#if defined(PARADT__KEPT_AVX2)
+// Makes the same sphere by the AVX2 copy of the code, which makes four at a time, here four equal ones.
 PARADT__AVX2 static sphere avx2_sphere(const sample *s, int sharp) {
     __m256d corner[3][4], at[4], four[4], error;
     sphere made;
@@ -1121,8 +1122,8 @@ static sphere avx2_sphere(const sample *s, int sharp) { return plain_sphere(s, s
 static int has_avx2(void) { return 0; }
 #endif
 
-// A power larger than the bound on its error has the sign of the in-sphere determinant, by either bound and either copy
-// of the code; and the sharp bound is not larger.
+// A power that is larger than its error bound has the sign of the in-sphere determinant, for both bounds and both copies of the
+// code. The sharp bound is not the larger one.
 static void powers_are_as_exact_as_they_claim(void **state) {
     uint64_t settled[2] = {0, 0}, doubtful = 0;
     (void)state;
@@ -1162,7 +1163,7 @@ static void powers_are_as_exact_as_they_claim(void **state) {
     assert_true(settled[0] > 0 && settled[1] > settled[0] && doubtful > 0);
 }
 
-// The largest numbers of all fit into the room that the header promises.
+// The longest numbers fit into the space that the header reserves for them.
 static void the_general_stage_keeps_its_room(void **state) {
     (void)state;
     for (int k = 1; k <= PARADT_MAX_DIM; k++)
@@ -1196,7 +1197,7 @@ static void the_general_stage_keeps_its_room(void **state) {
             sums += paradt__minor_digits(&m, other);
             assert_in_range(room, 1, PARADT__LARGE_DIGITS);
             assert_in_range(sums, 1, PARADT__LARGE_SUM);
-            assert_true(k > 5); // the others fit whole
+            assert_true(k > 5); // up to 5 dimensions the whole determinant fits
             if (k == PARADT_MAX_DIM)
                 print_message("largest: %d digits, sums of %d\n", room, sums);
         }

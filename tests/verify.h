@@ -1,5 +1,5 @@
-// A triangulation's arrays verified without ParaDT's own code: orientations by GMP determinants, neighbours by sorting facets,
-// records and statistics by counts made here. It does not ask which cells there should be.
+// Verifies the arrays of a triangulation without using ParaDT's code: orientations by determinants of GMP integers, neighbours
+// by sorting facets, representatives and statistics by counting. It does not verify that the cells are the right ones.
 #ifndef VERIFY_H
 #define VERIFY_H
 
@@ -20,7 +20,7 @@ static inline int compare_facets(const void *a, const void *b) {
     return 0;
 }
 
-// Sign of the determinant of m[n][n], which is spent: elimination without fractions (Bareiss).
+// Returns the sign of the determinant of m[n][n] by fraction-free elimination (Bareiss), which overwrites m.
 static inline int exact_determinant_sign(mpz_t *m, int n) {
     int sign = 1;
     for (int c = 0; c < n; c++) {
@@ -45,7 +45,7 @@ static inline int exact_determinant_sign(mpz_t *m, int n) {
     return n ? sign * mpz_sgn(m[n * n - 1]) : 1;
 }
 
-// Orientation of k + 1 points in the projection on k axes: the sign of det(p[1] - p[0], ..., p[k] - p[0]).
+// Returns the orientation of k + 1 points projected on k axes: the sign of det(p[1] - p[0], ..., p[k] - p[0]).
 static inline int exact_orientation(const exact_points *e, const paradt_index *vertices, int k, const int *axes,
                                     mpz_t *work) {
     for (int i = 0; i < k; i++)
@@ -55,7 +55,7 @@ static inline int exact_orientation(const exact_points *e, const paradt_index *v
     return exact_determinant_sign(work, k);
 }
 
-// All cells have volume and the same orientation: in full dimension the positive one.
+// No cell may be flat, and all must have the same orientation, in full dimension the positive one.
 static inline const char *verify_orientations(const paradt_triangulation *t, const exact_points *e, const int *axes) {
     int k = t->dim, n = k + 1, first = k == e->dim ? 1 : 0;
     mpz_t *work = mpz_array(k * k);
@@ -140,7 +140,7 @@ static inline const char *verify_records(const paradt_triangulation *t, const sa
     return wrong;
 }
 
-// NULL, or the first thing that is wrong.
+// Returns NULL, or a sentence about the first fault found.
 static inline const char *verify_triangulation(const paradt_triangulation *t, const sample *s) {
     int axes[CELLS_MAX_DIM], *all = (int *)need((size_t)s->count, sizeof(int));
     exact_points e = exact_make(s);

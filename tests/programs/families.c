@@ -1,5 +1,6 @@
-// Writes samples of every family to a file, bit for bit: programs built with hostile flags read it instead of computing points.
-// Usage: families FILE. A record is {dim, count, weighted, single} as int32, the name, the coordinates (float or double), the weights.
+// Writes samples of every family to a file, bit for bit. Programs built with hostile flags read them instead of computing points.
+// Usage: families FILE. A record is {dim, count, weighted, single} as int32, the name, the coordinates as floats or doubles, and
+// the weights.
 #include "families.h"
 
 static void put(FILE *file, const void *data, size_t size) {
@@ -42,7 +43,7 @@ int main(int argc, char **argv) {
                 put_sample(file, &s, 0);
                 sample_free(&s);
             }
-    // Floats, subnormal ones among them: widening them is work that a flag can spoil.
+    // Floats, some of them subnormal: a flag can spoil their conversion to double.
     for (int f = 0; f < FAMILY_COUNT; f++)
         for (int dim = 2; dim <= 3; dim++) {
             sample s = family_make(&families[f], NULL, dim, few[dim], 4);

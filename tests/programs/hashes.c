@@ -1,6 +1,7 @@
-// Prints, for every sample in a file, the hash of its triangulation by every method and the certificate's verdict. Built with flags that
-// break careless floating-point code, and run in modes that do, it has to print the same. Usage: hashes FILE SHARE [MODE...]
-//   SHARE            what it prints: -1 all lines; 0 to 6 every seventh of them, beginning with that one
+// Prints, for every sample in a file, the hash of its triangulation by every method and what the certificate says. The output must
+// be the same when it is built with flags, or run in modes, that break careless floating-point code.
+// Usage: hashes FILE SHARE [MODE...]
+//   SHARE            -1: prints all lines; 0 to 6: every seventh line, beginning with this one
 //   up, down, zero   the rounding mode
 //   ftz              subnormal results and operands are zeros (SSE)
 //   single, double   the precision of x87 registers
@@ -55,7 +56,7 @@ static void *get(FILE *file, size_t size) {
     return memory;
 }
 
-// Seven has no divisor in common with the number of lines of a sample, so a share has lines of all methods alike.
+// Seven has no common divisor with the number of lines of a sample, so every share has lines of all methods.
 enum { SHARES = 7 };
 
 static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
@@ -85,7 +86,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: hashes FILE SHARE [MODE...]\n");
         return 2;
     }
-    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // a run that is stopped shows where it was
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // if the run is stopped, the output shows where
     for (i = 3; i < argc; i++)
         enter(argv[i]);
     while (fread(head, sizeof head, 1, file) == 1) {

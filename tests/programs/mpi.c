@@ -1,11 +1,15 @@
-// Runs under mpiexec: the distributed triangulation against the serial one, on the families of the serial tests, for
-// several numbers of ranks. Prints TAP on rank 0.
+// Compares the distributed triangulation with the serial one, on the families of the serial tests and several numbers of
+// ranks. Runs under mpiexec and prints TAP on rank 0.
 //
 //     mpiexec -n 8 mpi [families | many | weights | errors]
 //
-// Every rank makes the whole sample, which is small, and hands in a share of it.
+// Samples are small, so every rank makes the whole sample and hands in its share.
 
-#define PARADT_MPI_PIECE ((size_t)1000) // so that messages come in pieces
+#define PARADT_MPI_PIECE ((size_t)1000) // splits messages into pieces
+// In the group "errors" space is cut anew for every set. Otherwise the bounds are those of paradt_mpi.h.
+static int always_cut_anew;
+#define PARADT_MPI__WORTH (always_cut_anew ? 0u : 8192u)
+#define PARADT_MPI__MUCH  (always_cut_anew ? 0.0 : 1.25)
 #define PARADT_MPI_IMPLEMENTATION
 #include "paradt_mpi.h"
 
@@ -40,7 +44,7 @@ static void report(int good, const char *format, ...) {
     }
 }
 
-// --- sharing out
+// --- shares of the points
 
 typedef enum sharing { BLOCKS, DEALT, ALL_ON_LAST, SOME_EMPTY, SHARINGS } sharing;
 static const char *const sharing_names[] = {"in blocks", "dealt out", "all on the last rank", "every other rank empty"};
@@ -54,8 +58,8 @@ static int holder(sharing how, int point, int count, int size) {
     }
 }
 
-// The points of one rank in the order of the sample, and the sample's number of each of them. order: [count], global
-// id to number in the sample.
+// Returns the points that rank `mine` of `size` hands in, in the order of the sample. Fills order[count] with the sample's
+// index of each global id.
 static sample share_of(const sample *s, sharing how, int mine, int size, int *order) {
     int *picked = (int *)need((size_t)s->count, sizeof *picked), count = 0, next = 0, r, i;
     sample share;
@@ -83,7 +87,7 @@ static paradt_points points_of(const sample *s) {
 
 // --- comparing
 
-// The sample in the order of global ids, triangulated serially.
+// Triangulates the sample serially, in the order of global ids.
 static paradt_triangulation serial(const sample *s, const int *order) {
     sample all = sample_pick(s, order, s->count);
     paradt_points points = points_of(&all);
@@ -96,7 +100,7 @@ static paradt_triangulation serial(const sample *s, const int *order) {
     return t;
 }
 
-// Has each entry of the table of others' cells its one facet, and is it another rank's cell?
+// Does each entry of the table of others' cells belong to exactly one facet, and to a cell of another rank?
 static int others_are_others(const paradt_mpi_triangulation *t) {
     char *met = (char *)need(t->other_count, 1);
     size_t facet, i, found = 0;
@@ -118,7 +122,7 @@ static int others_are_others(const paradt_mpi_triangulation *t) {
     return good && found == t->other_count;
 }
 
-// Has the table of vertices those of the rank's cells, and nothing else?
+// Does the table of vertices have exactly the vertices of the rank's cells?
 static int table_is_of_vertices(const paradt_mpi_triangulation *t) {
     char *met = (char *)need(t->vertex_count, 1);
     size_t i, found = 0;
@@ -134,8 +138,8 @@ static int table_is_of_vertices(const paradt_mpi_triangulation *t) {
     return good && found == t->vertex_count;
 }
 
-// Is each cell that of the rank with the highest number among those where its vertices are at home? Replicated points
-// are at home on no rank. Collective; count: points of all ranks.
+// Does each cell belong to the highest rank among those that own its vertices? Nobody owns replicated points. Collective; count
+// is the number of points of all ranks.
 static int highest_rank_owns(const paradt_mpi_triangulation *t, MPI_Comm comm, int count) {
     int *home = (int *)need((size_t)count, sizeof *home), me, point, somewhere = 0, good = 1;
     size_t corners = (size_t)(t->dim + 1), i, j;
@@ -156,7 +160,7 @@ static int highest_rank_owns(const paradt_mpi_triangulation *t, MPI_Comm comm, i
     return good;
 }
 
-// NULL, or what is wrong with the distributed result.
+// Returns NULL, or what is wrong with the distributed result.
 static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, const sample *s, const int *order,
                            const paradt_triangulation *expected) {
     sample all = sample_pick(s, order, s->count);
@@ -194,14 +198,14 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     return wrong;
 }
 
-static char failure[300]; // of this rank's part in the current test
+static char failure[300]; // what failed on this rank in the current test
 
 static void note(const sample *s, int size, sharing how, const char *wrong) {
     if (!failure[0])
         snprintf(failure, sizeof failure, "%s on %d ranks, %s: %s", s->name, size, sharing_names[how], wrong);
 }
 
-// One sample on one number of ranks; others do nothing.
+// Tests a sample on the ranks of comm. Other ranks do nothing.
 static void check_sample(const sample *s, MPI_Comm comm, sharing how, const paradt_mpi_options *options) {
     int size, me, *order;
     sample share;
@@ -245,14 +249,14 @@ static void finish_test(const char *format, ...) {
 
 static const int sizes[] = {1, 2, 3, 4, 5, 7, 8};
 enum { SIZES = sizeof sizes / sizeof *sizes };
-static MPI_Comm comms[SIZES]; // of the first sizes[i] ranks; MPI_COMM_NULL on others
+static MPI_Comm comms[SIZES]; // the first sizes[i] ranks; MPI_COMM_NULL on the others
 
 static void make_comms(void) {
     for (int i = 0; i < SIZES; i++)
         MPI_Comm_split(MPI_COMM_WORLD, rank < sizes[i] && sizes[i] <= ranks ? 0 : MPI_UNDEFINED, rank, &comms[i]);
 }
 
-// On every `step`th of the numbers of ranks, beginning with another one for each seed.
+// Tests a family on every `step`th of the numbers of ranks. The seed and the dimension choose the first.
 static void same_cells_on_family(const family *f, const weighting *w, int dim, int count, uint64_t seed, int step) {
     sample s = family_make(f, w, dim, count, seed);
     for (int i = (int)(seed + (uint64_t)dim) % step; i < SIZES; i += step)
@@ -284,7 +288,7 @@ static void same_cells_with_weights(void) {
     }
 }
 
-// Regions that have an inside, and surfaces whose spheres reach all ranks.
+// These sets have regions with an interior, or surfaces whose spheres reach all ranks.
 static void same_cells_of_many_points(void) {
     static const char *const names[] = {"uniform", "clusters",     "plummer",    "lattice",    "sphere",
                                         "fcc",     "cube surface", "near plane", "duplicates", "cylinder"};
@@ -347,9 +351,9 @@ static void same_cells_by_other_options(void) {
     }
 }
 
-// --- errors: the same status on all ranks, and who is to blame
+// --- errors: the same status on all ranks, and the rank at fault
 
-typedef struct meter { // an allocator that fails after so many calls, and counts the bytes that are not given back
+typedef struct meter { // of an allocator: the calls that are left until it fails, and the bytes that are held
     long left;
     size_t held, peak;
 } meter;
@@ -387,7 +391,7 @@ static int cancels_at_once(void *user, double fraction) {
     return *(int *)user;
 }
 
-// Runs with something wrong on the rank `culprit` of the four; returns 1 when all is as it should be.
+// Triangulates on four ranks; the arguments are wrong on rank `culprit`. Returns 1 if all ranks get the expected error.
 static int agreed(paradt_mpi_triangulation *t, const paradt_points *points, const paradt_mpi_options *options,
                   paradt_status expected, int culprit, size_t point) {
     paradt_status status = paradt_mpi_triangulate(t, comms[3], points, options);
@@ -424,7 +428,7 @@ static void errors_are_agreed_on(void) {
             if (rank == culprit) wrong.data = NULL;
             good &= agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
             good &= agreed(&t, rank == culprit ? NULL : &points, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
-            if (rank == culprit) options.local.allocator.alloc = meter_alloc; // and nothing to give back with
+            if (rank == culprit) options.local.allocator.alloc = meter_alloc; // without a function that frees
             good &= agreed(&t, &points, &options, PARADT_ERROR_ARGUMENT, culprit, 0);
             options.local.allocator.alloc = NULL;
         }
@@ -441,7 +445,7 @@ static void errors_are_agreed_on(void) {
     }
 }
 
-// Every allocation of one rank fails once; nothing is kept, nobody waits for ever.
+// Every allocation of one rank fails once. No memory is kept, and no rank waits forever.
 static void failing_allocations_are_agreed_on(int culprit, int weighted, unsigned flags) {
     sample s = family_make(&families[family_named("uniform")], &weightings[weighted], 3, 120, 5);
     int order[120];
@@ -467,7 +471,7 @@ static void failing_allocations_are_agreed_on(int culprit, int weighted, unsigne
     finish_test("each allocation of rank %d fails%s%s", culprit, weighted ? ", weighted" : "", flags ? ", replicated" : "");
 }
 
-// No rank holds more than it says, nor more than its limit, whether that is enough or not.
+// No rank holds more memory than it reports, nor more than its limit, whether the limit suffices or not.
 static void memory_stays_within_its_limit(int weighted, unsigned flags) {
     enum { PARTS = 16 };
     sample s = family_make(&families[family_named("uniform")], weighted ? &weightings[1] : NULL, 3, 4000, 5);
@@ -498,7 +502,7 @@ static void memory_stays_within_its_limit(int weighted, unsigned flags) {
     finish_test("memory stays within its limit%s%s", weighted ? ", weighted" : "", flags ? ", replicated" : "");
 }
 
-// Points that are near the border take the rest.
+// What a rank holds beyond its eighth is for points near its border.
 static void eight_ranks_hold_less_than_double_an_eighth(void) {
     enum { COUNT = 200000 };
     if (comms[SIZES - 1] != MPI_COMM_NULL) {
@@ -524,7 +528,7 @@ static void eight_ranks_hold_less_than_double_an_eighth(void) {
     finish_test("eight ranks hold less than double an eighth");
 }
 
-// Own points of the ranks of comms[with]; on other ranks zeros.
+// Fills own[i] with the number of points that rank i of comms[with] owns. All are 0 on ranks outside of it.
 static void share_out(const sample *s, int with, uint64_t *own) {
     memset(own, 0, (size_t)sizes[with] * sizeof *own);
     if (comms[with] == MPI_COMM_NULL) return;
@@ -551,7 +555,7 @@ static void two_ranks_have_half_of_the_points_each(void) {
     finish_test("two ranks have half of the points each");
 }
 
-// Four ranks side by side: the inner ones have others on two sides, and less than their share of the points for that.
+// Of four ranks in a row, the inner two have neighbours on both sides, and get fewer points for that.
 static void ranks_between_others_have_fewer_points(void) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 4000, 5);
     uint64_t own[4];
@@ -599,7 +603,7 @@ static void empty_communicator_of_one(void) {
     finish_test("all ranks alone at once");
 }
 
-// --- all of them
+// --- groups
 
 static void weights_and_replicas(void) {
     same_cells_with_weights();
@@ -607,6 +611,7 @@ static void weights_and_replicas(void) {
 }
 
 static void options_and_errors(void) {
+    always_cut_anew = 1;
     same_cells_of_few_points();
     same_cells_by_other_options();
     empty_communicator_of_one();
@@ -619,9 +624,9 @@ static void options_and_errors(void) {
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
     eight_ranks_hold_less_than_double_an_eighth();
     wrong_arguments_of_gathering_are_agreed_on();
+    always_cut_anew = 0;
 }
 
-// Where all sets are cut anew, points weigh what they take, and shares are others.
 static void shares(void) {
     two_ranks_have_half_of_the_points_each();
     ranks_between_others_have_fewer_points();
@@ -642,7 +647,7 @@ int main(int argc, char **argv) {
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    alarm(600); // a rank that waits for ever ends the run
+    alarm(600); // ends the run if a rank waits forever
     make_comms();
     for (size_t g = 0; g < sizeof groups / sizeof *groups; g++)
         if (argc < 2 || strcmp(argv[1], groups[g].name) == 0) groups[g].run();

@@ -1,6 +1,6 @@
-// MPI calls that wait asleep. MPI libraries wait by polling, which is fast while every rank has a processor, and very
-// slow when the tests run eight ranks on two: a rank that waits takes the time of those it waits for. By MPI's
-// profiling interface, the calls that paradt_mpi.h waits in are replaced by nonblocking ones and naps.
+// MPI calls that sleep while they wait. MPI libraries wait by polling. That is fast if every rank has a processor, and very
+// slow if eight ranks share two: a waiting rank takes processor time from the ranks it waits for. The calls in which
+// paradt_mpi.h waits are replaced, through MPI's profiling interface, by nonblocking calls and naps.
 #ifndef MPI_POLITE_H
 #define MPI_POLITE_H
 

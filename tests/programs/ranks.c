@@ -1,6 +1,6 @@
-// ranks CASES: small sets of all kinds, whole or thinned out on one side or flattened, on two to twelve ranks, have the
-// cells that one call makes. The ranks run one at a time, by the MPI of the benchmark's study, so a case takes
-// milliseconds however many there are. Ends with 1 and names the case if one differs.
+// Usage: ranks CASES. Small sets of all kinds, whole, thinned out on one side, or flattened, have the same cells on two to twelve
+// ranks as by a serial call. The ranks run one after another, by the MPI of the benchmark's study, so a case takes milliseconds
+// with any number of ranks. The exit status is 1 if a case differs, which is then named.
 #define PARADT_MPI_IMPLEMENTATION
 #include "paradt_mpi.h"
 #define PARADT_POINTS_IMPLEMENTATION
@@ -14,7 +14,7 @@ static struct {
     paradt_gen_spec spec;
     double x[MOST_POINTS * 3], weights[MOST_POINTS];
     paradt_points points;
-    uint64_t hash; // that the ranks found
+    uint64_t hash; // of the ranks' cells
     paradt_status status;
 } at_hand;
 
@@ -25,7 +25,7 @@ static size_t below(size_t bound) {
     return (size_t)(state >> 33) % bound;
 }
 
-// Of the points only those of every sixteenth or beyond the middle of an axis remain.
+// Keeps the points beyond the middle of an axis, and every sixteenth of the others.
 static void thin_out(void) {
     size_t dim = (size_t)at_hand.points.dim, kept = 0, i;
     for (i = 0; i < at_hand.points.count; i++) {
@@ -40,7 +40,7 @@ static void make_case(unsigned number) {
     size_t i;
     int dim;
     state = number;
-    below(2); // the first value hardly depends on the number
+    below(2); // skips the first value, which hardly depends on the number
     at_hand.spec.kind = (int)below((size_t)paradt_gen_kinds());
     at_hand.spec.count = 4 + below(MOST_POINTS - 4);
     at_hand.spec.seed = number;

@@ -1,6 +1,6 @@
-// The least program that uses the whole of ParaDT: it triangulates the corners of a cube and two points inside, certifies the
-// result and prints its cell count and hash. Compiled as C and as C++, with the implementation in it (the default), or
-// with USE_ONLY against an implementation in another file.
+// The smallest program that uses all of ParaDT: triangulates the corners of a cube and two points inside, certifies the result,
+// and prints the number of cells and their hash. Compiled as C and as C++. It contains the implementation, unless USE_ONLY is
+// defined; then it uses the implementation of another file.
 #ifndef USE_ONLY
 #define PARADT_IMPLEMENTATION
 #endif

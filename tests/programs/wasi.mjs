@@ -1,4 +1,4 @@
-// Runs a WebAssembly program that was built for WASI, in this folder. Usage: node wasi.mjs PROGRAM [ARGUMENT...]
+// Runs a WebAssembly program built for WASI in the current folder. Usage: node wasi.mjs PROGRAM [ARGUMENT...]
 import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 
