@@ -3007,8 +3007,12 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t i
     return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
+enum {
+    // Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a
+    // page.
+    PARADT__POINTS_AHEAD = 64,
+    PARADT__PACE = 1 << 15 // points between two looks at whether the call is cancelled
+};
 
 // Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
 // lines.
@@ -3165,8 +3169,7 @@ static int paradt__is_among(int number, const int *numbers, int count) {
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
-                                   const paradt__team *team) {
-    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
+                                   paradt__meter *meter) {
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -3174,7 +3177,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
+        if (meter && step % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -3189,9 +3192,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
-//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
+//   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters, const paradt__team *team) {
+                             int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3207,7 +3210,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, meter);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3453,9 +3456,6 @@ enum {
     PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-// Points between two looks at whether the call is cancelled
-enum { PARADT__LOADER_PACE = 1 << 15 };
-
 // The passes over the points, and where each begins in the progress of them all
 enum {
     PARADT__SURVEY = 0,
@@ -3671,7 +3671,7 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3686,7 +3686,7 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) {
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
@@ -3704,7 +3704,7 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
+        if (count > PARADT__PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3845,7 +3845,7 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int d
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
             return;
         paradt__coordinates(&points, i, x);
@@ -3886,7 +3886,7 @@ static void paradt__scatter_task(void *context, size_t task) {
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
     for (; i < end; i++) {
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
@@ -3942,7 +3942,7 @@ static void paradt__gather_task(void *context, size_t task) {
               first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
             return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
@@ -4104,7 +4104,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4246,10 +4246,11 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
 }
 
 // Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
+// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
+// the set remains as it is. On return set->grade_limit
 // is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
-                                          paradt__memory *memory, int *nearby) {
+                                          paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
@@ -4266,6 +4267,10 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
+        if (meter && i % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) {
+            paradt__release(memory, records);
+            return PARADT_ERROR_CANCELLED;
+        }
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
@@ -4290,13 +4295,14 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
 }
 
 // Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                       paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
     if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
     if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
-    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, meter, memory, &nearby);
     if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
     return status;
 }
@@ -5424,8 +5430,10 @@ static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set,
     }
 }
 
-// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range. Returns 1 when
+// the meter cancels, else 0.
+static int paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around,
+                             paradt__meter *meter) {
     double bounds[2 * PARADT_MAX_DIM];
     memcpy(bounds, around, sizeof bounds);
     for (;;) {
@@ -5434,7 +5442,8 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
             paradt__grid_keep_bounds(grid, set, begin, end, bounds);
-        if (end - begin <= PARADT__LANES) return;
+        if (end - begin <= PARADT__LANES) return 0;
+        if (meter && end - begin > PARADT__PACE / 4 && paradt__meter_cancels(meter)) return 1;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
         switch (set->width) { // the same code with the width known
@@ -5444,7 +5453,7 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         }
         high = bounds[2 * axis + 1];
         bounds[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, bounds);
+        if (paradt__grid_sort(grid, set, begin, cut, bounds, meter)) return 1;
         bounds[2 * axis + 1] = high;
         bounds[2 * axis] = at;
         begin = cut;
@@ -5558,15 +5567,17 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+// Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
+// error the caller frees the grid.
+static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                        paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
     PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
     for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, bounds);
+    if (paradt__grid_sort(grid, set, 0, set->count, bounds, meter)) return PARADT_ERROR_CANCELLED;
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
@@ -11096,8 +11107,8 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
 // Prepares for fronts: the reference sphere and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
-    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->meter, &work->memory);
     work->stats->seconds_grid += paradt__now() - begun;
     return status;
 }
@@ -11788,9 +11799,9 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
     if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
     if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
     if (!status) status = paradt__build_by_patches(work);
     if (status != PARADT__GAVE_UP) return status;
