@@ -42,6 +42,8 @@
 //                            the functions are called otherwise then, so the linker finds those that don't agree.
 //                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall: a third of the code; AUTO inserts in all dimensions
+//     PARADT_NO_CHECK        leaves out paradt_check
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
 //                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
 //
@@ -714,6 +716,13 @@ extern "C" {
 #define PARADT_ASSERT(condition) ((void)0)
 #endif
 
+// A function that is not used where a macro leaves out those who use it
+#if defined(__GNUC__)
+#define PARADT__OPTIONAL static __attribute__((unused))
+#else
+#define PARADT__OPTIONAL static
+#endif
+
 #if defined(__GNUC__)
 #define PARADT__INLINE                     static inline __attribute__((always_inline))
 #define PARADT__NOINLINE                   static __attribute__((noinline))
@@ -736,6 +745,9 @@ extern "C" {
 #define PARADT__PREFETCH_TO_WRITE(address) ((void)(address))
 #define PARADT__RESTRICT
 #endif
+
+// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+#define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
 
 // Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
 // function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
@@ -1413,7 +1425,9 @@ static double paradt__now(void) {
 // No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
 // more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
 
-#define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
+// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+#define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
+#define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
@@ -1443,14 +1457,14 @@ typedef struct paradt__space {
     int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];                 // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];                // ... largest coordinate of each axis, as measured
-    double per_unit;                             // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                                 // no filter's error by underflow exceeds it
-    paradt__bounds orient[PARADT_MAX_DIM + 1];   // of orientations in k dimensions
-    paradt__bounds insphere[PARADT_MAX_DIM + 1]; // of in-sphere tests in k dimensions
-    double orient_certain;                       // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                       // the smallest of orient's
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest and
+    int64_t high[PARADT_MAX_DIM];              // ... largest coordinate of each axis, as measured
+    double per_unit;                           // 2^-unit where it makes integers below 2^59 of all coordinates; 0
+    double tiny;                               // no filter's error by underflow exceeds it
+    paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
+    paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
+    double orient_certain;                     // the largest of orient's, k = 1..d, for estimates of others
+    double orient_quantum;                     // the smallest of orient's
     paradt__counters counters;
 } paradt__space;
 
@@ -1459,7 +1473,7 @@ typedef struct paradt__space {
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
 // ceil(log2(n!))
-static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
 
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
@@ -1540,7 +1554,7 @@ static double paradt__quantum(int exponent) {
 // h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
-    static const double hadamard[PARADT__MAX_ROWS + 1] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
@@ -1803,13 +1817,13 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 
 // What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
 // n > k, the lift over d coordinates.
-typedef struct paradt__task {
+typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
-} paradt__task;
+} paradt__determinant;
 
-static paradt__range paradt__measure_columns(const paradt__task *q, int first, int end) {
+static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
         for (int i = 0; i < q->n; i++) paradt__measure(&range, q->row[i][j]);
@@ -1831,7 +1845,7 @@ typedef struct paradt__fixed {
     int unit;      // of the coordinates; 2 * unit is the lifts'
     int bits;      // differences are below 2^bits
     int lift_bits; // lifts are below 2^lift_bits
-    int64_t x[PARADT__MAX_ROWS][PARADT_MAX_DIM];
+    int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
@@ -1845,7 +1859,8 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
 }
 
 // Fills f->x in the unit of the set.
-PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__task *q, int columns) {
+PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
+                                       int columns) {
     f->unit = s->coordinates.unit;
     f->bits = s->coordinates.top + 1 - f->unit;
     PARADT__UNROLL
@@ -1857,7 +1872,7 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 }
 
 // Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, int columns,
+PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
@@ -1890,7 +1905,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
 }
 
 // Fills f but for the lifts. 0: differences or weights do not fit.
-PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__task *q) {
+PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
@@ -1902,7 +1917,7 @@ PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, co
 }
 
 // Fills f->lift, which must fit in wide integers.
-PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
+PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
@@ -1970,10 +1985,10 @@ typedef struct paradt__layout {
 // takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
-#define PARADT__SMALL_DIGITS (10240 / (int)sizeof(paradt__digit))
-#define PARADT__SMALL_SUM    (6144 / PARADT__RADIX)
+#define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
-static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task *q) {
+static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
     paradt__range x = s->coordinates, w = paradt__no_range;
@@ -2027,7 +2042,7 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
                                         const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
@@ -2058,7 +2073,7 @@ PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, c
 
 // Where the minors of the columns first, first + 1, ... of a task are made
 typedef struct paradt__minors {
-    const paradt__task *task;
+    const paradt__determinant *task;
     const paradt__layout *layout;
     const paradt__digit *rows;
     int first;
@@ -2150,7 +2165,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
 }
 
 // 1: so many digits, and sums of so many, are room for all minors at once
-static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, int digits, int sums) {
+static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
     int minors = paradt__minors_space(&m, q->n, 0) + paradt__minors_space(&m, q->n, 1);
@@ -2158,7 +2173,7 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
+PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
                                      paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
@@ -2170,13 +2185,14 @@ PARADT__NOINLINE int paradt__general(const paradt__task *q, const paradt__layout
     return paradt__sign(determinant, digits);
 }
 
-PARADT__NOINLINE int paradt__general_small(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+    PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
@@ -2263,7 +2279,7 @@ PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
 }
 
 // Rows of two digits a coordinate and four a lift
-PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
     const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift[4] = {0};
@@ -2280,7 +2296,7 @@ PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__task *q
     }
 }
 
-PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit rows[4 * 10];
     paradt__load_two(rows, q, y);
     return paradt__fixed_sign(rows, q->n, q->k, 2);
@@ -2291,7 +2307,7 @@ PARADT__NOINLINE int paradt__fixed_two(const paradt__task *q, const paradt__layo
 // ways for few columns are unrolled into code that is short and fast.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
-    const paradt__task q = {n, k, d, s->weighted, row, base};
+    const paradt__determinant q = {n, k, d, s->weighted, row, base};
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2318,7 +2334,8 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
     }
 #endif
     s->counters.exact_general++;
-    if (paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) return paradt__general_small(&q, &y);
+    if (PARADT_MAX_DIM <= 3 || k <= 3 || paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM))
+        return paradt__general_small(&q, &y);
     return paradt__general_large(&q, &y);
 }
 
@@ -2348,16 +2365,16 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
 }
 
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__exact_orient3(s, p);
+    if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
-    if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
+    if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
     if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
-    if (k == 2 && s->ambient == 3) return paradt__exact_flat3(s, p);
+    if (k == 2 && PARADT__IS(s->ambient, 3)) return paradt__exact_flat3(s, p);
     sign = paradt__exact_any(s, p, p[k + 1], k + 1);
     return k & 1 ? -sign : sign;
 }
@@ -2372,16 +2389,16 @@ PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, 
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_orient2(s, p)
-               : k == 3 ? paradt__filter_orient3(s, p)
-               : k == 4 ? paradt__filter4(s, p + 1, p[0], 4, 4)
-                        : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
+        sign = k == 2             ? paradt__filter_orient2(s, p)
+               : PARADT__IS(k, 3) ? paradt__filter_orient3(s, p)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p + 1, p[0], 4, 4)
+                                  : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
     return sign == PARADT__UNDECIDED ? paradt__exact_orient(s, p) : sign;
 }
 
 // The sign of det[p[1] - p[0]; ...; p[k] - p[0]], k = s->dim
 static int paradt__orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__orient_any(s, p, 3);
+    if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
     return paradt__orient_any(s, p, s->dim);
 }
@@ -2390,16 +2407,16 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     int sign = PARADT__UNDECIDED;
     s->counters.insphere_calls++;
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_insphere2(s, p, d, s->weighted)
-               : k == 3 ? paradt__filter_insphere3(s, p, d, s->weighted)
-               : k == 4 ? paradt__filter4(s, p, p[5], 5, d)
-                        : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
+        sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
+               : PARADT__IS(k, 3) ? paradt__filter_insphere3(s, p, d, s->weighted)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p, p[5], 5, d)
+                                  : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
 // Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
 static int paradt__insphere(paradt__space *s, const double *const *p) {
-    if (s->dim == 3 && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
+    if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
@@ -2408,7 +2425,7 @@ static int paradt__insphere(paradt__space *s, const double *const *p) {
 // for in lattices they can't be foreseen.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
-    if (s->dim == 3 && s->filtered) {
+    if (PARADT__IS(s->dim, 3) && s->filtered) {
         const double *y = p[query];
         for (i = 0; i < 4; i++) {
             const double *x = p[i];
@@ -2971,7 +2988,7 @@ static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
 }
 
 // Returns a hash of a point's coordinates. Equal points have equal hashes.
-static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
+PARADT__OPTIONAL uint64_t paradt__hash_coordinates(const double *record, int ambient) {
     uint64_t h = 0, bits;
     int axis;
     for (axis = 0; axis < ambient; axis++) {
@@ -3262,7 +3279,7 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
 
 // Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
 // rounded: all that matters is that they never get smaller as a point moves away from the cut.
-static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
+PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
     int64_t least = 0;
@@ -4404,7 +4421,7 @@ static double paradt__cells_a_point(int dim) {
 // The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
 // of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
 // eight.
-static double paradt__off_hull(double points, int dim) {
+PARADT__OPTIONAL double paradt__off_hull(double points, int dim) {
     double layer = pow(points + 1.0, -1.0 / dim);
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
 }
@@ -4416,16 +4433,21 @@ static size_t paradt__expected_places(size_t count, int dim) {
 
 // --- memory
 
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
-                                       paradt__memory *memory) {
+// Replaces a list, of which `used` elements are in use, by one of `count` elements at least.
+PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                                 paradt__memory *memory) {
     void *array = *list;
     size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
     if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
     *list = (paradt_index *)array;
     *capacity = larger;
     return PARADT_OK;
+}
+
+// Makes room for `count` elements in a list of which `used` are in use.
+PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                               paradt__memory *memory) {
+    return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -5569,8 +5591,8 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
 
 // Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
 // error the caller frees the grid.
-static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
-                                        paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                                  paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
@@ -6472,7 +6494,7 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
 }
 
 // Only the positions [begin, end) are searched from now on.
-static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+PARADT__OPTIONAL void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
     PARADT_ASSERT(begin <= end && end <= s->set->count);
     s->begin = begin;
     s->end = end;
@@ -6480,7 +6502,7 @@ static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
 
 // From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
 // boxes that have some, as they are at each search
-static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+PARADT__OPTIONAL void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
     s->unfinished = unfinished;
 }
 
@@ -6742,8 +6764,8 @@ PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_inde
 
 // Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
 // PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
+PARADT__OPTIONAL paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite,
+                                                  paradt_index *made, int *place) {
     int dim = s->pencil.space.dim, i;
     PARADT_ASSERT(paradt__search_has(s, cell));
     paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
@@ -6763,7 +6785,7 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
 }
 
 // Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
-static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
+PARADT__OPTIONAL paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
     PARADT_ASSERT(paradt__search_has(s, cell));
@@ -6847,6 +6869,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>first simplex
 //
@@ -7624,6 +7647,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
     }
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
@@ -8802,17 +8826,16 @@ PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
 // Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
 // slots where nothing has been for long; these are fetched.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    enum { TOGETHER = 8 }; // handles: there is room for that many behind both lists
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, i;
-    paradt_status status =
-        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
-    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
+    size_t count = build->rim_count, killed = update->killed_count, kept = killed < count ? killed : count, i;
+    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < update->killed_count && i < count; i += 4) // there is room behind both
-        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
-    for (i = update->killed_count; i < count; i++) {
+    for (i = 0; i < kept; i += TOGETHER) memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = kept; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
@@ -9655,6 +9678,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
     return status;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions
 //
@@ -9765,6 +9789,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
     paradt__facets_free(&table, memory);
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>patches
@@ -10878,13 +10903,14 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 // paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
 // paradt__region_view_of, paradt__may_insert, paradt__build_front.
 
+struct paradt__front;
 struct paradt__work;
 
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
-    unsigned can;                                      // PARADT__CAN_* bits
-    int least_dim, most_dim;                           // affine dimensions
-    paradt_status (*front)(paradt__front *front);      // builds a region, or all, facet by facet; NULL: it inserts
+    unsigned can;                                        // PARADT__CAN_* bits
+    int least_dim, most_dim;                             // affine dimensions
+    paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
     paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
 } paradt__method;
 
@@ -10954,12 +10980,6 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
     stats->exact_fixed += c->exact_fixed;
     stats->exact_general += c->exact_general;
     stats->perturbed += c->perturbed;
-}
-
-static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    paradt__search_add_counts(&front->search, stats);
-    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, paradt__search_counters(&front->search));
 }
 
 // Adds what a region has counted.
@@ -11051,6 +11071,7 @@ static paradt_status paradt__begin_regions(paradt__work *work) {
     return PARADT_OK;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>fronts
 //
@@ -11058,6 +11079,12 @@ static paradt_status paradt__begin_regions(paradt__work *work) {
 // task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
 // different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
 // paradt__front_task.
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    paradt__search_add_counts(&front->search, stats);
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
+}
 
 // Runs a front that has begun, unless that failed, and ends it: leaves its mesh, adds what it counted.
 static paradt_status paradt__run_front(paradt__front *front, paradt_status status, const paradt__method *method,
@@ -11139,6 +11166,7 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
     front.impatient = work->impatient;
     return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of insertion
@@ -11818,13 +11846,19 @@ enum {
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
-// The row of a method. AUTO's says what all methods can do that it chooses from.
+// The row of a method. AUTO's says what all methods can do that it chooses from. A method that is left out can nothing.
 static const paradt__method *paradt__method_of(paradt_method method) {
     static const paradt__method rows[PARADT_METHOD_COUNT] = {
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL},                                           // AUTO
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front},               // INCODE
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front},               // DEWALL
-        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}}; // BOWYER_WATSON
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+#ifdef PARADT_NO_FRONTS
+        {0, 0, 0, NULL, NULL}, // INCODE
+        {0, 0, 0, NULL, NULL}, // DEWALL
+#else
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+#endif
+        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion} // BOWYER_WATSON
+    };
     return rows + method;
 }
 
@@ -11832,8 +11866,13 @@ static const paradt__method *paradt__method_of(paradt_method method) {
 // makes only to destroy it again costs more than InCoDe's searches, unless these have to decide ties, see
 // paradt__front_is_stuck; where InCoDe gave up, insertion is next.
 static const paradt__method *paradt__choose_method(paradt_method wanted, int dim, int gave_up) {
+#ifdef PARADT_NO_FRONTS
+    const int incode_pays = 0 * dim;
+#else
+    const int incode_pays = dim >= PARADT__AUTO_INCODE_DIM;
+#endif
     if (wanted != PARADT_AUTO) return paradt__method_of(wanted);
-    return paradt__method_of(dim >= PARADT__AUTO_INCODE_DIM && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
+    return paradt__method_of(incode_pays && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
 }
 
 // Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
@@ -11875,11 +11914,14 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
     work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
     work->impatient = wanted == PARADT_AUTO && work->method->front != NULL;
     status = work->method->build(work);
+#ifndef PARADT_NO_FRONTS
     if (status != PARADT__GAVE_UP) return status;
     paradt__begin_again(work);
     if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
     work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
-    return work->method->build(work);
+    status = work->method->build(work);
+#endif
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11979,6 +12021,8 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (!paradt__method_of(options->method)->can)
+        return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
@@ -12535,6 +12579,7 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
 
 #endif // PARADT_MPI_IMPLEMENTATION
 
+#ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
 // >>check
 //
@@ -13270,6 +13315,8 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
+#endif // PARADT_NO_CHECK
+
 #ifdef __cplusplus
 }
 #endif
