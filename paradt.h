@@ -3097,8 +3097,12 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t i
     return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
+enum {
+    // Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a
+    // page.
+    PARADT__POINTS_AHEAD = 64,
+    PARADT__PACE = 1 << 15 // points between two looks at whether the call is cancelled
+};
 
 // Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
 // lines.
@@ -3255,8 +3259,7 @@ static int paradt__is_among(int number, const int *numbers, int count) {
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
-                                   const paradt__team *team) {
-    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
+                                   paradt__meter *meter) {
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -3264,7 +3267,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
+        if (meter && step % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -3279,9 +3282,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
-//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
+//   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters, const paradt__team *team) {
+                             int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3297,7 +3300,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, meter);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3488,9 +3491,10 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
-static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
-                                   int axis, const double *low, const double *high) {
+// Returns the coordinate at which to cut a box, above for the first half of `boxes`, one of which is to have `extra`
+// points more.
+static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                        int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
@@ -3512,7 +3516,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
     cut->axis = paradt__longest_axis(below, above, c->dim, 0);
-    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    cut->at = paradt__cutter_coordinate(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index position = c->order[i];
         c->order[i] = c->order[middle];
@@ -3542,9 +3546,6 @@ enum {
     PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-// Points between two looks at whether the call is cancelled
-enum { PARADT__LOADER_PACE = 1 << 15 };
-
 // The passes over the points, and where each begins in the progress of them all
 enum {
     PARADT__SURVEY = 0,
@@ -3564,13 +3565,14 @@ typedef struct paradt__loader {
     size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
     size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
-    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;               // bits of a key's first digit, at most
-    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;                // values that the first digit may have
+    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;   // [points.count]
+    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;         // bits of a key's first digit, at most
+    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;          // values that the first digit may have
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
@@ -3588,9 +3590,9 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
     paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
-// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
-// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+// Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
+// the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
+// its pages are touched only once.
 static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
@@ -3610,9 +3612,9 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
+    // that fill the records has as many new pages to touch.
+    loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
@@ -3759,7 +3761,7 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3774,25 +3776,25 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) {
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
-// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
-// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
-// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
-// 64 / levels passes.
+// Ends the sorting: points with equal keys are sorted again, until they differ or are known to be equal. On return a
+// key is 1 if the point equals the one before, else 0. The longest run is left to the loop, so that the recursion is no
+// deeper than the logarithm of count. If most points stay together pass after pass, the reason is a few distant points,
+// with others behind them, on scale after scale. After many such passes the lattice goes by steps from one double to
+// the next, which leaves at most 64 / levels passes.
 static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
                            size_t count) {
     enum { PASSES = 20 };
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
+        if (count > PARADT__PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3854,9 +3856,9 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
-// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
-// all: measured on uniform points.
+// Returns how many points of the sample box 0 is to get more than other boxes. By insertion its region takes no points
+// of others and asks about no cell, which saves the work for some 2.2 times the points in a margin beside a cut through
+// all, as measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
     int64_t *keys = (int64_t *)(void *)loader->keyed;
@@ -3899,9 +3901,9 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
-// places if they lie on surfaces. Where they fill space they share more, but still few.
+// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
+// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
+// large a part of them share places. Where points fill space a larger part does, but still a small one.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -3933,7 +3935,7 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int d
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
             return;
         paradt__coordinates(&points, i, x);
@@ -3952,7 +3954,7 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task.
 static void paradt__place_digits(const paradt__loader *loader) {
     size_t digit, task, before = 0;
     for (digit = 0; digit < loader->digits; digit++) {
@@ -3965,19 +3967,20 @@ static void paradt__place_digits(const paradt__loader *loader) {
     PARADT_ASSERT(before == loader->source->points.count);
 }
 
+// Scatters the keys of a task by their first digits, into the scratch buffer.
 static void paradt__scatter_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__keyed *keyed = loader->keyed;
-    paradt__keyed *other = loader->other;
+    paradt__keyed *scratch = loader->scratch;
     size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
     for (; i < end; i++) {
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
-        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+        scratch[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
     }
 }
 
@@ -3992,8 +3995,8 @@ static void paradt__sort_task(void *context, size_t task) {
         if (!count || ends[digit] <= first || ends[digit] > last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+        paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->scratch + begin, count);
     }
 }
 
@@ -4020,6 +4023,7 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
+// Reads the records of a task's positions, and counts those that repeat the one before.
 static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
@@ -4028,7 +4032,7 @@ static void paradt__gather_task(void *context, size_t task) {
               first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
             return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
@@ -4190,7 +4194,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4332,10 +4336,11 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
 }
 
 // Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
+// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
+// the set remains as it is. On return set->grade_limit
 // is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
-                                          paradt__memory *memory, int *nearby) {
+                                          paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
@@ -4352,6 +4357,10 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
+        if (meter && i % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) {
+            paradt__release(memory, records);
+            return PARADT_ERROR_CANCELLED;
+        }
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
@@ -4376,13 +4385,14 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
 }
 
 // Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                       paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
     if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
     if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
-    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, meter, memory, &nearby);
     if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
     return status;
 }
@@ -5515,8 +5525,10 @@ static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set,
     }
 }
 
-// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range. Returns 1 when
+// the meter cancels, else 0.
+static int paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around,
+                             paradt__meter *meter) {
     double bounds[2 * PARADT_MAX_DIM];
     memcpy(bounds, around, sizeof bounds);
     for (;;) {
@@ -5525,7 +5537,8 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
             paradt__grid_keep_bounds(grid, set, begin, end, bounds);
-        if (end - begin <= PARADT__LANES) return;
+        if (end - begin <= PARADT__LANES) return 0;
+        if (meter && end - begin > PARADT__PACE / 4 && paradt__meter_cancels(meter)) return 1;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
         switch (set->width) { // the same code with the width known
@@ -5535,7 +5548,7 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         }
         high = bounds[2 * axis + 1];
         bounds[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, bounds);
+        if (paradt__grid_sort(grid, set, begin, cut, bounds, meter)) return 1;
         bounds[2 * axis + 1] = high;
         bounds[2 * axis] = at;
         begin = cut;
@@ -5649,15 +5662,17 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+// Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
+// error the caller frees the grid.
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                                  paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
     PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
     for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, bounds);
+    if (paradt__grid_sort(grid, set, 0, set->count, bounds, meter)) return PARADT_ERROR_CANCELLED;
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
@@ -11192,8 +11207,8 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
 // Prepares for fronts: the reference sphere and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
-    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->meter, &work->memory);
     work->stats->seconds_grid += paradt__now() - begun;
     return status;
 }
@@ -11885,9 +11900,9 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
     if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
     if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
     if (!status) status = paradt__build_by_patches(work);
     if (status != PARADT__GAVE_UP) return status;
