@@ -282,8 +282,8 @@
 // InCoDe, DeWall and their parallel forms as in "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
 // its parts are:
 //
-//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__guess_simplex grows it from the nearest
-//                                        neighbour by smallest spheres (paradt__smallest_sphere), descent makes it sure
+//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
+//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
 //                 active face list       struct paradt__active, a hash table: paradt__active_match
 //                 update of the AFL      paradt__front_add
@@ -4819,7 +4819,7 @@ PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][P
     // Dual vector i is y Q with L y = unit i.
     for (i = 0; i < dim - 1; i++) {
         double y[PARADT_MAX_DIM];
-        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        memset(dual[i], 0, sizeof dual[i]);
         for (k = i; k < dim - 1; k++) {
             double rest = k == i ? 1.0 : 0.0;
             for (j = i; j < k; j++) rest -= l[k][j] * y[j];
@@ -5061,11 +5061,11 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
     return paradt__orient(&p->space, points) * p->outside > 0;
 }
 
-// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u) and
-// its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j.
-// Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat
-// hull are ruled out.
-static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
+// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u)
+// and its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in
+// u_j. Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a
+// flat hull are ruled out.
+PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
     unsigned left, beyond = 0;
     int j;
     if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
