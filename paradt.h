@@ -373,7 +373,7 @@
 // its parts are:
 //
 //     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
-//                                        neighbour by smallest spheres, descent makes it sure
+//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
 //                 active face list       struct paradt__facets, a hash table: paradt__facets_match
 //                 update of the AFL      paradt__front_add
@@ -6206,8 +6206,8 @@ static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count
 // Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
 // Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
 // first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
-static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                                   int dim) {
+PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                             double dual[][PARADT_MAX_DIM], int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -6227,7 +6227,7 @@ static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_
     // Dual vector i is y Q with L y = unit i.
     for (i = 0; i < dim - 1; i++) {
         double y[PARADT_MAX_DIM];
-        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        memset(dual[i], 0, sizeof dual[i]);
         for (k = i; k < dim - 1; k++) {
             double rest = k == i ? 1.0 : 0.0;
             for (j = i; j < k; j++) rest -= l[k][j] * y[j];
@@ -6469,15 +6469,16 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
     return paradt__orient(&p->space, points) * p->outside > 0;
 }
 
-// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
-// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
-// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
-// ruled out.
-static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
-    for (lane = 0; lane < PARADT__LANES; lane++) {
+// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u)
+// and its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in
+// u_j. Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a
+// flat hull are ruled out.
+PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
+    unsigned left, beyond = 0;
+    int j;
+    if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
+    for (left = mask; left; left &= left - 1) {
+        int lane = paradt__trailing_zeros(left);
         double most = 0.0;
         for (j = 0; j < p->space.dim; j++) {
             double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
@@ -6486,9 +6487,9 @@ static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const doubl
             double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
             most += a > b ? a : b;
         }
-        mask |= (unsigned)(most > 0.0) << lane;
+        beyond |= (unsigned)(most > 0.0) << lane;
     }
-    return mask;
+    return beyond;
 }
 
 // Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
@@ -6716,7 +6717,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
-    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
+    if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -6925,7 +6926,7 @@ PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const do
     unsigned mask;
     if (!s->pencil.space.filtered) return 255u;
     mask = s->kernels.group(&s->pencil.q, group, &bounds);
-    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+    return s->aim == PARADT__AIM_BEYOND ? paradt__pencil_boxes_beyond(&s->pencil, group, mask) : mask;
 }
 
 // Is the point an answer?
