@@ -5,8 +5,8 @@
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
 //
-// A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, the indices of four points a line:
+// A whole program, in C or C++. It triangulates the corners of a cube and prints the cells, the indices of four points
+// a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -15,7 +15,7 @@
 //     int main(void) {
 //         const double corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
 //                                       {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-//         paradt_points points = {.data = corners, .count = 8, .dim = 3};
+//         paradt_points points = paradt_points_f64(corners[0], 8, 3);
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
@@ -42,6 +42,8 @@
 //                            the functions are called otherwise then, so the linker finds those that don't agree.
 //                            Insertion has no code for SSE2 and AVX2 then
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall: a third of the code; AUTO inserts in all dimensions
+//     PARADT_NO_CHECK        leaves out paradt_check
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
 //                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
 //
@@ -66,16 +68,25 @@
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. Coordinates are doubles, or
-// floats with scalar = PARADT_F32; those of one point are adjacent, and `stride` bytes lead from a point to the next,
-// so points may be members of larger structures. No alignment is needed. A vertex of a mesh with its position in front:
+// paradt_points describes an array of yours, which is only read, and only during a call. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. Coordinates of type
+// `scalar` stand side by side, and `stride` bytes lead from one point to the next, so points may be members of larger
+// structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
-//     paradt_points points = {mesh, 1000, 3, sizeof(struct vertex), PARADT_F32, NULL};
+//     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
+//     points.stride = sizeof(struct vertex);
 //
 // Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. Weights are doubles of any sign. To
-// add the same number to all of them changes nothing; all equal is Delaunay.
+// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has the
+// weight r * r. Weights may be negative. Adding the same number to all of them changes nothing, and where all are equal
+// the triangulation is Delaunay. They have a type and a stride of their own:
+//
+//     struct atom { double place[3]; float radius, weight; } atoms[1000];
+//     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
+//     points.stride = points.weight_stride = sizeof(struct atom);
+//     points.weights = &atoms[0].weight;
+//     points.weight_scalar = PARADT_F32;
 //
 // Coordinates and weights must be finite. -0.0 is 0.0.
 //
@@ -403,6 +414,8 @@ extern "C" {
 #define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point or a cell; negative: none
 // The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+#define paradt_points_f64         paradt_points_f64_64
+#define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
@@ -414,6 +427,14 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_orient             paradt_orient_64
 #define paradt_insphere           paradt_insphere_64
 #define paradt_insphere_perturbed paradt_insphere_perturbed_64
+#define paradt_orient2            paradt_orient2_64
+#define paradt_orient3            paradt_orient3_64
+#define paradt_insphere2          paradt_insphere2_64
+#define paradt_insphere3          paradt_insphere3_64
+#define paradt_orient2f           paradt_orient2f_64
+#define paradt_orient3f           paradt_orient3f_64
+#define paradt_insphere2f         paradt_insphere2f_64
+#define paradt_insphere3f         paradt_insphere3f_64
 #else
 typedef int32_t paradt_index; // a point or a cell; negative: none
 #endif
@@ -472,12 +493,14 @@ typedef struct paradt_allocator {
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;      // first coordinate of the first point; may be NULL when count is 0
-    size_t count;          // number of points
-    int dim;               // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;         // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar;  // type of the coordinates; PARADT_F64
-    const double *weights; // [count] squares of lengths, any sign; NULL: Delaunay; else the regular triangulation
+    const void *data;     // first coordinate of the first point; may be NULL when count is 0
+    size_t count;         // number of points
+    int dim;              // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;        // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar; // type of the coordinates; PARADT_F64
+    const void *weights; // weight of the first point, the square of a length, any sign; NULL: Delaunay, without weights
+    size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
+    paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
 
 typedef struct paradt_options {
@@ -537,6 +560,11 @@ typedef struct paradt_fault {
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
+
+// Points in an array of doubles, or of floats: [count][dim], without weights. The compiler sees that the type is right.
+// Thread-safe.
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
@@ -600,6 +628,20 @@ PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2]
 // The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
 // 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
+
+// The same for points of two and three dimensions that are given by their coordinates, also as floats: the sign of
+// paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q. Made to be called
+// by the million, as a walk does.
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]);
 
 #ifdef __cplusplus
 }
@@ -674,6 +716,13 @@ extern "C" {
 #define PARADT_ASSERT(condition) ((void)0)
 #endif
 
+// A function that is not used where a macro leaves out those who use it
+#if defined(__GNUC__)
+#define PARADT__OPTIONAL static __attribute__((unused))
+#else
+#define PARADT__OPTIONAL static
+#endif
+
 #if defined(__GNUC__)
 #define PARADT__INLINE                     static inline __attribute__((always_inline))
 #define PARADT__NOINLINE                   static __attribute__((noinline))
@@ -696,6 +745,9 @@ extern "C" {
 #define PARADT__PREFETCH_TO_WRITE(address) ((void)(address))
 #define PARADT__RESTRICT
 #endif
+
+// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+#define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
 
 // Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
 // function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
@@ -904,9 +956,11 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 
 // The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL _Pragma("GCC unroll 10")
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
 #else
 #define PARADT__UNROLL
+#define PARADT__UNROLL_4
 #endif
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
@@ -1067,6 +1121,27 @@ PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const para
     }
 }
 
+// The same with numbers of any length
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
 // sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
 PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
     const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
@@ -1121,6 +1196,26 @@ static int paradt__precise(void) {
 PARADT__INLINE double paradt__rounded(double x) {
     volatile double rounded = x;
     return rounded;
+}
+
+// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
+// conversion.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
 }
 
 static uint64_t paradt__mix(uint64_t h) {
@@ -1330,7 +1425,9 @@ static double paradt__now(void) {
 // No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
 // more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
 
-#define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
+// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+#define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
+#define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
@@ -1360,14 +1457,14 @@ typedef struct paradt__space {
     int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];                 // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];                // ... largest coordinate of each axis, as measured
-    double per_unit;                             // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                                 // no filter's error by underflow exceeds it
-    paradt__bounds orient[PARADT_MAX_DIM + 1];   // of orientations in k dimensions
-    paradt__bounds insphere[PARADT_MAX_DIM + 1]; // of in-sphere tests in k dimensions
-    double orient_certain;                       // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                       // the smallest of orient's
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest and
+    int64_t high[PARADT_MAX_DIM];              // ... largest coordinate of each axis, as measured
+    double per_unit;                           // 2^-unit where it makes integers below 2^59 of all coordinates; 0
+    double tiny;                               // no filter's error by underflow exceeds it
+    paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
+    paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
+    double orient_certain;                     // the largest of orient's, k = 1..d, for estimates of others
+    double orient_quantum;                     // the smallest of orient's
     paradt__counters counters;
 } paradt__space;
 
@@ -1376,7 +1473,7 @@ typedef struct paradt__space {
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
 // ceil(log2(n!))
-static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
 
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
@@ -1457,7 +1554,7 @@ static double paradt__quantum(int exponent) {
 // h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
-    static const double hadamard[PARADT__MAX_ROWS + 1] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
@@ -1720,13 +1817,13 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 
 // What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
 // n > k, the lift over d coordinates.
-typedef struct paradt__task {
+typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
-} paradt__task;
+} paradt__determinant;
 
-static paradt__range paradt__measure_columns(const paradt__task *q, int first, int end) {
+static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
         for (int i = 0; i < q->n; i++) paradt__measure(&range, q->row[i][j]);
@@ -1748,7 +1845,7 @@ typedef struct paradt__fixed {
     int unit;      // of the coordinates; 2 * unit is the lifts'
     int bits;      // differences are below 2^bits
     int lift_bits; // lifts are below 2^lift_bits
-    int64_t x[PARADT__MAX_ROWS][PARADT_MAX_DIM];
+    int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
@@ -1762,7 +1859,8 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
 }
 
 // Fills f->x in the unit of the set.
-PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__task *q, int columns) {
+PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
+                                       int columns) {
     f->unit = s->coordinates.unit;
     f->bits = s->coordinates.top + 1 - f->unit;
     PARADT__UNROLL
@@ -1774,24 +1872,20 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 }
 
 // Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, int columns,
+PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
-    PARADT__UNROLL
     for (int i = 0; i <= q->n; i++) {
         const double *x = i < q->n ? q->row[i] : q->base;
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) {
             uint64_t doubled = paradt__bits(x[j]) << 1; // without the sign
             top = doubled > top ? doubled : top;
         }
     }
     f->unit = paradt__max((int)(top >> 53), 1) - 1022 - 59; // coordinates are below 2^(biased exponent - 1022)
-    PARADT__UNROLL
     for (int j = 0; j < columns; j++) {
         int64_t base = paradt__fix(q->base[j], f->unit, &lost);
-        PARADT__UNROLL
         for (int i = 0; i < q->n; i++) {
             int64_t x = f->x[i][j] = paradt__fix(q->row[i][j], f->unit, &lost) - base;
             any |= (uint64_t)x;
@@ -1802,9 +1896,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
     spare = any ? paradt__trailing_zeros(any) : 0;
     spare = paradt__min(spare, (weights->unit - (weights->unit & 1)) / 2 - f->unit);
     if (spare < 0) return 0;
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) f->x[i][j] >>= spare;
     }
     f->unit += spare;
@@ -1813,7 +1905,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
 }
 
 // Fills f but for the lifts. 0: differences or weights do not fit.
-PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__task *q) {
+PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
@@ -1825,11 +1917,9 @@ PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, co
 }
 
 // Fills f->lift, which must fit in wide integers.
-PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
-    PARADT__UNROLL
+PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
-        PARADT__UNROLL
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
         for (int side = 0; side < 2 && q->weighted; side++) {
             double w = side ? q->base[q->d] : q->row[i][q->d];
@@ -1860,7 +1950,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
 }
 
 // The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
-static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
+PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
     for (unsigned mask = 1; mask < 1u << n; mask++) {
@@ -1895,10 +1985,10 @@ typedef struct paradt__layout {
 // takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
-#define PARADT__SMALL_DIGITS (10240 / (int)sizeof(paradt__digit))
-#define PARADT__SMALL_SUM    (6144 / PARADT__RADIX)
+#define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
-static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task *q) {
+static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
     paradt__range x = s->coordinates, w = paradt__no_range;
@@ -1952,38 +2042,38 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
 
 // Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
 // it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__INLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
-                                      const paradt__layout *y) {
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
+                                        const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
         int used = 8; // weights add less than so many products
-        if (lifted) paradt__clear(lift, y->lift_digits);
+        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                paradt__clear(sum, y->digits);
+                memset(sum, 0, (size_t)y->digits * sizeof *sum);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
-                paradt__store(x, sum, y->digits);
+                paradt__store_any(x, sum, y->digits);
             }
             if (j < q->k) out += y->digits;
             if (!lifted) continue;
             paradt__make_room(lift, y->lift_digits, &used, y->digits);
-            paradt__multiply_add(lift + offset, 1, x, y->digits, x, y->digits);
+            paradt__multiply_add_any(lift + offset, 1, x, y->digits, x, y->digits);
         }
         if (!lifted) continue;
         if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
-        paradt__store(out, lift, y->lift_digits);
+        paradt__store_any(out, lift, y->lift_digits);
         out += y->lift_digits;
     }
 }
 
 // Where the minors of the columns first, first + 1, ... of a task are made
 typedef struct paradt__minors {
-    const paradt__task *task;
+    const paradt__determinant *task;
     const paradt__layout *layout;
     const paradt__digit *rows;
     int first;
@@ -2030,7 +2120,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            paradt__clear(sum, length);
+            memset(sum, 0, (size_t)length * sizeof *sum);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2040,9 +2130,9 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
                 }
                 const paradt__digit *minor = from + place[mask ^ 1u << i] * previous;
                 paradt__make_room(sum, length, &used, paradt__min(entry_digits, previous));
-                paradt__multiply_add(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
+                paradt__multiply_add_any(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
             }
-            paradt__store(to + count * length, sum, length);
+            paradt__store_any(to + count * length, sum, length);
             place[mask] = (uint16_t)count++;
         }
         previous = length;
@@ -2059,7 +2149,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    paradt__clear(sum, digits);
+    memset(sum, 0, (size_t)digits * sizeof *sum);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2068,14 +2158,14 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         m->first = half;
         const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
         paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
-        paradt__multiply_add(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+        paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
-    paradt__store(work, sum, digits);
+    paradt__store_any(work, sum, digits);
     return paradt__sign(work, digits);
 }
 
 // 1: so many digits, and sums of so many, are room for all minors at once
-static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, int digits, int sums) {
+static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
     int minors = paradt__minors_space(&m, q->n, 0) + paradt__minors_space(&m, q->n, 1);
@@ -2083,8 +2173,8 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
-                                   paradt__wide *sum, int whole) {
+PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
+                                     paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2095,13 +2185,14 @@ PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *
     return paradt__sign(determinant, digits);
 }
 
-PARADT__NOINLINE int paradt__general_small(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+    PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
@@ -2116,44 +2207,49 @@ PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__
 //   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
 //          (below 2^122) 2^62, sums of four products of them below 2^126.7
 //   w = 2  numbers of 117 bits, all digits balanced
+// p[2 w] = the determinant of the first two columns of two rows
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    paradt__wide sum[4];
+    paradt__clear(sum, 2 * w);
+    paradt__multiply_add(sum, 1, a, w, b + w, w);
+    paradt__multiply_add(sum, -1, b, w, a + w, w);
+    paradt__store(p, sum, 2 * w);
+}
+
+// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    paradt__wide sum[8];
+    paradt__clear(sum, 2 * w + third);
+    paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
+    paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
+    paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
+    paradt__store(t, sum, 2 * w + third);
+}
+
+// w: a constant
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
-    const int stride = k * w + (n > k ? 2 * w : 0), third = k > 2 ? w : 2 * w;
-    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = n > 2 ? x1 + stride : x0, *x3 = n > 3 ? x2 + stride : x0;
+    const int stride = k * w + (n > k ? 2 * w : 0);
+    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
     paradt__digit p01[4], p02[4], p12[4], p03[4], p13[4], p23[4], t012[8], t013[8], t023[8], t123[8], det[10];
     paradt__wide sum[10];
-// p = the determinant of the first two columns of two rows; t = of three rows, by those of two
-#define PARADT__PAIR(p, a, b)                                                                                          \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w);                                                                                     \
-        paradt__multiply_add(sum, 1, a, w, b + w, w);                                                                  \
-        paradt__multiply_add(sum, -1, b, w, a + w, w);                                                                 \
-        paradt__store(p, sum, 2 * w);                                                                                  \
-    } while (0)
-#define PARADT__TRIPLE(t, a, pbc, b, pac, c, pab)                                                                      \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w + third);                                                                             \
-        paradt__multiply_add(sum, 1, a + 2 * w, third, pbc, 2 * w);                                                    \
-        paradt__multiply_add(sum, -1, b + 2 * w, third, pac, 2 * w);                                                   \
-        paradt__multiply_add(sum, 1, c + 2 * w, third, pab, 2 * w);                                                    \
-        paradt__store(t, sum, 2 * w + third);                                                                          \
-    } while (0)
-    PARADT__PAIR(p01, x0, x1);
+    paradt__fixed_pair(p01, x0, x1, w);
     if (n == 2) return paradt__sign(p01, 2 * w);
-    PARADT__PAIR(p02, x0, x2);
-    PARADT__PAIR(p12, x1, x2);
-    if (n == 3) {
-        PARADT__TRIPLE(det, x0, p12, x1, p02, x2, p01);
-        return paradt__sign(det, 2 * w + third);
+    paradt__fixed_pair(p02, x0, x2, w);
+    paradt__fixed_pair(p12, x1, x2, w);
+    if (n == 3 && k == 2) {
+        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        return paradt__sign(t012, 4 * w);
     }
-    PARADT__PAIR(p03, x0, x3);
-    PARADT__PAIR(p13, x1, x3);
-    PARADT__PAIR(p23, x2, x3);
-    PARADT__TRIPLE(t123, x1, p23, x2, p13, x3, p12);
-    PARADT__TRIPLE(t023, x0, p23, x2, p03, x3, p02);
-    PARADT__TRIPLE(t013, x0, p13, x1, p03, x3, p01);
-    PARADT__TRIPLE(t012, x0, p12, x1, p02, x2, p01);
-#undef PARADT__PAIR
-#undef PARADT__TRIPLE
+    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    if (n == 3) return paradt__sign(t012, 3 * w);
+    paradt__fixed_pair(p03, x0, x3, w);
+    paradt__fixed_pair(p13, x1, x3, w);
+    paradt__fixed_pair(p23, x2, x3, w);
+    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2182,13 +2278,28 @@ PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, int n, int k) {
-    paradt__digit rows[4 * 10 + 2];
-    paradt__wide sum[6];
-    y->digits = 2;
-    y->lift_digits = 4;
-    paradt__load_rows(rows, sum, q, y);
-    return paradt__fixed_sign(rows, n, k, 2);
+// Rows of two digits a coordinate and four a lift
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
+    const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
+    for (int i = 0; i < q->n; i++) {
+        paradt__wide lift[4] = {0};
+        for (int j = 0; j < (lifted ? q->d : q->k); j++) {
+            paradt__digit x[2];
+            paradt__short_difference(x, 2, q->row[i][j], q->base[j], y->unit);
+            if (j < q->k) *out++ = x[0], *out++ = x[1];
+            if (lifted) paradt__multiply_add(lift + offset, 1, x, 2, x, 2);
+        }
+        if (!lifted) continue;
+        if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
+        paradt__store(out, lift, 4);
+        out += 4;
+    }
+}
+
+PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const paradt__layout *y) {
+    paradt__digit rows[4 * 10];
+    paradt__load_two(rows, q, y);
+    return paradt__fixed_sign(rows, q->n, q->k, 2);
 }
 #endif
 
@@ -2196,7 +2307,7 @@ PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, i
 // ways for few columns are unrolled into code that is short and fast.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
-    const paradt__task q = {n, k, d, s->weighted, row, base};
+    const paradt__determinant q = {n, k, d, s->weighted, row, base};
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2219,11 +2330,12 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
 #ifdef __SIZEOF_INT128__
     if (few && paradt__two_fit(&y, n, k)) {
         s->counters.exact_fixed++;
-        return paradt__fixed_two(&q, &y, n, k);
+        return paradt__fixed_two(&q, &y);
     }
 #endif
     s->counters.exact_general++;
-    if (paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) return paradt__general_small(&q, &y);
+    if (PARADT_MAX_DIM <= 3 || k <= 3 || paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM))
+        return paradt__general_small(&q, &y);
     return paradt__general_large(&q, &y);
 }
 
@@ -2253,16 +2365,16 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
 }
 
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__exact_orient3(s, p);
+    if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
-    if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
+    if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
     if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
-    if (k == 2 && s->ambient == 3) return paradt__exact_flat3(s, p);
+    if (k == 2 && PARADT__IS(s->ambient, 3)) return paradt__exact_flat3(s, p);
     sign = paradt__exact_any(s, p, p[k + 1], k + 1);
     return k & 1 ? -sign : sign;
 }
@@ -2277,16 +2389,16 @@ PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, 
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_orient2(s, p)
-               : k == 3 ? paradt__filter_orient3(s, p)
-               : k == 4 ? paradt__filter4(s, p + 1, p[0], 4, 4)
-                        : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
+        sign = k == 2             ? paradt__filter_orient2(s, p)
+               : PARADT__IS(k, 3) ? paradt__filter_orient3(s, p)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p + 1, p[0], 4, 4)
+                                  : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
     return sign == PARADT__UNDECIDED ? paradt__exact_orient(s, p) : sign;
 }
 
 // The sign of det[p[1] - p[0]; ...; p[k] - p[0]], k = s->dim
 static int paradt__orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__orient_any(s, p, 3);
+    if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
     return paradt__orient_any(s, p, s->dim);
 }
@@ -2295,16 +2407,16 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     int sign = PARADT__UNDECIDED;
     s->counters.insphere_calls++;
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_insphere2(s, p, d, s->weighted)
-               : k == 3 ? paradt__filter_insphere3(s, p, d, s->weighted)
-               : k == 4 ? paradt__filter4(s, p, p[5], 5, d)
-                        : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
+        sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
+               : PARADT__IS(k, 3) ? paradt__filter_insphere3(s, p, d, s->weighted)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p, p[5], 5, d)
+                                  : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
 // Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
 static int paradt__insphere(paradt__space *s, const double *const *p) {
-    if (s->dim == 3 && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
+    if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
@@ -2313,7 +2425,7 @@ static int paradt__insphere(paradt__space *s, const double *const *p) {
 // for in lattices they can't be foreseen.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
-    if (s->dim == 3 && s->filtered) {
+    if (PARADT__IS(s->dim, 3) && s->filtered) {
         const double *y = p[query];
         for (i = 0; i < 4; i++) {
             const double *x = p[i];
@@ -2394,6 +2506,108 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
     paradt__join(&joined, &s, dim, points, weights);
     return paradt__conflict(&s, joined.points) ? 1 : -1;
 }
+
+// --- few points of two or three dimensions, given by their coordinates
+
+// Makes the filters ready for k + 1 or k + 2 points of which no more is known than that no coordinate is 2^100 or more.
+// They decide by the error bound alone. Returns 0 where a coordinate is larger, or the filters can't be trusted.
+PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p, int count, int k) {
+    const double most = paradt__power(100);
+    int i, j, fits = 1;
+    for (i = 0; i < count; i++)
+        for (j = 0; j < k; j++) fits &= paradt__abs(p[i][j]) < most;
+    s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
+    s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
+    s->orient[k].quantum = s->insphere[k].quantum = 0;
+    s->orient[k].factor = paradt__rounding(k, k);
+    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    return fits && paradt__precise();
+}
+
+PARADT__INLINE int paradt__orient_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 1, k))
+        sign = k == 2 ? paradt__filter_orient2(&s, p) : paradt__filter_orient3(&s, p);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_orient(k, p);
+}
+
+PARADT__INLINE int paradt__insphere_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 2, k))
+        sign = k == 2 ? paradt__filter_insphere2(&s, p, 2, 0) : paradt__filter_insphere3(&s, p, 3, 0);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_insphere(k, p, NULL);
+}
+
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]) {
+    const double *p[] = {a, b, c};
+    return paradt__orient_few(p, 2);
+}
+
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
+    const double *p[] = {a, b, c, q};
+    return paradt__insphere_few(p, 2);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+// Points of floats as doubles
+typedef struct paradt__widened {
+    double memory[5][3];
+    const double *points[5];
+} paradt__widened;
+
+PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+    int i, j;
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < k; j++) {
+            uint32_t bits;
+            memcpy(&bits, p[i] + j, sizeof bits);
+            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+        }
+        w->points[i] = w->memory[i];
+    }
+}
+
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
+    const float *p[] = {a, b, c};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 3, 2);
+    return paradt__orient_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
+}
+
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
+    const float *p[] = {a, b, c, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 2);
+    return paradt__insphere_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]) {
+    const float *p[] = {a, b, c, d, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 5, 3);
+    return paradt__insphere_few(w.points, 3);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
 //
@@ -2727,7 +2941,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -2774,7 +2988,7 @@ static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
 }
 
 // Returns a hash of a point's coordinates. Equal points have equal hashes.
-static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
+PARADT__OPTIONAL uint64_t paradt__hash_coordinates(const double *record, int ambient) {
     uint64_t h = 0, bits;
     int axis;
     for (axis = 0; axis < ambient; axis++) {
@@ -2793,32 +3007,16 @@ typedef struct paradt__source {
     size_t reserve;       // number of further points that the set's arrays are to have memory for
 } paradt__source;
 
+static size_t paradt__weight_size(const paradt_points *points) {
+    return points->weight_scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+}
+
 static paradt__source paradt__source_of(const paradt_points *points) {
     paradt__source source;
     source.points = *points;
-    source.weight_stride = sizeof(double);
+    source.weight_stride = points->weight_stride ? points->weight_stride : paradt__weight_size(points);
     source.reserve = 0;
     return source;
-}
-
-// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
-// conversion.
-static double paradt__widen(uint32_t bits) {
-    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
-    double x;
-    if (exponent == 255) {
-        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
-    } else if (exponent) {
-        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
-    } else if (!fraction) {
-        wide = sign;
-    } else {
-        int shift = 0;
-        while (!(fraction >> 23)) fraction <<= 1, shift++;
-        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
-    }
-    memcpy(&x, &wide, sizeof x);
-    return x;
 }
 
 PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t index) {
@@ -2864,8 +3062,15 @@ PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t inde
 
 // Reads the weight of a point, -0.0 as 0.0.
 static double paradt__weight(const paradt__source *source, size_t index) {
+    const char *address = (const char *)source->points.weights + index * source->weight_stride;
     uint64_t bits;
-    memcpy(&bits, (const char *)source->points.weights + index * source->weight_stride, sizeof bits);
+    if (source->points.weight_scalar == PARADT_F32) {
+        uint32_t narrow;
+        memcpy(&narrow, address, sizeof narrow);
+        bits = paradt__bits(paradt__widen(narrow));
+    } else {
+        memcpy(&bits, address, sizeof bits);
+    }
     return paradt__signless_zero(bits);
 }
 
@@ -2973,10 +3178,12 @@ static int paradt__is_among(int number, const int *numbers, int count) {
     return count > 0;
 }
 
-// Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
+// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
-                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters,
+                                   const paradt__team *team) {
+    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -2984,6 +3191,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -2998,8 +3206,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
+//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters) {
+                             int *axes, paradt__counters *counters, const paradt__team *team) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3015,7 +3224,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3067,7 +3276,7 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
 
 // Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
 // rounded: all that matters is that they never get smaller as a point moves away from the cut.
-static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
+PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
     int64_t least = 0;
@@ -3463,16 +3672,21 @@ PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const p
     return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
+static int paradt__sort_cancels(const paradt__loader *loader, size_t task) {
+    return paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1);
+}
+
 // Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
-// becomes 0 then, and the others' 1. other: scratch for as many.
-static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
-                             int by_steps) {
+// becomes 0 then, and the others' 1; or if the call is to end. other: scratch for as many.
+static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
+                             size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3486,7 +3700,10 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    for (i = 0; i < count; i++) {
+        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
@@ -3502,8 +3719,7 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1))
-            return;
+        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3520,12 +3736,12 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
                 length = size;
                 size = was;
             }
-            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
+            if (size > 1 && paradt__split_run(loader, task, keyed + run, other + run, size, 0))
                 paradt__refine(loader, task, keyed + run, other + run, size);
         }
         looked_at += length;
         if (length == 1 ||
-            !paradt__split_run(loader, keyed + longest, other + longest, length, looked_at / PASSES > all))
+            !paradt__split_run(loader, task, keyed + longest, other + longest, length, looked_at / PASSES > all))
             return;
         keyed += longest;
         other += longest;
@@ -3790,9 +4006,9 @@ static paradt_status paradt__loader_gather(paradt__loader *loader) {
 // permuted. set: zeroed. cuts: NULL, or how space is to be divided: the cuts are found then, and the points are in the
 // order of the boxes. representative: [points.count] see paradt__loader_merge. *bad: see paradt__loader_survey. After
 // an error the caller frees the set and the cuts.
-static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
-                                        const paradt__team *team, paradt__memory *memory, paradt_index *representative,
-                                        size_t *bad) {
+PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
+                                                  const paradt__team *team, paradt__memory *memory,
+                                                  paradt_index *representative, size_t *bad) {
     paradt__loader loader;
     paradt_status status;
     PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
@@ -3901,7 +4117,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4195,7 +4411,7 @@ static double paradt__cells_a_point(int dim) {
 // The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
 // of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
 // eight.
-static double paradt__off_hull(double points, int dim) {
+PARADT__OPTIONAL double paradt__off_hull(double points, int dim) {
     double layer = pow(points + 1.0, -1.0 / dim);
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
 }
@@ -4207,16 +4423,21 @@ static size_t paradt__expected_places(size_t count, int dim) {
 
 // --- memory
 
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
-                                       paradt__memory *memory) {
+// Replaces a list, of which `used` elements are in use, by one of `count` elements at least.
+PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                                 paradt__memory *memory) {
     void *array = *list;
     size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
     if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
     *list = (paradt_index *)array;
     *capacity = larger;
     return PARADT_OK;
+}
+
+// Makes room for `count` elements in a list of which `used` are in use.
+PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                               paradt__memory *memory) {
+    return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -5356,7 +5577,7 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
 }
 
 // Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
@@ -6258,7 +6479,7 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
 }
 
 // Only the positions [begin, end) are searched from now on.
-static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+PARADT__OPTIONAL void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
     PARADT_ASSERT(begin <= end && end <= s->set->count);
     s->begin = begin;
     s->end = end;
@@ -6266,7 +6487,7 @@ static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
 
 // From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
 // boxes that have some, as they are at each search
-static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+PARADT__OPTIONAL void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
     s->unfinished = unfinished;
 }
 
@@ -6528,8 +6749,8 @@ PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_inde
 
 // Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
 // PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
+PARADT__OPTIONAL paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite,
+                                                  paradt_index *made, int *place) {
     int dim = s->pencil.space.dim, i;
     PARADT_ASSERT(paradt__search_has(s, cell));
     paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
@@ -6549,7 +6770,7 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
 }
 
 // Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
-static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
+PARADT__OPTIONAL paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
     PARADT_ASSERT(paradt__search_has(s, cell));
@@ -6633,6 +6854,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>first simplex
 //
@@ -6750,7 +6972,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
     paradt_index goal[PARADT_MAX_DIM + 1], q;
     PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
     if (!paradt__simplex_guess(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters);
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters, NULL);
     memcpy(goal, simplex, sizeof goal);
     paradt__simplex_orient(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
@@ -7442,6 +7664,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
     }
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
@@ -7898,10 +8121,10 @@ enum {
     PARADT__MOST_WAITING = 16,                   // facets that wait at a time for their spheres to be made again
     PARADT__DIG_ROOM = PARADT__MOST_WAITING + 4, // room in the lists before a cell is dug: for the facets that wait,
                                                  // and for the cell's own, of which four are stored together
-    PARADT__DIG_BATCH = 512,     // cells dug before numbers are limited again
-    PARADT__FIRST_DIG = 512,     // the capacity that the lists of the cavity and the rim begin with
-    PARADT__PLACES_AHEAD = 16,   // the slot is fetched that the cell of so many places later has
-    PARADT__INSERTIONS_AHEAD = 4 // the record is fetched of the point that is inserted so much later
+    PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
+    PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
+    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
+    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
 };
 
 #define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
@@ -8697,17 +8920,17 @@ PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
 // Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
 // Slots of places that have not been used lately are prefetched for the cells to come.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, i;
-    paradt_status status =
-        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
-    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
+    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
+    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < update->killed_count && i < count; i += 4) // both lists have room for three more
-        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
-    for (i = update->killed_count; i < count; i++) {
+    for (i = 0; i < reused; i += TOGETHER)
+        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = reused; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
@@ -9468,7 +9691,7 @@ static void paradt__insertion_end(paradt__insertion *build) {
 // Moves dim + 1 points that span the space to the front of the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
-    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
         while (order[at] != basis[i]) at++;
@@ -9602,6 +9825,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
     return status;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions
 //
@@ -9712,6 +9936,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
     paradt__facets_free(&table, memory);
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>patches
@@ -9987,7 +10212,7 @@ static int paradt__spans(const paradt__set *set) {
     paradt__counters counters;
     memset(&counters, 0, sizeof counters);
     return set->count > (size_t)set->space.dim &&
-           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
 }
 
 // Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
@@ -10816,18 +11041,1062 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>triangulate
+// >>call
+//
+// What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
+// the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
+// memory are joined, and what is left of the limit is shared among them anew.
+// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
+// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
+// paradt__region_view_of, paradt__may_insert, paradt__build_front.
 
-// How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
-typedef paradt_status (*paradt__front_method)(paradt__front *front);
+struct paradt__front;
+struct paradt__work;
 
-static paradt__front_method paradt__choose_front(paradt_method method) {
-    static const paradt__front_method methods[PARADT_METHOD_COUNT] = {NULL, paradt__incode, paradt__dewall, NULL};
-    return methods[method];
+// One row a method: what it can do, and its functions
+typedef struct paradt__method {
+    unsigned can;                                        // PARADT__CAN_* bits
+    int least_dim, most_dim;                             // affine dimensions
+    paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
+    paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
+} paradt__method;
+
+enum {
+    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_REGIONS = 2, // divided space
+    PARADT__CAN_LINK = 4,    // neighbours
+    PARADT__CAN_LIVE = 8     // more points after the first ones
+};
+
+// What one region leaves behind
+typedef struct paradt__region {
+    paradt__memory memory;
+    paradt_status status;
+    paradt__mesh mesh;   // by a front, or
+    paradt__patch patch; // by insertion:
+    size_t offset;       // the number of its first cell in the result
+    size_t slice;        // the first place of its slice
+    uint64_t hull_facets;
+    int built; // all its cells are there, or it waits
+    int waits; // it waits for what other regions know
+    size_t runs,
+        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t told; // of its share of the progress
+    paradt_stats stats;
+} paradt__region;
+
+typedef struct paradt__work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt_stats *stats;
+    // the plan
+    const paradt__method *method; // that is tried
+    int impatient;                // the method may give up
+    size_t regions;
+    int one_by_one; // insertion builds one region after another, without neighbours
+    int facets;     // links are delivered as half-facets
+    // progress
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of the share, while one task does all of it
+    // the points
+    paradt__set set;
+    paradt__grid grid; // of fronts
+    paradt__cuts cuts; // between the regions
+    uint32_t *owner;   // [set.count] with fronts: the region of each point
+    // the regions
+    struct paradt__region *region;          // [regions]
+    paradt__field *fields;                  // [regions] with insertion
+    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
+    int hollow;                             // the points may be on a surface or a curve
+    int first_alone;                        // with insertion: the first region has its own points alone
+    paradt__relay relay;                    // with insertion
+    paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
+    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    // the result
+    paradt__mesh mesh;
+    int delivered; // the mesh has the caller's indices and final links already
+} paradt__work;
+
+// --- counting
+
+static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
+    stats->orient_calls += c->orient_calls;
+    stats->insphere_calls += c->insphere_calls;
+    stats->exact_small += c->exact_small;
+    stats->exact_fixed += c->exact_fixed;
+    stats->exact_general += c->exact_general;
+    stats->perturbed += c->perturbed;
 }
+
+// Adds what a region has counted.
+static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
+    stats->distance_evaluations += region->distance_evaluations;
+    stats->grid_cells_visited += region->grid_cells_visited;
+    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
+    stats->orient_calls += region->orient_calls;
+    stats->insphere_calls += region->insphere_calls;
+    stats->exact_small += region->exact_small;
+    stats->exact_fixed += region->exact_fixed;
+    stats->exact_general += region->exact_general;
+    stats->perturbed += region->perturbed;
+    stats->cells_recomputed += region->cells_recomputed;
+}
+
+// --- progress
+
+// Begins a way of building: its share is what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
+    work->told = 0;
+}
+
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
+}
+
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
+// --- steps
+
+// Number of the points of a region
+static size_t paradt__region_count(const paradt__work *work, size_t index) {
+    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+}
+
+// Joins the regions' accounts to the call's, and shares what is left of the limit among them. No task runs meanwhile.
+static void paradt__share_memory(paradt__work *work) {
+    uint64_t peaks = work->memory.held;
+    size_t i;
+    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+}
+
+// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
+// cancelled, before that a region gave up.
+static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (work->options.parallel_for) {
+        work->options.parallel_for(work->options.user, work->regions, task, work);
+    } else {
+        for (i = 0; i < work->regions; i++) {
+            task(work, i);
+            if (work->region[i].status) break;
+        }
+    }
+    for (i = 0; i < work->regions; i++) {
+        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
+    }
+    return status;
+}
+
+// Runs a step, unless there has been an error before.
+static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
+                                      void (*task)(void *context, size_t index)) {
+    if (status) return status;
+    paradt__share_memory(work);
+    status = paradt__run_tasks(work, task);
+    paradt__share_memory(work);
+    return status;
+}
+
+// Makes the regions' records, all zero but for their accounts.
+static paradt_status paradt__begin_regions(paradt__work *work) {
+    size_t i;
+    work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
+    if (!work->region) return PARADT_ERROR_MEMORY;
+    memset(work->region, 0, work->regions * sizeof *work->region);
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+    paradt__mesh_begin(&work->mesh, work->set.space.dim + 1, 0);
+    paradt__begin_way(work);
+    return PARADT_OK;
+}
+
+#ifndef PARADT_NO_FRONTS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>fronts
+//
+// InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
+// task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
+// different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
+// paradt__front_task.
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    paradt__search_add_counts(&front->search, stats);
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
+}
+
+// Runs a front that has begun, unless that failed, and ends it: leaves its mesh, adds what it counted.
+static paradt_status paradt__run_front(paradt__front *front, paradt_status status, const paradt__method *method,
+                                       paradt__mesh *mesh, paradt_stats *stats) {
+    if (!status) status = method->front(front);
+    paradt__count_front(stats, front);
+    stats->hull_facets += front->hull_facets;
+    paradt__front_end(front);
+    *mesh = front->mesh;
+    return status;
+}
+
+// Leaves the cells that the region owns in region->mesh.
+static void paradt__front_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view;
+    paradt__front front;
+    view.owner = work->owner;
+    view.cuts = &work->cuts;
+    view.region = (uint32_t)index;
+    region->status =
+        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
+    front.progress = paradt__region_progress(work, index);
+    front.impatient = work->impatient;
+    region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
+    if (!region->status)
+        region->status =
+            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+}
+
+// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        total += work->region[i].mesh.count;
+        paradt__count_region(work->stats, &work->region[i].stats);
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < work->regions; i++) {
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        paradt__mesh_free(&work->region[i].mesh, &work->memory);
+    }
+    return status;
+}
+
+// Prepares for fronts: the reference sphere and the grid.
+static paradt_status paradt__prepare_fronts(paradt__work *work) {
+    double begun = paradt__now();
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    work->stats->seconds_grid += paradt__now() - begun;
+    return status;
+}
+
+// Begins the regions, and finds the region of each point.
+static paradt_status paradt__begin_fronts(paradt__work *work) {
+    paradt_status status = paradt__begin_regions(work);
+    if (status) return status;
+    work->owner = (uint32_t *)paradt__alloc(&work->memory, work->set.count, sizeof *work->owner);
+    if (!work->owner) return PARADT_ERROR_MEMORY;
+    paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_by_front(paradt__work *work) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__front front;
+    paradt_status status = paradt__prepare_fronts(work);
+    if (!status && work->regions > 1) {
+        status = paradt__begin_fronts(work);
+        if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
+        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+    }
+    if (status) return status;
+    paradt__begin_way(work);
+    status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, undivided, 1.0);
+    front.progress = paradt__whole_progress(work);
+    front.impatient = work->impatient;
+    return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+#endif // PARADT_NO_FRONTS
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>regions of insertion
+//
+// Insertion by regions, step after step. A step is a task for each region, see >>call; what a region does in it is in
+// the sections above:
+//
+//     grid       the grid of the region's points, by which others look for points of it
+//     points     the points to begin with: its own, and others' in a margin
+//     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
+//     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
+//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
+//     learn      | looks at what others show,
+//     complete   | and asks on, until none of them waits
+//     compact    leaves only the cells that the region owns
+//     emit       writes them into the result
+//
+// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
+// than all the rest would; then the largest region takes in all points.
+// Doors: paradt__build_by_patches, paradt__close_set.
+
+// --- the steps
+
+// Of two regions of which the first is built alone, only the second looks for points of the other.
+static void paradt__grid_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__field *field = work->fields + index;
+    int is_asked = !work->first_alone || work->regions > 2 || index == 0;
+    region->status = PARADT_OK;
+    if (is_asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
+}
+
+// Begins the patch of a region with its points.
+static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
+    patch->facets = work->facets;
+    patch->trusts = work->first_alone && index == 0;
+    region->status = paradt__patch_points(patch, work->basis);
+}
+
+static void paradt__points_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__begin_patch(work, index, &work->region[index].memory);
+}
+
+// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
+// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
+// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
+// quarter of the slice could be left.
+static size_t paradt__slice_places(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    size_t count = patch->build.count, own = patch->fields[index].set.count;
+    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
+    return paradt__expected_places(count, work->set.space.dim);
+}
+
+// Reserves the slices: in two and three dimensions.
+static paradt_status paradt__reserve_slices(paradt__work *work) {
+    paradt__mesh *slices = &work->slices;
+    int dim = work->set.space.dim;
+    size_t total = 0, i;
+    paradt_status status;
+    paradt__mesh_begin(slices, dim + 1, 0);
+    if (dim < 2 || dim > 3) return PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].slice = total;
+        total += paradt__slice_places(work, i);
+    }
+    status = paradt__mesh_reserve(slices, total, total, &work->memory);
+    if (status) paradt__mesh_free(slices, &work->memory);
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+}
+
+// A patch whose cells do not fit into the slice takes rows of its own.
+static void paradt__lend_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    size_t first = region->slice * (size_t)work->slices.corners;
+    if (!work->slices.capacity) return;
+    region->status = paradt__mesh_lend(&region->patch.build.scene.mesh, work->slices.vertices + first,
+                                       work->slices.links + first, paradt__slice_places(work, index), &region->memory);
+}
+
+static void paradt__count_patch(paradt__region *region) {
+    const paradt__patch *patch = &region->patch;
+    memset(&region->stats, 0, sizeof region->stats);
+    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
+}
+
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
+// field's.
+static void paradt__end_questions(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__field *field = work->fields + index;
+    region->waits = 0;
+    region->status = paradt__patch_list_seam(patch);
+    field->seam = patch->seam;
+    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
+    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
+    patch->seam = NULL;
+}
+
+// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
+// are few, in up to three dimensions, and where there are any: without weights.
+static void paradt__build_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
+    paradt__progress progress = paradt__region_progress(work, index);
+    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
+    region->built = 1;
+    region->waits = !region->status && patch->list_count;
+    paradt__count_patch(region);
+    if (region->status || region->waits || patch->trusts) return;
+    paradt__end_questions(work, index);
+    paradt__patch_rest(patch);
+}
+
+static void paradt__publish_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    region->status = paradt__patch_show(&region->patch);
+    work->fields[index].patch = &region->patch;
+}
+
+// No region changes while others look at it.
+static void paradt__learn_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+}
+
+static void paradt__complete_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__progress progress = paradt__region_progress(work, index);
+    if (!region->waits) return;
+    region->status = paradt__patch_complete(&region->patch, 0, &progress);
+    paradt__count_patch(region);
+    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+}
+
+static void paradt__compact_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__patch *patch = &region->patch;
+    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    paradt__count_patch(region);
+    if (!region->status) region->status = paradt__patch_compact(patch);
+    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->hull_facets = patch->hull_facets;
+    paradt__patch_rest(patch);
+}
+
+// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
+// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
+    return index > 1 && work->mesh.vertices == work->slices.vertices;
+}
+
+// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    const paradt__patch *patch = &work->region[index].patch;
+    paradt_status status = PARADT_OK;
+    size_t i, j, end;
+    for (i = 0; i < patch->list_count && !status; i = end) {
+        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
+        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+        }
+        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// What is left to be done takes no coordinates.
+static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
+    paradt__release(memory, work->set.records);
+    work->set.records = NULL;
+}
+
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
+// belong then, so its open facets can wait for others'.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    const paradt__mesh *own = &region->patch.build.scene.mesh;
+    size_t first = region->offset * (size_t)work->mesh.corners;
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__rows to =
+        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
+                          stays ? own->links : work->mesh.links + first, region->offset);
+    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    if (index || region->status) return;
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
+}
+
+// --- the relay
+//
+// The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
+// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
+// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
+// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+
+typedef struct paradt__ranked {
+    size_t amount, number;
+} paradt__ranked;
+
+// Sorts by amount, the largest first.
+static void paradt__rank(paradt__ranked *list, size_t count) {
+    size_t i, j;
+    for (i = 1; i < count; i++) {
+        paradt__ranked one = list[i];
+        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
+        list[j] = one;
+    }
+}
+
+// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    const paradt__insertion *build = &patch->build;
+    if (work->region[index].built) return 0;
+    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - work->fields[index].set.count;
+}
+
+// What a region has done, in points inserted
+static size_t paradt__region_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+}
+
+static void paradt__leg_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *task = work->region + index, *region = work->region + task->runs;
+    size_t before = paradt__region_done(&region->patch);
+    if (!region->built) paradt__build_task(work, task->runs);
+    task->ran = paradt__region_done(&region->patch) - before;
+}
+
+// Decides which task runs which region in the next leg. Returns how much is left of them all.
+static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
+    size_t left = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        regions[i].number = tasks[i].number = i;
+        tasks[i].amount = work->region[i].ran;
+        regions[i].amount = paradt__region_left(work, i);
+        left += regions[i].amount;
+    }
+    paradt__rank(regions, work->regions);
+    paradt__rank(tasks, work->regions);
+    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
+    return left;
+}
+
+// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
+// taking one after another.
+static paradt_status paradt__run_relay(paradt__work *work) {
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
+    paradt__ranked regions[MOST], tasks[MOST];
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
+    paradt_status status;
+    int last;
+    if (!work->options.parallel_for || work->regions > MOST)
+        return paradt__run_step(work, PARADT_OK, paradt__build_task);
+    do {
+        size_t left = paradt__assign_leg(work, regions, tasks), i;
+        last = (double)left < fewest;
+        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
+        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
+        status = paradt__run_step(work, PARADT_OK, paradt__leg_task);
+    } while (!last && (!status || status == PARADT__GAVE_UP));
+    return status;
+}
+
+// --- all regions together
+
+// Moves the emitted cells from the slices' starts to their places.
+static void paradt__close_slices(paradt__work *work) {
+    size_t corners = (size_t)work->mesh.corners, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
+        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
+        memmove(work->mesh.vertices + first, own->vertices, bytes);
+        memmove(work->mesh.links + first, own->links, bytes);
+    }
+}
+
+// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
+// on the hull.
+static paradt_status paradt__join_patches(paradt__work *work) {
+    size_t i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
+    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        for (j = 0; j < patch->list_count; j++) {
+            paradt_index *link = work->mesh.links + patch->list[j];
+            if (*link == PARADT__OPEN) *link = PARADT__HULL;
+        }
+    }
+    return status;
+}
+
+// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
+// a quarter of them would be empty, since to copy the cells takes as much again.
+static paradt_status paradt__collect_patches(paradt__work *work) {
+    size_t total = 0, i;
+    int in_place = work->slices.vertices != NULL, lent = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        work->region[i].offset = total;
+        total += own->count;
+        in_place = in_place && own->lent;
+        lent = lent || own->lent;
+    }
+    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
+    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
+    if (in_place) {
+        work->mesh = work->slices;
+    } else {
+        paradt__release_records(work, &work->memory);
+        status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    }
+    work->mesh.count = total;
+    status = paradt__run_step(work, status, paradt__emit_task);
+    if (!status && in_place) paradt__close_slices(work);
+    if (in_place) memset(&work->slices, 0, sizeof work->slices);
+    return status ? status : paradt__join_patches(work);
+}
+
+static size_t paradt__count_waiting(const paradt__work *work) {
+    size_t waiting = 0, i;
+    for (i = 0; i < work->regions; i++) waiting += (size_t)work->region[i].waits;
+    return waiting;
+}
+
+static paradt_status paradt__build_together(paradt__work *work) {
+    paradt_status status = paradt__run_step(work, PARADT_OK, paradt__points_task);
+    if (!status) status = paradt__reserve_slices(work);
+    status = paradt__run_step(work, status, paradt__lend_task);
+    if (!status) status = paradt__run_relay(work);
+    if (!status && paradt__count_waiting(work)) status = paradt__run_step(work, status, paradt__publish_task);
+    while (!status && paradt__count_waiting(work)) {
+        status = paradt__run_step(work, status, paradt__learn_task);
+        status = paradt__run_step(work, status, paradt__complete_task);
+    }
+    status = paradt__run_step(work, status, paradt__compact_task);
+    return status ? status : paradt__collect_patches(work);
+}
+
+// --- one by one: without neighbours, a region's links are given back before the next one begins
+
+// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners;
+    void *vertices = mesh->vertices;
+    if (mesh->count + count <= mesh->capacity) return PARADT_OK;
+    count += mesh->count + expected;
+    if (!paradt__grow(&work->memory, &vertices, mesh->count * corners, count * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    mesh->vertices = (paradt_index *)vertices;
+    mesh->capacity = count;
+    return PARADT_OK;
+}
+
+// Builds a region, at the end of the result while its cells fit there.
+static paradt_status paradt__build_next(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
+    size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__rows to;
+    paradt__begin_patch(work, index, &work->memory);
+    if (region->status) return region->status;
+    capacity = paradt__expected_places(region->patch.build.count, work->set.space.dim);
+    if (capacity > paradt__most_cells(mesh->corners)) capacity = paradt__most_cells(mesh->corners);
+    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    region->status = paradt__next_room(work, capacity, rest);
+    if (region->status) return region->status;
+    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->links) return PARADT_ERROR_MEMORY;
+    region->status =
+        paradt__mesh_lend(own, mesh->vertices + mesh->count * corners, lent->links, capacity, &work->memory);
+    if (!region->status) paradt__build_task(work, index);
+    if (!region->status) paradt__compact_task(work, index);
+    if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
+    to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (region->status) return region->status;
+    mesh->count += own->count;
+    paradt__patch_end(&region->patch);
+    memset(&region->patch, 0, sizeof region->patch);
+    paradt__mesh_free(lent, &work->memory);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_one_by_one(paradt__work *work) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t used, i;
+    paradt_status status = PARADT_OK;
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
+        void *vertices = mesh->vertices;
+        used = mesh->count * (size_t)mesh->corners;
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        mesh->vertices = (paradt_index *)vertices;
+    }
+    return status;
+}
+
+// --- given up
+
+// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
+// are given back.
+static paradt_status paradt__take_over(paradt__work *work) {
+    paradt__progress progress;
+    paradt__region *largest = NULL, *region, *end = work->region + work->regions;
+    paradt__mesh *own;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    for (region = work->region; region < end; region++) {
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
+            largest = region;
+    }
+    for (region = work->region; region < end; region++) {
+        region->stats.cells_recomputed = region->hull_facets = 0;
+        if (region == largest) continue;
+        paradt__patch_end(&region->patch);
+        memset(&region->patch, 0, sizeof region->patch);
+    }
+    own = &largest->patch.build.scene.mesh;
+    if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
+    status = paradt__patch_take_all(&largest->patch, &progress);
+    paradt__count_patch(largest);
+    largest->hull_facets = largest->patch.hull_facets;
+    if (!status && own->lent) {
+        status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
+        if (!status) paradt__mesh_append(&work->mesh, own);
+    } else if (!status) {
+        work->mesh = *own;
+        memset(own, 0, sizeof *own);
+    }
+    return status;
+}
+
+// --- the points of the regions
+
+// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
+// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work, int with_room) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        size_t count = paradt__region_count(work, i);
+        work->fields[i].begin = total;
+        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].room;
+    }
+    return total;
+}
+
+static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
+    paradt__set *set = &work->set;
+    size_t count = paradt__region_count(work, index);
+    if (from == to) return;
+    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
+}
+
+// Finds points that span the set, as positions in it once it is open.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
+    }
+}
+
+// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
+// span.
+static void paradt__open_set(paradt__work *work) {
+    size_t i;
+    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
+    paradt__find_basis(work);
+    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
+    for (i = 0; i < work->regions; i++) {
+        paradt__field *field = work->fields + i;
+        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        paradt__cuts_box(&work->cuts, i, field->low, field->high);
+    }
+    work->first_alone = work->regions > 1 && paradt__spans(&work->fields[0].set);
+}
+
+// Closes the gaps again.
+static void paradt__close_set(paradt__work *work) {
+    size_t i;
+    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
+}
+
+static paradt_status paradt__build_by_patches(paradt__work *work) {
+    int taken;
+    paradt_status status = paradt__begin_regions(work);
+    size_t i;
+    if (status) return status;
+    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
+    if (!work->fields) return PARADT_ERROR_MEMORY;
+    memset(work->fields, 0, work->regions * sizeof *work->fields);
+    paradt__open_set(work);
+    status = paradt__run_step(work, PARADT_OK, paradt__grid_task);
+    if (!status) status = work->one_by_one ? paradt__build_one_by_one(work) : paradt__build_together(work);
+    taken = status == PARADT__GAVE_UP && !work->one_by_one;
+    if (taken) status = paradt__take_over(work);
+    work->delivered = !status;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->hull_facets;
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_end(&region->patch);
+        paradt__grid_free(&work->fields[i].grid, &work->memory);
+        paradt__release(&work->memory, work->fields[i].seam);
+    }
+    paradt__mesh_free(&work->slices, &work->memory);
+    paradt__facets_free(&work->open_facets, &work->memory);
+    if (taken) work->regions = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>methods
+//
+// One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
+// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+
+// --- do regions pay?
+//
+// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
+// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
+// such look: few of them have neighbours beyond a cut.
+
+enum { PARADT__SAMPLED = 2048 }; // points of the sample
+
+// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
+// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
+static int paradt__is_hollow(const paradt__set *set) {
+    enum { EVERY = 64 };
+    int dim = set->space.dim;
+    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
+    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
+    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
+}
+
+// Number of the sample's points that have a neighbour on the other side of the first cut. side: [SAMPLED]
+static size_t paradt__count_across(const paradt__mesh *mesh, unsigned char *side) {
+    enum { UPPER = 1, ACROSS = 2 };
+    size_t corners = (size_t)mesh->corners, i, j, count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *cell = mesh->vertices + i * corners;
+        size_t upper = 0;
+        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
+        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
+    }
+    for (i = 0; i < PARADT__SAMPLED; i++) count += side[i] >= ACROSS;
+    return count;
+}
+
+// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
+// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
+static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
+    const paradt__set *set = &work->set;
+    paradt__set sample = *set;
+    paradt__mesh mesh;
+    paradt__counters counters;
+    paradt__progress silent;
+    size_t i;
+    unsigned char side[PARADT__SAMPLED];
+    paradt_status status = PARADT_OK;
+    *in_vain = 0;
+    if (set->count < 4 * PARADT__SAMPLED || set->space.weighted) return PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    memset(&silent, 0, sizeof silent);
+    sample.count = PARADT__SAMPLED;
+    sample.origin = NULL;
+    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
+    if (!sample.records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < sample.count; i++) {
+        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
+        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
+        side[i] = at < work->cuts.cut[work->regions / 2].begin;
+    }
+    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
+    if (!status && mesh.count) {
+        paradt__mesh_close(&mesh, NULL, 0);
+        *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
+    }
+    paradt__mesh_free(&mesh, &work->memory);
+    paradt__set_free(&sample, &work->memory);
+    return status;
+}
+
+// --- what a row's function does
+
+// Gives back what the building of cells needs beside the set.
+static void paradt__release_helpers(paradt__work *work) {
+    paradt__memory *memory = &work->memory;
+    paradt__grid_free(&work->grid, memory);
+    paradt__release(memory, work->owner);
+    paradt__release(memory, work->fields);
+    paradt__release(memory, work->region);
+    memset(&work->grid, 0, sizeof work->grid);
+    work->owner = NULL;
+    work->fields = NULL;
+    work->region = NULL;
+}
+
+// Forgets what a way that gave up has built.
+static void paradt__begin_again(paradt__work *work) {
+    paradt__release_helpers(work);
+    paradt__mesh_free(&work->mesh, &work->memory);
+    work->stats->cells_recomputed = work->stats->hull_facets = 0;
+}
+
+static paradt_status paradt__insert_undivided(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__bowyer_watson(&work->set, &work->memory, &work->mesh, &progress, &counters);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+static paradt_status paradt__build_by_insertion(paradt__work *work) {
+    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
+    paradt_status status = PARADT_OK;
+    int in_vain = 0;
+    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    if (work->hollow) status = paradt__foresee(work, &in_vain);
+    if (in_vain) work->regions = 1;
+    if (!status && work->regions > 1) // for the questions, too
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+    if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
+    if (!status) status = paradt__build_by_patches(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__close_set(work);
+    paradt__begin_again(work);
+    work->regions = 1;
+    return paradt__insert_undivided(work);
+}
+
+// --- the table and the choice
+
+enum {
+    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
+};
+
+// The row of a method. AUTO's says what all methods can do that it chooses from. A method that is left out can nothing.
+static const paradt__method *paradt__method_of(paradt_method method) {
+    static const paradt__method rows[PARADT_METHOD_COUNT] = {
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+#ifdef PARADT_NO_FRONTS
+        {0, 0, 0, NULL, NULL}, // INCODE
+        {0, 0, 0, NULL, NULL}, // DEWALL
+#else
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+#endif
+        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion} // BOWYER_WATSON
+    };
+    return rows + method;
+}
+
+// The method that builds points of an affine dimension: AUTO's choice. In four dimensions and more, what insertion
+// makes only to destroy it again costs more than InCoDe's searches, unless these have to decide ties, see
+// paradt__front_is_stuck; where InCoDe gave up, insertion is next.
+static const paradt__method *paradt__choose_method(paradt_method wanted, int dim, int gave_up) {
+#ifdef PARADT_NO_FRONTS
+    const int incode_pays = 0 * dim;
+#else
+    const int incode_pays = dim >= PARADT__AUTO_INCODE_DIM;
+#endif
+    if (wanted != PARADT_AUTO) return paradt__method_of(wanted);
+    return paradt__method_of(incode_pays && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
+}
+
+// Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
+// order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
+// and makes some for that of many points: each gives its links back before the next one begins.
+static void paradt__plan(paradt__work *work, const paradt_points *points) {
+    enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    work->facets = (work->options.flags & PARADT_FACETS) != 0;
+    work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
+    if (work->regions > points->count) work->regions = points->count ? points->count : 1;
+    work->one_by_one = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 && !first->front &&
+                       (work->regions == 1 || !work->options.parallel_for);
+    if (work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = ONE_BY_ONE;
+    work->cuts.boxes = work->regions;
+    work->cuts.partition = work->options.partition;
+    work->cuts.larger_first = !work->one_by_one && !first->front;
+    work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
+}
+
+// Makes the cell of a set of one point, or of none.
+static paradt_status paradt__build_trivial(paradt__work *work) {
+    paradt_status status;
+    work->regions = 1;
+    paradt__mesh_begin(&work->mesh, 1, 0);
+    status = paradt__mesh_reserve(&work->mesh, 1, 1, &work->memory);
+    if (status) return status;
+    work->mesh.count = work->set.count;
+    work->mesh.vertices[0] = 0;
+    work->mesh.links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Builds the mesh, by another method where the first gives up.
+static paradt_status paradt__build_mesh(paradt__work *work) {
+    paradt_method wanted = work->options.method;
+    paradt_status status;
+    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
+    work->impatient = wanted == PARADT_AUTO && work->method->front != NULL;
+    status = work->method->build(work);
+#ifndef PARADT_NO_FRONTS
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__begin_again(work);
+    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
+    status = work->method->build(work);
+#endif
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+//
+// The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
+// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
+}
+
+static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+    paradt_points points;
+    memset(&points, 0, sizeof points);
+    points.data = coordinates;
+    points.count = count;
+    points.dim = dim;
+    points.scalar = scalar;
+    return points;
+}
+
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+}
+
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F32);
 }
 
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
@@ -10887,6 +12156,10 @@ static const char *paradt__points_fault(const paradt_points *points) {
     if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
     if (points->stride && points->stride < size * (size_t)points->dim)
         return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    if ((unsigned)points->weight_scalar > PARADT_F32)
+        return "points.weight_scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->weight_stride && points->weight_stride < paradt__weight_size(points))
+        return "points.weight_stride is less than the bytes of a weight; it counts bytes, not weights";
     return NULL;
 }
 
@@ -10895,6 +12168,8 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (!paradt__method_of(options->method)->can)
+        return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
@@ -10926,804 +12201,49 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-enum { PARADT__AUTO_INCODE_DIM = 4 }; // AUTO tries InCoDe from here on
-
-// Is insertion the first method that is tried?
-static int paradt__inserts(paradt_method method, int dim) {
-    return !paradt__choose_front(method) && (method != PARADT_AUTO || dim < PARADT__AUTO_INCODE_DIM);
-}
-
-// All that one call works with.
-typedef struct paradt__work {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt_options options;
-    paradt_method method; // that is tried; AUTO has become one
-    int impatient;        // 1: it may give up
-    size_t regions;
-    int in_turn; // 1: insertion builds one after another, without neighbours
-    int hollow;  // 1: the points may be on a surface or a curve
-    paradt__meter meter;
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of it, while one task does all of it
-    paradt_stats *stats;
-    paradt__mesh cells;
-    paradt__cuts cuts;                      // between the regions
-    uint32_t *owner;                        // [set.count] with a front: the region of each point
-    paradt__field *fields;                  // [regions] with insertion
-    struct paradt__region *region;          // [regions]
-    paradt__mesh slices;                    // with insertion: each region's cells in a part of it, while they fit
-    paradt__facets seam;                    // with insertion: open facets of regions, in the end
-    int trusts;                             // with insertion: the first region has its own points alone
-    paradt__relay relay;                    // with insertion
-    int facets;                             // links are delivered as half-facets
-    int translated;                         // the cells are delivered already: the caller's indices, final links
-    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
-} paradt__work;
-
-// What one region leaves behind.
-typedef struct paradt__region {
-    paradt__memory memory;
+// Reads the points into the set.
+static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
+    double begun = paradt__now();
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
-    paradt__mesh cells;  // of a front, or
-    paradt__patch patch; // what insertion builds,
-    size_t offset;       // with the number of its first cell
-    uint64_t hull_facets;
-    int built;     // it has ended the third step
-    int open;      // it waits for what others have to tell
-    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;    // and what this task has done, in points inserted
-    uint32_t told; // of its share of the work
-    paradt_stats stats;
-} paradt__region;
-
-static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
-    stats->orient_calls += c->orient_calls;
-    stats->insphere_calls += c->insphere_calls;
-    stats->exact_small += c->exact_small;
-    stats->exact_fixed += c->exact_fixed;
-    stats->exact_general += c->exact_general;
-    stats->perturbed += c->perturbed;
-}
-
-static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    paradt__search_add_counts(&front->search, stats);
-    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, paradt__search_counters(&front->search));
-}
-
-// Adds what a region counted.
-static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
-    stats->distance_evaluations += region->distance_evaluations;
-    stats->grid_cells_visited += region->grid_cells_visited;
-    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
-    stats->orient_calls += region->orient_calls;
-    stats->insphere_calls += region->insphere_calls;
-    stats->exact_small += region->exact_small;
-    stats->exact_fixed += region->exact_fixed;
-    stats->exact_general += region->exact_general;
-    stats->perturbed += region->perturbed;
-    stats->cells_recomputed += region->cells_recomputed;
-}
-
-// A way of building begins: it has what is left of the work but for the finish.
-static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
-    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
-}
-
-static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
-}
-
-static paradt_status paradt__build_undivided(paradt__work *work) {
-    paradt__front front;
-    paradt__region_view view = {NULL, NULL, 0};
-    paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    paradt__begin_way(work);
-    front.progress = paradt__whole_progress(work);
-    front.impatient = work->impatient;
-    if (!status) status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(work->stats, &front);
-    paradt__front_end(&front);
-    work->cells = front.mesh;
-    work->stats->hull_facets = front.hull_facets;
-    return status;
-}
-
-static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
-    status = paradt__bowyer_watson(&work->set, &work->memory, &work->cells, &progress, &counters);
-    paradt__count_predicates(work->stats, &counters);
-    return status;
-}
-
-// --- regions: the work of one is a task
-
-static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
-    paradt__region_view view;
-    view.owner = work->owner;
-    view.cuts = &work->cuts;
-    view.region = (uint32_t)index;
-    return view;
-}
-
-static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
-    double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
-}
-
-// Points of a region
-static size_t paradt__region_count(const paradt__work *work, size_t index) {
-    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
-}
-
-// By InCoDe or DeWall.
-static void paradt__front_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__region_view view = paradt__view_of(work, index);
-    paradt__front front;
-    region->status =
-        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
-    front.impatient = work->impatient;
-    if (!region->status) region->status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(&region->stats, &front);
-    paradt__front_end(&front);
-    region->cells = front.mesh;
-    if (!region->status)
-        region->status =
-            paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
-}
-
-// By insertion, first step: the grid of the region's points. Of two regions of which the first trusts the other, only
-// that one looks for points of the other.
-static void paradt__grid_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__field *field = work->fields + index;
-    int asked = !work->trusts || work->regions > 2 || index == 0;
-    region->status = PARADT_OK;
-    if (asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
-}
-
-// By insertion, second step: the points to begin with.
-static void paradt__points_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
-    region->patch.facets = work->facets;
-    region->patch.trusts = work->trusts && index == 0;
-    region->status = paradt__patch_points(&region->patch, work->basis);
-}
-
-// Can regions be asked by the cells around their vertices? Up to three dimensions these are few, and without weights
-// there are some.
-static int paradt__asks_around(const paradt__work *work) {
-    return !work->in_turn && work->set.space.dim <= 3 && !work->set.space.weighted;
-}
-
-static void paradt__count_patch(paradt__region *region) {
-    const paradt__patch *patch = &region->patch;
-    memset(&region->stats, 0, sizeof region->stats);
-    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
-    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
-    paradt__search_add_counts(&patch->search, &region->stats);
-}
-
-// All cells of T(P) with a vertex of the region are there.
-static void paradt__end_questions(paradt__work *work, size_t index) {
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
-    region->open = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
-}
-
-// By insertion, third step: the cells, unless it pauses. The region remains open if it would rather be told by others
-// what it lacks.
-static void paradt__patch_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    int hasty = paradt__asks_around(work);
-    paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, hasty, &progress);
-    if (!region->status && paradt__patch_pauses(patch, hasty)) return;
-    region->built = 1;
-    region->open = !region->status && patch->list_count;
-    paradt__count_patch(region);
-    if (region->status || region->open || patch->trusts) return;
-    paradt__end_questions(work, index);
-    paradt__patch_rest(patch);
-}
-
-// Fourth step: leaves only the region's cells.
-static void paradt__compact_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
-    paradt__count_patch(region);
-    if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
-    region->hull_facets = patch->hull_facets;
-    paradt__patch_rest(patch);
-}
-
-// Regions that are open look at others' cells while none of them changes.
-static void paradt__show_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
-}
-
-static void paradt__hear_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->open) region->status = paradt__patch_hear_all(&region->patch);
-}
-
-static void paradt__complete_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__region_progress(work, index);
-    if (!region->open) return;
-    region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
-}
-
-// Are the cells of the region in a slice of the result that they are not moved from yet? The second slice's cells can
-// go to their places while they are written: nobody reads what is between them and the first's.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->cells.vertices == work->slices.vertices;
-}
-
-// Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->cells.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->cells.links + patch->list[j]);
-        }
-        status = paradt__facets_join(&work->seam, &work->cells, patch->list + i, end - i, !work->facets, memory);
-    }
-    return status;
-}
-
-// What is left to be done takes no coordinates.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
-// are where they are to be then, so its open facets can wait for others'.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    size_t first = region->offset * (size_t)work->cells.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    const paradt__mesh *mesh = &region->patch.build.scene.mesh;
-    paradt__rows to =
-        paradt__mesh_rows(work->cells.corners, work->facets, stays ? mesh->vertices : work->cells.vertices + first,
-                          stays ? mesh->links : work->cells.links + first, region->offset);
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
-    if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->seam, region->patch.list_count, 0, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
-// Runs a task for each region; the first status that is not PARADT_OK.
-static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *context, size_t index)) {
-    paradt_status status = PARADT_OK;
-    size_t i;
-    if (work->options.parallel_for) {
-        work->options.parallel_for(work->options.user, work->regions, task, work);
-    } else {
-        for (i = 0; i < work->regions; i++) {
-            task(work, i);
-            if (work->region[i].status) break;
-        }
-    }
-    for (i = 0; i < work->regions; i++) { // an error, or that it was cancelled, before that one gave up
-        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
-    }
-    return status;
-}
-
-// --- the relay
-//
-// The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: it is done in legs, each of which ends for all when together they have done a part of
-// what is left. In the next the region that has most left goes to the task that did most, since that is likely to be on
-// the same thread again. What a region builds does not depend on where it pauses.
-
-typedef struct paradt__ranked {
-    size_t amount, number;
-} paradt__ranked;
-
-// The largest amounts first.
-static void paradt__rank(paradt__ranked *list, size_t count) {
-    size_t i, j;
-    for (i = 1; i < count; i++) {
-        paradt__ranked one = list[i];
-        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
-        list[j] = one;
-    }
-}
-
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__insertion *build = &patch->build;
-    if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
-    return build->count - build->inserted + build->count - work->fields[index].set.count;
-}
-
-// What it has done, likewise
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
-}
-
-static void paradt__leg_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
-    if (!region->built) paradt__patch_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
-}
-
-// Who runs which region in the next leg. Returns how much is left of them all.
-static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
-    size_t left = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        regions[i].number = tasks[i].number = i;
-        tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
-        left += regions[i].amount;
-    }
-    paradt__rank(regions, work->regions);
-    paradt__rank(tasks, work->regions);
-    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
-    return left;
-}
-
-// The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
-// work by taking one after another.
-static paradt_status paradt__run_relay(paradt__work *work) {
-    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
-    paradt__ranked regions[MOST], tasks[MOST];
-    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
-    paradt_status status;
-    int last;
-    if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    do {
-        size_t left = paradt__assign_leg(work, regions, tasks), i;
-        last = (double)left < fewest;
-        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
-        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
-        status = paradt__run_regions(work, paradt__leg_task);
-    } while (!last && (!status || status == PARADT__GAVE_UP));
-    return status;
-}
-
-// --- regions together
-
-// Puts the cells of the regions together, giving their memory back one by one.
-static paradt_status paradt__collect_regions(paradt__work *work, paradt__mesh *cells, paradt_status status) {
-    uint64_t peaks = work->memory.held;
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        total += region->cells.count;
-        paradt__count_region(work->stats, &region->stats);
-        paradt__memory_join(&work->memory, &region->memory, &peaks);
-    }
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    for (i = 0; i < work->regions; i++) {
-        if (!status) paradt__mesh_append(cells, &work->region[i].cells);
-        paradt__mesh_free(&work->region[i].cells, &work->memory);
-    }
-    return status;
-}
-
-// Links the open facets that the patches have listed, when the first region's wait for theirs. What finds no partner is
-// the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
-    paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->seam.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->cells.links + patch->list[j];
-            if (*link == PARADT__OPEN) *link = PARADT__HULL;
-        }
-    }
-    return status;
-}
-
-// What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs.
-static void paradt__share_memory(paradt__work *work) {
-    uint64_t peaks = work->memory.held;
-    size_t i;
-    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
-}
-
-// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, though the
-// gap that is left has to be closed; and more of the last one, behind which nothing has to be moved. Surfaces may have
-// a tenth more cells a point, solids nothing but what shaken lattices have, 2 %. Not where there are so many points of
-// others that a quarter could be left.
-static size_t paradt__slice_places(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    size_t count = patch->build.count, own = patch->fields[index].set.count;
-    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
-    return paradt__expected_places(count, work->set.space.dim);
-}
-
-// Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
-// dimensions. A patch whose cells don't fit takes arrays of its own.
-static paradt_status paradt__lend_slices(paradt__work *work) {
-    paradt__mesh *slices = &work->slices;
-    int dim = work->set.space.dim;
-    size_t total = 0, first = 0, i;
-    paradt_status status;
-    slices->corners = dim + 1;
-    if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__mesh_reserve(slices, total, total, &work->memory);
-    if (status) {
-        paradt__mesh_free(slices, &work->memory);
-        return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
-    }
-    paradt__share_memory(work);
-    for (i = 0; i < work->regions && !status; i++) {
-        paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice_places(work, i);
-        status = paradt__mesh_lend(&patch->build.scene.mesh, slices->vertices + first * (size_t)slices->corners,
-                                   slices->links + first * (size_t)slices->corners, capacity, patch->memory);
-        first += capacity;
-    }
-    return status;
-}
-
-// Other slices' cells are at their begins: closes the gaps between them.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->cells.corners, i;
-    for (i = 0; i < work->regions; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners,
-               bytes = patch->build.scene.mesh.count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->cells.vertices + first, patch->build.scene.mesh.vertices, bytes);
-        memmove(work->cells.links + first, patch->build.scene.mesh.links, bytes);
-    }
-}
-
-// Puts the cells of the patches together.
-static paradt_status paradt__collect_patches(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t total = 0, i;
-    int in_place = work->slices.vertices != NULL, lent = 0;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].offset = total;
-        total += work->region[i].patch.build.scene.mesh.count;
-        in_place = in_place && work->region[i].patch.build.scene.mesh.lent;
-        lent = lent || work->region[i].patch.build.scene.mesh.lent;
-    }
-    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
-    // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
-    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
-    if (in_place) {
-        *cells = work->slices;
-    } else {
-        paradt__release_records(work, &work->memory);
-        status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    }
-    cells->count = total;
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__emit_task);
-    paradt__share_memory(work);
-    if (!status && in_place) paradt__close_slices(work);
-    if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
-}
-
-// Where the points of the regions are to be in the set, each but the first's with room for what others' points it is
-// likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int roomy) {
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        size_t count = paradt__region_count(work, i);
-        work->fields[i].begin = total;
-        work->fields[i].room = roomy && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
-    }
-    return total;
-}
-
-// Moves the points of a region.
-static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
-    paradt__set *set = &work->set;
-    size_t count = paradt__region_count(work, index);
-    if (from == to) return;
-    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
-    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
-}
-
-// Points that span the set, as positions in it once it is open.
-static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
-    for (i = 0; i < count; i++) {
-        size_t position = (size_t)work->basis[i], region = 0;
-        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[i] = (paradt_index)position;
-    }
-}
-
-// Gaps between the regions' points make room for others'. The first region trusts the others if its points span.
-static void paradt__open_set(paradt__work *work) {
-    size_t i;
-    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
-    paradt__find_basis(work);
-    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
-    for (i = 0; i < work->regions; i++) {
-        paradt__field *field = work->fields + i;
-        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
-        paradt__cuts_box(&work->cuts, i, field->low, field->high);
-    }
-    work->trusts = work->regions > 1 && paradt__spans(&work->fields[0].set);
-}
-
-// The set without them
-static void paradt__close_set(paradt__work *work) {
-    size_t i;
-    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
-}
-
-// Completes the regions that are open with what they tell each other.
-static paradt_status paradt__complete_together(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__show_task);
-    size_t open, i;
-    do {
-        if (!status) status = paradt__run_regions(work, paradt__hear_task);
-        if (!status) status = paradt__run_regions(work, paradt__complete_task);
-        for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    } while (!status && open);
-    return status;
-}
-
-// All regions at once, each step a task for each.
-static paradt_status paradt__build_together(paradt__work *work) {
-    size_t open, i;
-    paradt_status status = paradt__run_regions(work, paradt__points_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__lend_slices(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_relay(work);
-    for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    paradt__share_memory(work);
-    if (!status && open) status = paradt__complete_together(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
-    paradt__share_memory(work);
-    return status;
-}
-
-// --- regions in turn: without neighbours, a region's links are given back before the next one begins
-
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
-static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners;
-    void *vertices = cells->vertices;
-    if (cells->count + count <= cells->capacity) return PARADT_OK;
-    count += cells->count + expected;
-    if (!paradt__grow(&work->memory, &vertices, cells->count * corners, count * corners, sizeof(paradt_index)))
-        return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)vertices;
-    cells->capacity = count;
-    return PARADT_OK;
-}
-
-// Builds a region, at the end of the result while its cells fit there.
-static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
-    paradt__patch *patch = &work->region[index].patch;
-    paradt__mesh *cells = &work->cells, *own = &patch->build.scene.mesh, *lent = &work->slices;
-    size_t corners = (size_t)cells->corners, capacity, rest;
-    paradt__rows to;
-    paradt_status status;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
-    patch->trusts = work->trusts && index == 0;
-    status = paradt__patch_points(patch, work->basis);
-    capacity = paradt__expected_places(patch->build.count, work->set.space.dim);
-    if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
-    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
-    if (!status) status = paradt__turn_room(work, capacity, rest);
+    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
+    if (!out->representative) return PARADT_ERROR_MEMORY;
+    status =
+        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    work->stats->seconds_points = paradt__now() - begun;
+    if (!status && paradt__progress_cancels(&progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
-    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
-    if (!lent->links) return PARADT_ERROR_MEMORY;
-    status = paradt__mesh_lend(&patch->build.scene.mesh, cells->vertices + cells->count * corners, lent->links,
-                               capacity, patch->memory);
-    if (!status) {
-        paradt__patch_task(work, index);
-        if (!work->region[index].status) paradt__compact_task(work, index);
-        status = work->region[index].status;
-    }
-    if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
-    to = paradt__mesh_rows(cells->corners, work->facets, cells->vertices + cells->count * corners, own->links, 0);
-    if (!status) status = paradt__patch_emit(patch, &to, 0);
-    if (status) return status;
-    cells->count += own->count;
-    paradt__patch_end(patch);
-    memset(patch, 0, sizeof *patch);
-    paradt__mesh_free(lent, &work->memory);
-    return PARADT_OK;
+    work->stats->duplicates = points->count - work->set.count;
+    return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-static paradt_status paradt__build_in_turn(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners, i;
-    paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
-    if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
-        void *vertices = cells->vertices;
-        size_t used = cells->count * corners;
-        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-        cells->vertices = (paradt_index *)vertices;
+// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+static paradt_status paradt__close(paradt__work *work) {
+    if (!work->delivered) {
+        PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
     }
-    return status;
-}
-
-// --- regions given up
-
-// The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
-// back.
-static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress;
-    paradt__region *largest = NULL, *region;
-    paradt__patch *patch;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
-            largest = region;
+    paradt__mesh_rest(&work->mesh, &work->memory);
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
+        paradt__release(&work->memory, work->mesh.links);
+        work->mesh.links = NULL;
     }
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->stats.cells_recomputed = region->hull_facets = 0;
-        if (region == largest) continue;
-        paradt__patch_end(&region->patch);
-        memset(&region->patch, 0, sizeof region->patch);
-    }
-    patch = &largest->patch;
-    if (!patch->build.scene.mesh.lent) paradt__mesh_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(patch, &progress);
-    paradt__count_patch(largest);
-    largest->hull_facets = patch->hull_facets;
-    if (!status && patch->build.scene.mesh.lent) {
-        work->cells.corners = patch->build.scene.mesh.corners;
-        status = paradt__mesh_reserve(&work->cells, patch->build.scene.mesh.count, patch->build.scene.mesh.count,
-                                      &work->memory);
-        if (!status) paradt__mesh_append(&work->cells, &patch->build.scene.mesh);
-    } else if (!status) {
-        work->cells = patch->build.scene.mesh;
-        memset(&patch->build.scene.mesh, 0, sizeof patch->build.scene.mesh);
-    }
-    return status;
-}
-
-// Regions by insertion.
-static paradt_status paradt__build_patches(paradt__work *work) {
-    int taken;
-    paradt_status status;
-    size_t i;
-    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
-    if (!work->fields) return PARADT_ERROR_MEMORY;
-    memset(work->fields, 0, work->regions * sizeof *work->fields);
-    paradt__open_set(work);
-    paradt__share_memory(work);
-    status = paradt__run_regions(work, paradt__grid_task);
-    paradt__share_memory(work);
-    if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
-    taken = status == PARADT__GAVE_UP && !work->in_turn;
-    if (taken) status = paradt__take_over(work);
-    work->translated = !status;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        paradt__count_region(work->stats, &region->stats);
-        work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        paradt__patch_end(&region->patch);
-        paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
-    }
-    paradt__mesh_free(&work->slices, &work->memory);
-    paradt__facets_free(&work->seam, &work->memory);
-    if (taken) work->regions = 1;
-    return status;
-}
-
-static paradt_status paradt__build_fronts(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__front_task);
-    status = paradt__collect_regions(work, &work->cells, status);
-    return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
-}
-
-static paradt_status paradt__build_regions(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    int front = paradt__choose_front(work->method) != NULL;
-    size_t i;
-    if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
-    work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
-    memset(work->region, 0, work->regions * sizeof *work->region);
-    if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
-    paradt__begin_way(work);
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].memory = paradt__memory_fork(memory, work->regions);
-        work->region[i].cells.corners = work->set.space.dim + 1;
-    }
-    work->cells.corners = work->set.space.dim + 1;
-    return front ? paradt__build_fronts(work) : paradt__build_patches(work);
-}
-
-// The cell of a set of one point, or of none.
-static paradt_status paradt__build_trivial(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    paradt_status status;
-    work->regions = 1;
-    cells->corners = 1;
-    status = paradt__mesh_reserve(cells, 1, 1, &work->memory);
-    if (status) return status;
-    cells->count = work->set.count;
-    cells->vertices[0] = 0;
-    cells->links[0] = PARADT__HULL;
-    return PARADT_OK;
+    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
-    const paradt__mesh *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
+    const paradt__mesh *mesh = &work->mesh;
+    size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
     for (i = 0; i < vertices; i++) {
-        size_t point = (size_t)cells->vertices[i];
+        size_t point = (size_t)mesh->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
     for (i = 0; i < out->point_count; i++) {
@@ -11736,202 +12256,6 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Delivers the cells of the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
-static paradt_status paradt__close(paradt__work *work) {
-    if (!work->translated) work->stats->hull_facets += paradt__mesh_close(&work->cells, work->set.origin, work->facets);
-    paradt__mesh_rest(&work->cells, &work->memory);
-    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
-}
-
-// Gives back what the building of cells needs beside the set.
-static void paradt__release_helpers(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    paradt__grid_free(&work->grid, memory);
-    paradt__release(memory, work->owner);
-    paradt__release(memory, work->fields);
-    paradt__release(memory, work->region);
-    memset(&work->grid, 0, sizeof work->grid);
-    work->owner = NULL;
-    work->fields = NULL;
-    work->region = NULL;
-}
-
-// Forgets what a way that gave up has built.
-static void paradt__begin_again(paradt__work *work) {
-    paradt__release_helpers(work);
-    paradt__mesh_free(&work->cells, &work->memory);
-    work->stats->cells_recomputed = work->stats->hull_facets = 0;
-}
-
-// Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
-// points makes regions for that: five need 190 bytes a point where one needs 280, and a tenth to a fifth more time.
-static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
-    enum { TURNS = 5, LEAST_POINTS = 500000 };
-    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&
-                    !paradt__choose_front(work->options.method) && (work->regions == 1 || !work->options.parallel_for);
-    if (work->in_turn && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = TURNS;
-}
-
-// --- do regions pay?
-//
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
-
-enum { PARADT__FORETELLING = 2048 }; // points of the sample
-
-// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
-// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
-static int paradt__is_hollow(const paradt__set *set) {
-    enum { EVERY = 64 };
-    int dim = set->space.dim;
-    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
-    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
-    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
-}
-
-// Points of the sample that have a neighbour on the other side of the first cut. cells: of the sample; side:
-// [FORETELLING]
-static size_t paradt__count_across(const paradt__mesh *cells, unsigned char *side) {
-    enum { UPPER = 1, ACROSS = 2 };
-    size_t corners = (size_t)cells->corners, i, j, count = 0;
-    for (i = 0; i < cells->count; i++) {
-        const paradt_index *cell = cells->vertices + i * corners;
-        size_t upper = 0;
-        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
-        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
-    }
-    for (i = 0; i < PARADT__FORETELLING; i++) count += side[i] >= ACROSS;
-    return count;
-}
-
-// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
-// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
-static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
-    const paradt__set *set = &work->set;
-    paradt__set sample = *set;
-    paradt__mesh cells;
-    paradt__counters counters;
-    paradt__progress progress;
-    size_t i;
-    unsigned char side[PARADT__FORETELLING];
-    paradt_status status = PARADT_OK;
-    *in_vain = 0;
-    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted) return PARADT_OK;
-    memset(&cells, 0, sizeof cells);
-    memset(&progress, 0, sizeof progress);
-    sample.count = PARADT__FORETELLING;
-    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
-    sample.origin = (paradt_index *)paradt__alloc(&work->memory, sample.count, sizeof *sample.origin);
-    if (!sample.records || !sample.origin) status = PARADT_ERROR_MEMORY;
-    for (i = 0; i < sample.count && !status; i++) {
-        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
-        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
-        sample.origin[i] = (paradt_index)i;
-        side[i] = at < work->cuts.cut[work->regions / 2].begin;
-    }
-    if (!status && paradt__spans(&sample))
-        status = paradt__bowyer_watson(&sample, &work->memory, &cells, &progress, &counters);
-    if (!status && cells.corners) {
-        paradt__mesh_close(&cells, NULL, 0);
-        *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
-    }
-    paradt__mesh_free(&cells, &work->memory);
-    paradt__set_free(&sample, &work->memory);
-    return status;
-}
-
-// By insertion. When regions in turn give up, the set is left in their order.
-static paradt_status paradt__insert_all(paradt__work *work) {
-    enum { WORTH = 512 }; // points: with fewer, a sphere is not looked for
-    paradt_status status = PARADT_OK;
-    int in_vain = 0;
-    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
-    if (work->hollow) status = paradt__foretell(work, &in_vain);
-    if (!status && in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTH)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
-    if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
-    if (!status) status = paradt__build_regions(work);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__close_set(work);
-    paradt__begin_again(work);
-    work->regions = 1;
-    return paradt__build_by_insertion(work);
-}
-
-// The cells, by work->method. *sorted: when the points were ready for it.
-static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
-    paradt_status status;
-    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
-    if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
-    status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
-    *sorted = paradt__now();
-    if (status) return status;
-    return work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
-}
-
-// AUTO. In four dimensions and more, what insertion makes only to destroy it again costs more than InCoDe's searches,
-// unless these have to decide ties.
-static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
-    paradt_status status;
-    work->method = work->options.method;
-    if (paradt__inserts(work->method, work->set.space.dim) || work->method != PARADT_AUTO)
-        return paradt__build_cells(work, sorted);
-    work->method = PARADT_INCODE;
-    work->impatient = 1;
-    status = paradt__build_cells(work, sorted);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__begin_again(work);
-    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
-    work->method = PARADT_BOWYER_WATSON;
-    return paradt__build_cells(work, sorted);
-}
-
-static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
-    double begun = paradt__now(), loaded, sorted;
-    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__team team;
-    paradt_status status;
-    paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
-    work->cuts.boxes = work->regions;
-    work->cuts.partition = work->options.partition;
-    work->cuts.larger_first = !work->in_turn && paradt__inserts(work->options.method, points->dim);
-    work->cuts.gaps = !paradt__choose_front(work->options.method);
-    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
-    if (!out->representative) return PARADT_ERROR_MEMORY;
-    status =
-        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
-    loaded = sorted = paradt__now();
-    work->stats->seconds_points = loaded - begun;
-    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
-    if (status) return status;
-    work->stats->duplicates = points->count - work->set.count;
-    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
-    status = paradt__build_by_any(work, &sorted);
-    if (!status) status = paradt__close(work);
-    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
-        paradt__release(&work->memory, work->cells.links);
-        work->cells.links = NULL;
-    }
-    work->stats->seconds_grid = sorted - loaded;
-    work->stats->seconds_build = paradt__now() - sorted;
-    return status;
-}
-
-static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
-    paradt__mesh *cells = &work->cells;
-    out->dim = work->set.space.dim;
-    out->cell_count = cells->count;
-    out->cells = cells->vertices;
-    out->neighbors = cells->links;
-    cells->vertices = cells->links = NULL;
-}
-
 // Why the points don't span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
@@ -11940,12 +12264,55 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing but what says which.
+// After an error: leaves nothing in `out` but what says which.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
     out->error_point = bad;
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
+// Begins a call.
+static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
+                               const paradt_points *points, const paradt_options *options) {
+    memset(work, 0, sizeof *work);
+    memset(stats, 0, sizeof *stats);
+    if (options) work->options = *options;
+    paradt__memory_begin(&work->memory, options);
+    paradt__meter_begin(&work->meter, options);
+    work->stats = stats;
+    out->point_count = points->count;
+    out->allocator = work->memory.allocator;
+    paradt__plan(work, points);
+}
+
+// Ends a call: hands the mesh over, frees all else, and fills the statistics. begun, built: the clock
+static paradt_status paradt__end_call(paradt__work *work, paradt_triangulation *out, paradt_status status, double begun,
+                                      double built) {
+    paradt_stats *stats = work->stats;
+    int dim = work->set.space.dim;
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) {
+        out->dim = dim;
+        out->cell_count = work->mesh.count;
+        out->cells = work->mesh.vertices;
+        out->neighbors = work->mesh.links;
+        work->mesh.vertices = work->mesh.links = NULL;
+    }
+    paradt__mesh_free(&work->mesh, &work->memory);
+    paradt__set_free(&work->set, &work->memory);
+    paradt__release(&work->memory, work->cuts.cut);
+    if (status) paradt__withdraw(out, status, dim);
+    stats->cells = out->cell_count;
+    stats->regions = work->regions;
+    stats->peak_bytes = work->memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats->needed_bytes = work->memory.needed;
+    stats->seconds_build = built - begun - stats->seconds_points - stats->seconds_grid;
+    stats->seconds_finish = paradt__now() - built;
+    stats->seconds = paradt__now() - begun;
+    out->stats = *stats;
+    return status;
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -11954,44 +12321,59 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
-    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
-    memset(&work, 0, sizeof work);
-    memset(&stats, 0, sizeof stats);
-    if (options) work.options = *options;
-    paradt__memory_begin(&work.memory, options);
-    paradt__meter_begin(&work.meter, options);
-    work.stats = &stats;
-    out->point_count = points->count;
-    out->allocator = work.memory.allocator;
-    work.facets = (work.options.flags & PARADT_FACETS) != 0;
-    work.regions = work.options.regions ? work.options.regions : 1;
-    if (work.regions > points->count) work.regions = points->count ? points->count : 1;
-    status = paradt__build(&work, points, out);
+    paradt__begin_call(&work, &stats, out, points, options);
+    status = paradt__load(&work, points, out);
+    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__close(&work);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    work.meter.done = PARADT__ALL_DONE;
-    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
-    if (!status) paradt__deliver(&work, out);
-    dim = work.set.space.dim;
-    paradt__mesh_free(&work.cells, &work.memory);
-    paradt__set_free(&work.set, &work.memory);
-    paradt__release(&work.memory, work.cuts.cut);
-    if (status) paradt__withdraw(out, status, dim);
-    stats.cells = out->cell_count;
-    stats.regions = work.regions;
-    stats.peak_bytes = work.memory.peak;
-    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
-    stats.seconds_finish = paradt__now() - built;
-    stats.seconds = paradt__now() - begun;
-    out->stats = stats;
-    return status;
+    return paradt__end_call(&work, out, status, begun, built);
 }
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+// paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
+// `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
+// Hidden points are not found: that takes the cells of all regions.
+static paradt_status paradt__triangulate_region(paradt_triangulation *out, const paradt_points *points,
+                                                const paradt_options *options, size_t index) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_status status;
+    double begun = paradt__now();
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.larger_first = work.cuts.gaps = 0;
+    work.method = paradt__method_of(options->method);
+    if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
+    status = paradt__load(&work, points, out);
+    if (!status && work.set.space.dim <= 0) {
+        status = paradt__build_trivial(&work);
+        if (index) work.mesh.count = 0;
+    } else if (!status) {
+        status = paradt__prepare_fronts(&work);
+        if (!status) status = paradt__begin_fronts(&work);
+        if (!status) {
+            size_t only = index < work.regions ? index : 0;
+            paradt__front_task(&work, only);
+            status = work.region[only].status;
+            work.mesh = work.region[only].mesh;
+            if (index != only) work.mesh.count = 0;
+            paradt__count_region(&stats, &work.region[only].stats);
+            paradt__share_memory(&work);
+        }
+    }
+    if (!status) status = paradt__close(&work);
+    paradt__release_helpers(&work);
+    return paradt__end_call(&work, out, status, begun, paradt__now());
+}
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>remote
@@ -12329,57 +12711,6 @@ static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const p
     return others;
 }
 
-// What paradt__remote_region works with
-typedef struct paradt__remote_part {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt__cuts cuts;
-    uint32_t *owner; // [set.count]
-    paradt__mesh cells;
-    paradt__meter meter;
-    uint32_t told;
-} paradt__remote_part;
-
-// Builds one region of a loaded set facet by facet.
-static paradt_status paradt__remote_front(paradt__remote_part *part, const paradt_options *options, size_t region,
-                                          paradt_stats *stats) {
-    paradt__set *set = &part->set;
-    paradt__memory *memory = &part->memory;
-    paradt__region_view view;
-    paradt__front front;
-    paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
-    paradt_status status;
-    part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
-    if (!part->owner) return PARADT_ERROR_MEMORY;
-    status = paradt__set_grade(set, PARADT__NEAR_SPHERE, memory);
-    if (!status) status = paradt__grid_build(&part->grid, set, memory);
-    if (status) return status;
-    paradt__regions_assign(set, &part->cuts, part->owner);
-    view.owner = part->owner;
-    view.cuts = &part->cuts;
-    view.region = (uint32_t)region;
-    status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
-    if (!status) status = paradt__choose_front(method)(&front);
-    paradt__count_front(stats, &front);
-    paradt__front_end(&front);
-    part->cells = front.mesh;
-    return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
-}
-
-// The cell of a set of one point, in region 0.
-static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
-    paradt_status status;
-    part->cells.corners = 1;
-    status = paradt__mesh_reserve(&part->cells, 1, 1, &part->memory);
-    if (status) return status;
-    part->cells.count = region ? 0 : part->set.count;
-    part->cells.vertices[0] = 0;
-    part->cells.links[0] = PARADT__HULL;
-    return PARADT_OK;
-}
-
 // The bytes that a result holds: each block begins with its size.
 static size_t paradt__remote_bytes(const paradt_triangulation *t) {
     const void *blocks[3] = {t->cells, t->neighbors, t->representative};
@@ -12393,62 +12724,9 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
     return sum;
 }
 
-// paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor
-// DeWall: `out` gets just the cells that it owns. Their neighbours in other regions are PARADT__OPEN. Hidden points are
-// not found: that takes the cells of all regions.
-static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
-                                           const paradt_options *options, size_t region) {
-    paradt__remote_part part;
-    paradt__mesh *cells = &part.cells;
-    paradt_stats stats;
-    paradt_status status = PARADT_ERROR_MEMORY;
-    double begun = paradt__now();
-    size_t i;
-    memset(out, 0, sizeof *out);
-    memset(&part, 0, sizeof part);
-    memset(&stats, 0, sizeof stats);
-    paradt__memory_begin(&part.memory, options);
-    paradt__meter_begin(&part.meter, options);
-    out->point_count = points->count;
-    out->allocator = part.memory.allocator;
-    out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
-    part.cuts.boxes = options->regions;
-    part.cuts.partition = options->partition;
-    if (out->representative)
-        status = paradt__set_load(&part.set, points, &part.cuts, &paradt__alone, &part.memory, out->representative,
-                                  &out->error_point);
-    if (!status)
-        status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
-                                        : paradt__remote_trivial(&part, region);
-    if (!status) {
-        for (i = 0; i < cells->count * (size_t)cells->corners; i++)
-            cells->vertices[i] = part.set.origin[cells->vertices[i]];
-        out->dim = part.set.space.dim;
-        out->cell_count = cells->count;
-        out->cells = cells->vertices;
-        out->neighbors = cells->links;
-        cells->vertices = cells->links = NULL;
-        stats.cells = out->cell_count;
-        stats.duplicates = points->count - part.set.count;
-        stats.peak_bytes = part.memory.peak;
-        stats.seconds = paradt__now() - begun;
-        out->stats = stats;
-    }
-    paradt__mesh_free(cells, &part.memory);
-    paradt__grid_free(&part.grid, &part.memory);
-    paradt__release(&part.memory, part.owner);
-    paradt__release(&part.memory, part.cuts.cut);
-    paradt__set_free(&part.set, &part.memory);
-    if (status) {
-        i = out->error_point;
-        paradt_free(out);
-        out->error_point = i;
-    }
-    return status;
-}
-
 #endif // PARADT_MPI_IMPLEMENTATION
 
+#ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
 // >>check
 //
@@ -13184,6 +13462,8 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
+#endif // PARADT_NO_CHECK
+
 #ifdef __cplusplus
 }
 #endif

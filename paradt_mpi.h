@@ -18,7 +18,7 @@
 //
 //     int main(int argc, char **argv) {
 //         static double x[1000][3];
-//         paradt_points points = {x, 1000, 3, 0, PARADT_F64, NULL};
+//         paradt_points points = paradt_points_f64(x, 1000, 3);
 //         paradt_mpi_triangulation t;
 //         int rank, i, j;
 //         MPI_Init(&argc, &argv);
@@ -1053,7 +1053,7 @@ static double paradt_mpi__extra_for_lower(const paradt_mpi__box *box, double poi
 static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter *c, paradt_mpi__box *box,
                             uint64_t total) {
     uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
-    double length[PARADT_MAX_DIM], longest = -1.0, mean = (double)c->mean;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length[PARADT_MAX_DIM], longest, mean = (double)c->mean;
     int axis;
     box->weight_wanted = total / all * lower + total % all * lower / all;
     box->weight_below = 0;
@@ -1063,13 +1063,12 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     box->tolerance = total / all / PARADT_MPI__PRECISION;
     if (!total) return;
     for (axis = 0; axis < w->dim; axis++) {
-        length[axis] =
-            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
-        if (length[axis] > longest) {
-            longest = length[axis];
-            box->axis = axis;
-        }
+        low[axis] = paradt__from_ordered_bits(box->low[axis]);
+        high[axis] = paradt__from_ordered_bits(box->high[axis]);
+        length[axis] = high[axis] * 0.5 - low[axis] * 0.5;
     }
+    box->axis = paradt__longest_axis(low, high, w->dim, 0);
+    longest = length[box->axis];
     if (w->options.local.partition == PARADT_UNIFORM) {
         double part = (double)lower / (double)all;
         box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[box->axis]) * (1.0 - part) +
@@ -1495,7 +1494,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
     int axes[PARADT_MAX_DIM], found, r;
-    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters, NULL);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
         memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
@@ -1511,7 +1510,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters, NULL);
     for (i = 0; i < (size_t)found; i++) {
         size_t position = (size_t)basis[i];
         origins[i] = position >= before && position < before + count ? own[position - before] : -1;
@@ -1779,8 +1778,9 @@ static paradt_status paradt_mpi__estimate_work(paradt_mpi__work *w, double *work
     options.regions = 1;
     for (sample = 0; sample < PARADT_MPI__SAMPLES && count && !status; sample++) {
         const double *first = set->records + (set->count - count) / PARADT_MPI__SAMPLES * sample * set->width;
-        paradt_points points = {first, count, w->dim, set->width * sizeof *first, PARADT_F64, NULL};
+        paradt_points points = paradt_points_f64(first, count, w->dim);
         paradt_triangulation t;
+        points.stride = set->width * sizeof *first;
         for (i = 0; i < count && w->weighted; i++) weights[i] = first[i * set->width + (size_t)w->dim];
         if (w->weighted) points.weights = weights;
         status = paradt_triangulate(&t, &points, &options);
@@ -2362,7 +2362,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
 // more where there are several ranks, as other methods triangulate twice then.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
     int dim = w->set.space.dim;
-    return dim > 0 && paradt__inserts(w->options.local.method, dim - (w->ranks > 1)) && w->options.local.regions <= 1;
+    const paradt__method *method = paradt__choose_method(w->options.local.method, dim - (w->ranks > 1), 0);
+    return dim > 0 && method->can & PARADT__CAN_LIVE && w->options.local.regions <= 1;
 }
 
 // Triangulates the known points. A rank without own points makes nothing.
@@ -3640,7 +3641,7 @@ static paradt_status paradt_mpi__build_region(paradt_mpi__work *w, double *rows)
     options = paradt_mpi__local_options(w);
     options.regions = (size_t)w->ranks;
     options.parallel_for = NULL;
-    status = paradt__remote_region(&w->local, &points, &options, (size_t)w->rank);
+    status = paradt__triangulate_region(&w->local, &points, &options, (size_t)w->rank);
     if (!status) paradt_mpi__account_local(w);
     paradt__release(&w->memory, weights);
     w->stats.triangulations = 1;

@@ -173,7 +173,7 @@ static void fill_spread(double *x, int kind) {
 static int is_crowded(const double *x, size_t count) {
     static paradt_index representative[SPREAD];
     static paradt__loader loader;
-    paradt_points points = {x, count, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, count, 3);
     paradt__source source = paradt__source_of(&points);
     paradt__memory memory;
     paradt__set set;
@@ -412,7 +412,7 @@ static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, 
 static void others_come_where_the_curve_passes_them(void **state) {
     static double x[(OWN + OTHERS) * 3];
     static paradt_index representative[OWN];
-    paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, OWN, 3);
     paradt__memory memory;
     paradt__set set;
     int64_t low[3];
