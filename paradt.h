@@ -7086,42 +7086,45 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // ---------------------------------------------------------------------------------------------------------------------
 // >>reach
 //
-// Which cells a region of InCoDe or DeWall makes, and which of them it owns. (Insertion has another rule, see
-// >>patches.)
+// Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
+// rule, see the section of patches.)
 //
-// The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if equally
-// far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the region's
-// points; the facets that it needs are those in which one does. All these cells are found from one around each vertex:
-// the neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex
-// figure of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others
-// are reached around their ends, and all cells around them. A facet that is not needed is entered, so that two cells
-// that both were made get linked, but not worked on. A vertex of the region that no edge led away from gets a cell of
-// its own to start from.
+// Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
+// axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
+// leads away from one of the region's points, and needs a facet if an edge of the facet does. A needed facet is worked
+// on. Any other facet is only entered, so that two cells get linked when both have been made.
 //
-// The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
-// points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
-// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then the cut
-// is nearest to v too, and one of two points is always the farther. So a region reaches every cell with two vertices in
-// it, and few cells are made by several regions: those across a cut with two vertices on either side, and some in which
-// the cut nearest to a vertex is not the one that the cell crosses.
+// Why a region finds every cell that it reaches: consider the neighbours w of v to which edges lead away. In the vertex
+// figure of the lifted hull at v they are the vertices on one side of a plane, so edges among themselves connect them
+// (Balinski's argument). From one such edge (v, w) the work on needed facets therefore gets around the ends of all the
+// others, and to all cells around these edges. A vertex of the region from which no edge of a cell has led away gets a
+// cell of its own to start from, a seed.
 //
-// A few cells nobody reaches, where boxes meet at an edge or corner. They form clusters, connected by facets in which
-// no edge leads away. A region that owns a cell with such a facet looks behind the facet, its gate; if a cell of a
-// cluster is there, the region goes on to all of the cluster and the cells next to it. So whoever owns a cell next to a
-// cluster knows all of these cells, and the first of them owns the cluster. If there is none, the cluster is all of
-// T(P): then every region has it, since all begin with a cell, and the first that has points owns it.
+// Ownership. Of the regions that reach a cell the one with most of its vertices owns the cell; of several the first
+// does. A region reaches every cell in which it has two vertices u and v, for one of the edges between them leads away:
+// let u be nearer to its nearest cut than v to its own, or equally near and the cut of u not the later one. Then v is
+// farther from the cut of u than u is. If the rounded distances are equal, that cut is nearest to v, too, and of two
+// points one is always the farther from a cut. So few cells are made by several regions: those across a cut with two
+// vertices on either side, and some cells that cross another cut than the one nearest to a vertex.
+//
+// Cells that no region reaches. There are a few, where boxes meet at an edge or a corner. They form clusters, whose
+// cells are connected by facets in which no edge leads away. If a cell has such a facet, the region that owns the cell
+// looks behind the facet, its gate. If a cluster is there, the region makes all of the cluster and the cells next to
+// it. So every owner of a cell next to a cluster knows all cells next to it, and the first of these owners owns the
+// cluster. If a cluster has no cell next to it, it is all of T(P): every region makes it, as each begins with a cell,
+// and the first region that has points owns it.
 //
 // Vertices are positions in the set.
-// Doors: paradt__region_view, paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
+// Doors: paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
 
-// A region, as its front sees it
+// What a front knows of its region and of the others
 typedef struct paradt__region_view {
     const uint32_t *owner; // [set.count] region of each point; NULL: space is undivided
     const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
-// Does the edge from a point to another lead away from the cut nearest to the point (NULL: there is none)?
+// Does the edge from one point to another lead away? cut: the one nearest to `from`; NULL: there is none
 static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
                                    const double *to) {
     if (cut) {
@@ -7131,7 +7134,7 @@ static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut
     return paradt__compare(space, to, from) > 0;
 }
 
-// Does an edge of the simplex lead away from its vertex `place`?
+// Does any edge of the simplex lead away from its vertex `place`? count: vertices of the simplex
 static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
                               int count, int place) {
     const double *x = paradt__record(set, simplex[place]);
@@ -7144,8 +7147,7 @@ static int paradt__leads_away(const paradt__region_view *view, const paradt__set
     return 0;
 }
 
-// Does the region need the facet: has it an edge that leads away from a point of the region? Two points of the region
-// have one.
+// Does the region need the facet? Two points of the region always have an edge that leads away.
 static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
                          int count) {
     int i, inside = 0, only = 0;
@@ -7157,12 +7159,13 @@ static int paradt__needs(const paradt__region_view *view, const paradt__set *set
     return paradt__leads_away(view, set, facet, count, only);
 }
 
-// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
-// PARADT__OPEN: nobody reaches it.
+// Returns the owner of a cell or facet: of the regions that reach it, the one with most of its vertices, of several the
+// first; or PARADT__OPEN if no region reaches it.
 static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
                                        const paradt_index *simplex, int count) {
     paradt_index owner = PARADT__OPEN;
     int most = 0, i, j;
+    PARADT_ASSERT(view->owner);
     for (i = 0; i < count; i++) {
         paradt_index region = (paradt_index)view->owner[simplex[i]];
         int inside = 0;
@@ -7179,29 +7182,33 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>front
 //
-// What builds facet by facet has in common: a mesh that is not closed, the facets whose other cell is not known yet
-// (the active face list of the thesis, AFL), the search for the cell across such a facet, and the region for which the
-// cells are made. A cell once made is never changed. Vertices are positions in the set.
+// What InCoDe and DeWall, which build facet by facet, have in common: a mesh that is not closed; its active facets,
+// those whose other cell is not known yet (the thesis' active face list, AFL); the search for the cell across an active
+// facet; and the region for which cells are made. A cell is never changed once it is made. Vertices are positions in
+// the set.
 //
-// A vertex at which no facet is active has all its cells, and can't be an apex any more. InCoDe counts the active
-// facets at each vertex and takes grid cells and groups without unfinished points out of the search: it need not look
-// behind the front.
+// What holds between two cells: every facet whose link is PARADT__OPEN stands once in one of two tables. `active` has
+// the AFL; `unneeded` has those that the region does not need (see >>reach) and is used with regions only.
 //
-// Work lists, for methods with an order of their own, are linked lists of handles; a facet that was matched meanwhile
-// stays in its list and is passed over when it comes up.
+// A vertex with no active facet has all its cells and can't be an apex any more: it is finished. InCoDe counts the
+// active facets at each vertex and takes grid cells and groups of them out of the search once all their points are
+// finished. So the search need not look behind the front.
+//
+// A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
+// while it is in a list stays there, and is passed over when it comes up.
 // Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
 // paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
 // paradt__list_pop.
 
-// Work lists of handles, in one pool of nodes. The head of an empty list is PARADT__OPEN.
 typedef struct paradt__node {
-    paradt_index handle, next;
+    paradt_index handle, next; // next: PARADT__OPEN at the end
 } paradt__node;
 
+// The pool from which all work lists take their nodes. A list is the index of its first node; PARADT__OPEN: empty.
 typedef struct paradt__lists {
     paradt__node *nodes;
     size_t capacity;
-    paradt_index fresh, spare; // first node never used, first node given back
+    paradt_index fresh, spare; // the first node never used; the list of nodes given back
 } paradt__lists;
 
 static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
@@ -7209,6 +7216,7 @@ static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
     memset(lists, 0, sizeof *lists);
 }
 
+// Puts a handle at the head of a list.
 static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
                                        paradt__memory *memory) {
     paradt_index node = lists->spare;
@@ -7232,20 +7240,21 @@ static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head,
     return PARADT_OK;
 }
 
-// The list must not be empty.
+// Takes the first handle out of a list that is not empty.
 static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
     paradt_index node = *head, handle = lists->nodes[node].handle;
+    PARADT_ASSERT(node < lists->fresh);
     *head = lists->nodes[node].next;
     lists->nodes[node].next = lists->spare;
     lists->spare = node;
     return handle;
 }
 
-// Vertices that may still get cells
+// Which vertices may still get cells
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
-    uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
-    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] bits of the boxes with unfinished points
+    uint8_t *unfinished;                // [grid.cell_count] number of unfinished points in each grid cell
+    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] a bit for each box that has unfinished points
 } paradt__finished;
 
 typedef struct paradt__front {
@@ -7253,20 +7262,20 @@ typedef struct paradt__front {
     const paradt__grid *grid;
     paradt__memory *memory;
     paradt__search search;
-    paradt__mesh mesh;     // without ghosts
-    paradt__facets active; // the AFL: facets to be worked on
-    paradt__facets passed; // with regions: open facets that the region does not need
+    paradt__mesh mesh;       // without ghosts
+    paradt__facets active;   // the AFL: facets to be worked on
+    paradt__facets unneeded; // with regions: open facets that the region does not need
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
-    double expected;  // cells, for the progress
-    int impatient;    // 1: give up where the filters decide too little; see paradt__front_is_stuck
-    uint64_t seeding; // predicates for the cells to start from: they come with the region, not with its cells
+    double expected;          // number of cells, for the progress
+    int impatient;            // 1: give up where the filters decide too little; see paradt__front_is_stuck
+    uint64_t seed_predicates; // predicates evaluated to find seeds: they say nothing about the region's cells
     uint64_t hull_facets;
     paradt__finished finished;
-    uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
+    uint64_t *seeded;   // with regions: a bit for each vertex from which an edge of a cell leads away; needs no seed
     paradt_index gates; // with regions: list of facets to look behind
-    size_t next_seed;   // positions before it need no seed
+    size_t next_seed;   // no position before this one needs a seed
 } paradt__front;
 
 static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
@@ -7277,6 +7286,7 @@ static void paradt__finished_free(paradt__finished *finished, paradt__memory *me
     memset(finished, 0, sizeof *finished);
 }
 
+// Begins with no vertex finished. After an error paradt__finished_free frees what there is.
 static paradt_status paradt__finished_begin(paradt__finished *finished, const paradt__set *set,
                                             const paradt__grid *grid, paradt__memory *memory) {
     size_t i;
@@ -7299,7 +7309,7 @@ static paradt_status paradt__finished_begin(paradt__finished *finished, const pa
     return PARADT_OK;
 }
 
-// Adds to the count of active facets at a vertex; at 0 it is finished.
+// Adds `change` to the number of active facets at a vertex. When the number becomes 0 the vertex is finished.
 PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const paradt__grid *grid, paradt_index vertex,
                                            int change) {
     size_t box = (size_t)vertex / PARADT__LANES;
@@ -7313,16 +7323,17 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
     }
 }
 
+// Frees all but the mesh.
 static void paradt__front_end(paradt__front *front) {
     paradt__facets_free(&front->active, front->memory);
-    paradt__facets_free(&front->passed, front->memory);
+    paradt__facets_free(&front->unneeded, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
-    paradt__release(front->memory, front->touched);
-    front->touched = NULL;
+    paradt__release(front->memory, front->seeded);
+    front->seeded = NULL;
 }
 
-// Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
+// Makes room for the expected number of cells; if that is refused, for some: weighted points may have far fewer cells.
 static paradt_status paradt__front_room(paradt__front *front) {
     const size_t some = 1 << 16, most = paradt__most_cells(front->mesh.corners);
     double expected = front->expected * 1.01 + 64.0;
@@ -7334,7 +7345,8 @@ static paradt_status paradt__front_room(paradt__front *front) {
     return paradt__mesh_reserve(&front->mesh, 1, some, front->memory);
 }
 
-// part: of the set's points, those that the front is for
+// Begins a front without cells. part: fraction of the set's points for which the front makes cells. After an error
+// paradt__front_end is called as well.
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
                                          paradt__memory *memory, paradt__region_view view, double part) {
     double points = (double)set->count * part;
@@ -7349,30 +7361,30 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     paradt__search_begin(&front->search, set, grid);
     if (view.owner) {
         size_t words = set->count / 64 + 1;
-        front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched || paradt__facets_begin(&front->passed, 0, 0, memory)) return PARADT_ERROR_MEMORY;
-        memset(front->touched, 0, words * sizeof(uint64_t));
+        front->seeded = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
+        if (!front->seeded || paradt__facets_begin(&front->unneeded, 0, 0, memory)) return PARADT_ERROR_MEMORY;
+        memset(front->seeded, 0, words * sizeof(uint64_t));
     }
     if (paradt__facets_begin(&front->active, (size_t)points, 0, memory)) return PARADT_ERROR_MEMORY;
     return paradt__front_room(front);
 }
 
-// Notes for which of its vertices an edge of a new cell leads away.
-static void paradt__touch(paradt__front *front, const paradt_index *cell) {
+// Notes the vertices of the region from which an edge of a new cell leads away: they need no seed.
+static void paradt__front_note_seeded(paradt__front *front, const paradt_index *cell) {
     int corners = front->mesh.corners, i;
     for (i = 0; i < corners; i++) {
-        uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
+        uint64_t *word = front->seeded + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
         if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
         if (paradt__leads_away(&front->view, front->set, cell, corners, i)) *word |= bit;
     }
 }
 
-// Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
+// Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
-// Stores a cell and updates the AFL with its facets: a facet that was active is tied and leaves, the others enter.
-// across: the place of the apex, whose facet is the one that the cell was made on; from: the mirror of that facet,
-// which has left the AFL; or -1 and PARADT__OPEN
+// Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
+// the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
+// vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
 PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const paradt_index *cell, int across,
                                                  paradt_index from, paradt__activate activate, void *method,
                                                  int corners) {
@@ -7384,6 +7396,7 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
+    PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
     for (i = 0; i < corners; i++) {
         mesh->vertices[base + i] = cell[i];
         key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
@@ -7397,7 +7410,7 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
         if (i != across) {
             if (front->view.owner) {
                 paradt__facet_without(cell, corners, i, facet);
-                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->passed;
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->unneeded;
                 chain[i] = paradt__facets_chain(table, key[i]);
             }
             mirror = paradt__facets_match(table, mesh, chain[i], key[i], base + i, corners);
@@ -7418,8 +7431,8 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
     return status;
 }
 
-// Lists the gates of the newest cell: the facets behind which there may be a cell that nobody reaches, if it is for the
-// region to look. No two vertices of such a cell are of one region.
+// Lists the gates of the newest cell, if it is up to this region to look behind them: the facets behind which there may
+// be a cell that no region reaches. The vertices of such a cell are all of different regions.
 static paradt_status paradt__front_list_gates(paradt__front *front) {
     const paradt__mesh *mesh = &front->mesh;
     int corners = mesh->corners, foreign = 0, i;
@@ -7440,30 +7453,34 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     return status;
 }
 
-// Adds a cell, see paradt__front_store.
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
+
+// Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
     paradt_status status = paradt__mesh_room(&front->mesh, front->memory);
     if (!status) status = paradt__facets_room(&front->active, PARADT_MAX_DIM + 1, front->memory);
-    if (!status && front->view.owner) status = paradt__facets_room(&front->passed, PARADT_MAX_DIM + 1, front->memory);
+    if (!status && front->view.owner) status = paradt__facets_room(&front->unneeded, PARADT_MAX_DIM + 1, front->memory);
     if (status) return status;
-    if (front->touched) paradt__touch(front, cell);
+    if (front->seeded) paradt__front_note_seeded(front, cell);
     if (front->mesh.corners == 4) status = paradt__front_store(front, cell, across, from, activate, method, 4);
     else status = paradt__front_store(front, cell, across, from, activate, method, front->mesh.corners);
     if (!status && front->view.owner) status = paradt__front_list_gates(front);
-    if (!status && front->mesh.count % 1024 == 0) {
+    if (!status && front->mesh.count % PARADT__REPORT_STEP == 0) {
         double done = (double)front->mesh.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
 }
 
-// MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
+// The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
+// cell; if there is none the facet is one of the hull's.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
     int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
     const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
+    PARADT_ASSERT(front->mesh.links[handle] == PARADT__OPEN);
     if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
         return paradt__front_add(front, made, place, handle, activate, method);
     }
@@ -7475,15 +7492,15 @@ static paradt_status paradt__front_expand(paradt__front *front, paradt_index han
     return PARADT_OK;
 }
 
-// Takes a facet from a work list out of the AFL. Returns whether it was still active.
+// Takes a facet that came from a work list out of the AFL. Returns 0 if it was not active any more.
 static int paradt__front_take(paradt__front *front, paradt_index handle) {
     if (front->mesh.links[handle] != PARADT__OPEN) return 0;
     paradt__facets_remove(&front->active, paradt__facet_key_of(&front->active, &front->mesh, handle), handle);
     return 1;
 }
 
-// Finds a cell behind a gate: one of a cluster, or next to one. 0: there is none.
-static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
+// Finds a cell behind a gate that is in a cluster or next to one. Returns 0 if there is none.
+static int paradt__front_seed_behind_gate(paradt__front *front, paradt_index *cell) {
     int corners = front->mesh.corners, unused;
     while (front->gates >= 0) {
         paradt_index handle = paradt__list_pop(&front->lists, &front->gates);
@@ -7497,8 +7514,8 @@ static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// Finds a cell with an edge that leads away from the vertex; the region's first cell may be any at the vertex. 0: there
-// is none.
+// Finds a cell with an edge that leads away from the vertex; for the region's first cell any cell at the vertex will
+// do. Returns 0 if there is none.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -7519,8 +7536,8 @@ static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_ind
     return 0;
 }
 
-// Finds a cell to start from: behind a gate, or at a vertex of the region that still needs one; undivided, one cell. 0:
-// there is none.
+// Finds the next seed: a cell behind a gate or at a vertex of the region that still needs a seed; without regions any
+// one cell. Returns 0 if no seed is left.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -7529,45 +7546,52 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    if (paradt__front_pass_gate(front, cell)) return 1;
+    if (paradt__front_seed_behind_gate(front, cell)) return 1;
     while (front->next_seed < set->count) {
         size_t at = front->next_seed++;
-        if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
+        if (front->view.owner[at] != front->view.region || front->seeded[at / 64] >> at % 64 & 1) continue;
         if (paradt__front_seed_at(front, at, cell)) return 1;
     }
     return 0;
 }
 
-enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
+enum {
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
+    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+};
 
+// Number of predicates that the searches have evaluated so far
 static uint64_t paradt__front_predicates(const paradt__front *front) {
     const paradt__counters *c = paradt__search_counters(&front->search);
     return c->orient_calls + c->insphere_calls;
 }
 
-// Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
-// points exactly on a sphere), a search has to compare them all with each other, exactly. On points in general position
-// a cell takes less than a tenth of a predicate.
+// Do the searches take so many predicates that insertion would be faster? Where many points are on one sphere, as in a
+// lattice, a search has to compare all of them with each other, exactly. Among points in general position hardly any
+// cell takes a predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
     uint64_t patience = PARADT__PATIENCE * (uint64_t)front->mesh.count + PARADT__FIRST_PATIENCE;
-    return paradt__front_predicates(front) - front->seeding > patience;
+    return paradt__front_predicates(front) - front->seed_predicates > patience;
 }
 
-// paradt__front_seed, its predicates apart.
+// Finds the next seed as paradt__front_seed does, and counts the predicates that this takes.
 static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     uint64_t before = paradt__front_predicates(front);
     int found = paradt__front_seed(front, cell);
-    front->seeding += paradt__front_predicates(front) - before;
+    front->seed_predicates += paradt__front_predicates(front) - before;
     return found;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>incode
 //
-// Incremental construction (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 2): from a first cell, the cell
-// across each active facet, until there is none. The facets at the lowest vertices in grid order come first: the front
-// sweeps over the grid, and what it touches stays in the cache. Doors: paradt__incode.
+// InCoDe, incremental construction (Cignoni, Montani, Scopigno, "DeWall: a fast divide and conquer Delaunay
+// triangulation algorithm in E^d", CAD 1998; thesis, chapter 2). Begins with one cell and adds the cell across each
+// active facet until no facet is active. Facets at the lowest vertices in grid order come first, so that the front
+// sweeps over the grid and what it works on stays in the cache.
+// Doors: paradt__incode.
 
+// Makes all cells of the front, or returns PARADT__GAVE_UP if the front is impatient and stuck.
 static paradt_status paradt__incode(paradt__front *front) {
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
@@ -7589,25 +7613,32 @@ static paradt_status paradt__incode(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>dewall
 //
-// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
-// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
-// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
-// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
-// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
-// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
-// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
-// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Vertices are positions in the set.
+// DeWall, divide and conquer with the merging first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane
+// alpha halves the points. First all cells that cross it are made, the wall, with MakeSimplex on the active facets that
+// cross it (AFL alpha). Then the cells on its two sides are independent of each other. They are made by recursion from
+// the active facets that the wall has left on either side (AFL 1 and AFL 2).
+//
+// The planes are those of the grid. So a half is a range of positions, and MakeSimplex searches that range only: all
+// cells with a vertex outside of it are in walls made before.
+//
+// If no active facet crosses alpha, either no cell of the range crosses alpha or no such cell has been made: a facet
+// between a cell of the range that crosses alpha and a cell of another wall would be active and cross alpha. Any cell
+// of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
+//
+// A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
+// positions in the set.
 // Doors: paradt__dewall.
 
-enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
+enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
 
+// A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
-    size_t begin, cut, end;
-    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
-    paradt_index outside;         // facets with a vertex out of the range
+    size_t begin, cut, end;       // positions in [begin, cut) are on the plane's one side, [cut, end) on its other
+    paradt_index alpha, one, two; // facets that cross the plane, are in [begin, cut), are in [cut, end)
+    paradt_index outside;         // facets with a vertex outside of [begin, end)
 } paradt__wall;
 
+// Puts an active facet into the wall's list for it. method: the wall
 static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
@@ -7626,15 +7657,15 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
     return paradt__list_push(&front->lists, head, handle, front->memory);
 }
 
-// Moves the facets of a list to the lists of the wall.
-static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Moves the facets of a list to the wall's lists.
+static paradt_status paradt__wall_distribute(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
 }
 
-// Works on a list of the wall until it is empty.
-static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Expands the facets of one of the wall's lists until the list is empty.
+static paradt_status paradt__wall_expand(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) {
         paradt_index handle = paradt__list_pop(&front->lists, head);
@@ -7645,7 +7676,7 @@ static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall
     return status;
 }
 
-// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
+// Finds a cell of the range that crosses the plane, where no active facet does. Returns 0 if there is none.
 static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
     const paradt__set *set = front->set;
     const paradt__space *space = &set->space;
@@ -7675,8 +7706,8 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     return 0;
 }
 
-// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
-// range are added to *outside. The depth is at most the logarithm of the number of points.
+// Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
+// which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
 static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
                                         paradt_index *outside) {
     paradt__wall wall;
@@ -7686,7 +7717,8 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     wall.alpha = wall.one = wall.two = PARADT__OPEN;
     wall.outside = *outside;
     if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    status = paradt__wall_receive(front, &wall, head);
+    PARADT_ASSERT(begin < wall.cut && wall.cut <= end);
+    status = paradt__wall_distribute(front, &wall, head);
     if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
         paradt_index cell[PARADT_MAX_DIM + 1];
         if (paradt__wall_seed(front, &wall, cell)) {
@@ -7696,17 +7728,17 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
         if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
-        status = paradt__wall_serve(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
+        status = paradt__wall_expand(front, &wall, &wall.alpha);
+        if (!status && wall.cut == end) status = paradt__wall_expand(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
         if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
-        if (!status) status = paradt__wall_receive(front, &wall, &back);
+        if (!status) status = paradt__wall_distribute(front, &wall, &back);
     }
     *outside = wall.outside;
     return status;
 }
 
-// On a line facets are points, which cross nothing: there is no wall to build.
+// Makes all cells of the front. On a line facets are points and cross no plane, so there is no wall: InCoDe does it.
 static paradt_status paradt__dewall(paradt__front *front) {
     paradt_index cell[PARADT_MAX_DIM + 1];
     size_t count = front->set->count;
@@ -7726,19 +7758,20 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
 //
-// Points are inserted in rounds, each 16 times the size of the one before, and within a round along Hilbert's curve
-// (Amenta, Choi and Rote, "Incremental constructions con BRIO", SoCG 2003). The order matters only for speed. Of every
-// 16 neighbours along the curve one, drawn by a hash of their number, is dealt to an earlier round; of 16 such ones,
-// one to a still earlier round. So a round's points are spread more evenly than by chance. Doors: paradt__round_order,
-// paradt__merged_order, paradt__curve.
+// The order in which points are inserted; it matters for speed only. Points are inserted in rounds, each 16 times as
+// large as the one before, and within a round along Hilbert's curve (Amenta, Choi and Rote, "Incremental constructions
+// con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
+// a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
+// one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
+// Doors: paradt__round_order, paradt__merged_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
-    PARADT__FIRST_ROUND = 16, // points of the first round, about
-    PARADT__MOST_ROUNDS = 15
+    PARADT__FIRST_ROUND = 16, // the first round has at least so many points
+    PARADT__MOST_ROUNDS = 15  // after the first
 };
 
-// Number of the rounds after the first, for so many points
+// Returns the number of rounds after the first for `count` points.
 static int paradt__round_count(size_t count) {
     int rounds = 0;
     while (rounds < PARADT__MOST_ROUNDS && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND)
@@ -7746,14 +7779,14 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// The number of that one of the 16 neighbours of a group that comes earlier than in the last round. level: 0 for
-// neighbours along the curve, 1 for 16 such ones, and so on
+// Draws the one of a group's 16 members that goes to an earlier round, and returns its number. level: what the members
+// are: 0: points, 1: groups of points, 2: groups of these, and so on
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round, 0 to rounds - 1, of the one of a group that comes earlier.
+// Returns the round of the point drawn from a group of points, 0 to rounds - 1.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -7761,14 +7794,15 @@ static int paradt__earlier_round(size_t group, int rounds) {
     return rounds - level;
 }
 
-// Deals points, which come along the curve, to the rounds of an insertion.
+// Points that come along the curve, dealt to rounds
 typedef struct paradt__rounds {
-    paradt_index *order;                   // [count] what is dealt, round after round
-    int rounds;                            // after the first
-    size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
-    size_t next, earlier; // the number of the next point, and of that one of its group which comes earlier
+    paradt_index *order;                 // [count] round after round
+    int rounds;                          // after the first
+    size_t end[PARADT__MOST_ROUNDS + 1]; // where in `order` each round's next point goes
+    size_t next, earlier; // numbers along the curve: of the next point, and of the one drawn in its group
 } paradt__rounds;
 
+// Allocates the order, and finds where each round begins in it.
 static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
     size_t group, groups = 0, before = 0;
     int round;
@@ -7777,14 +7811,14 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     if (!r->order) return PARADT_ERROR_MEMORY;
     r->rounds = paradt__round_count(count);
     for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
-        if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
+        if (paradt__earlier_one(group, 0) < count) r->end[paradt__earlier_round(group, r->rounds)]++, groups++;
     }
     for (round = 0; round < r->rounds; round++) {
-        size_t size = r->place[round];
-        r->place[round] = before;
+        size_t size = r->end[round];
+        r->end[round] = before;
         before += size;
     }
-    r->place[r->rounds] = groups;
+    r->end[r->rounds] = groups;
     return PARADT_OK;
 }
 
@@ -7794,11 +7828,12 @@ PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     int round = r->rounds;
     if (r->next == group << PARADT__ROUND_SHIFT) r->earlier = r->rounds ? paradt__earlier_one(group, 0) : SIZE_MAX;
     if (r->next++ == r->earlier) round = paradt__earlier_round(group, r->rounds);
-    r->order[r->place[round]++] = point;
+    PARADT_ASSERT(r->rounds == 0 || round == r->rounds || r->end[round] < r->end[round + 1]);
+    r->order[r->end[round]++] = point;
 }
 
-// Returns the positions 0 to count - 1, which are along the curve, in the order of insertion: a new block, or NULL when
-// there is no memory.
+// Returns the positions 0 to count - 1, whose points are along the curve, in the order of insertion: a new block, or
+// NULL when there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt__rounds r;
     size_t i;
@@ -7807,11 +7842,11 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// Deals all points of the set. Its first `own` points are along a curve; the others are dealt where the curve passes
-// them, within a few own ones. sorted, other: scratch for set->count - own.
+// Deals all points of the set. Its first `own` points are along the curve. The others are sorted, and each is dealt
+// near the own points between which the curve passes it. sorted, other: scratch for set->count - own elements
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
                                  paradt__keyed *other, paradt__rounds *r) {
-    enum { FEW = 16 };
+    enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
     paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
@@ -7823,8 +7858,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
-// Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
-// memory.
+// Returns the positions of the set's points in the order of insertion, where only the first `own` are along the curve:
+// a new block, or NULL when there is no memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
                                           paradt__memory *memory) {
     size_t others = set->count - own;
@@ -7843,38 +7878,42 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion
 //
-// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension: the cells in conflict with a new point form a
-// star-shaped cavity, found from any one of them through their neighbours; the point and each facet of the cavity's rim
-// make a new cell. Inside and outside of the hull are one case, as ghosts close the mesh. Every T(P_i) of the points so
-// far is complete and exact, so no cell is ever flat, and the last one is T(P). A weighted point that is in conflict
-// with no cell is hidden; a vertex inside of the cavity becomes hidden.
+// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension. The cells in conflict with a new point form a
+// star-shaped cavity, which is found from any one of them through their neighbours. The point and each facet of the
+// cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
-// Between two insertions the scene is that of >>scene, no cell has the mark PARADT__CONFLICT, and `update` tells what
-// the last one did. After an error the mesh is good for nothing but to be freed. Doors: paradt__insertion_point,
-// paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points, paradt__insertion_first_cells,
-// paradt__cavity_star, paradt__insert.
+// After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
+// A weighted point is hidden if no cell is in conflict with it, and a vertex becomes hidden if no facet of the rim has
+// it.
+//
+// Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
+// `update` says what the last insertion did. After an error the mesh may only be freed.
+// Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert.
 
-struct paradt__kept;
+struct paradt__kept; // see >>kept spheres
 
+// An insertion of points, from its first cells on
 typedef struct paradt__insertion {
     paradt__scene scene;
     paradt__memory *memory;
     const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
-    size_t count;              // points to be inserted
-    size_t inserted;           // points so far
-    size_t later;              // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at;      // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__relay *relay;      // NULL: it does not pause
+    size_t count;              // number of points to insert
+    size_t inserted;           // number of points inserted so far
+    size_t later;              // number of points that may have to be inserted after these; for the room only
+    double rate, rate_at;      // cells a point when room was last made, and 1 + `inserted` then; 0: never
+    paradt__relay *relay;      // tells the insertion to pause; NULL: it never does
     paradt__update update;     // what the last insertion did
-    paradt_index *rim;         // [rim_capacity] handles of the cavity's facets on the rim, in its cells
+    paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
     paradt__facets ridges;     // facets of new cells that wait for their mirrors; empty between insertions
-    struct paradt__kept *kept; // spheres of cells, in three dimensions where the filter holds; else NULL
-    int graded;                // records have sagittas, of at most grade_limit in size, wrong by grade_error
-    double grade_limit, grade_error;
+    struct paradt__kept *kept; // NULL: spheres are not kept
+    int graded;                // records have sagittas (see >>reference sphere)
+    double grade_limit;        // the largest size of a sagitta
+    double grade_error;        // the largest error of a sagitta
 } paradt__insertion;
 
-// The i-th point to be inserted
+// Returns the position of the i-th point to be inserted.
 PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *build, size_t i) {
     return build->order ? build->order[i] : (paradt_index)i;
 }
@@ -7882,27 +7921,29 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 // --- room
 
 enum {
-    PARADT__GROW_PART = 16,       // a mesh grows by at least that part
-    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected together
-    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
+    PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
+    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08
+#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
+#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
 
-// Makes room for the places that are needed, and for those that are wanted if it can be had.
+// Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
     if (needed <= build->scene.mesh.capacity && wanted <= build->scene.mesh.capacity) return PARADT_OK;
     return paradt__mesh_reserve(&build->scene.mesh, needed, wanted, build->memory);
 }
 
-// Number of places to make room for when `needed` are too many for now: what the cells a point, now and when there was
-// last made room, let expect, and somewhat more. Along curves the cells a point grow with the points. Few sets have
-// more cells than uniform points; scanned surfaces and shaken lattices do. In the plane no set has more.
+// Returns the number of places to make room for when `needed` places are more than there are. The number of cells a
+// point is extrapolated from what it is now and what it was when room was last made, since on curves it grows with the
+// number of points. Few sets have more cells than uniform points (scanned surfaces and shaken lattices do), and in the
+// plane none has; so the number for uniform points is a limit there, and a guide in space.
 static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
     int dim = build->scene.mesh.corners - 1;
     size_t points = build->count + build->later;
     double inserted = (double)build->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
-    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
+    double judged = count / (double)PARADT__JUDGED_PART; // with fewer points the hull has too large a share
     int known = build->rate_at > judged && inserted > build->rate_at;
     double rise = known ? paradt__larger(rate - build->rate, 0.0) / (inserted - build->rate_at) : 0.0;
     double more = rise * (count - inserted),
@@ -7912,19 +7953,20 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     build->rate = rate;
     build->rate_at = inserted;
-    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > most && (double)least < most)
+        expected = dim == 3 ? paradt__larger(most, rate * count * PARADT__RATE_MORE) : most;
     if (expected > numbered) expected = numbered;
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Number of points whose cells get room in the beginning: of all, and the more that surfaces have; or of few of them,
-// as the rows are copied when there is more.
+// Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
+// surfaces have more cells; of many points as many as tell how many cells the others will have. Then rows are copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
-// Makes sure of `count` places to take.
+// Makes sure that `count` places can be taken.
 static paradt_status paradt__insertion_room(paradt__insertion *build, size_t count) {
     paradt__mesh *mesh = &build->scene.mesh;
     size_t needed = mesh->count + count - (mesh->spare_count < count ? mesh->spare_count : count);
@@ -7938,14 +7980,13 @@ static paradt_status paradt__insertion_room(paradt__insertion *build, size_t cou
 
 // --- the cavity
 
-// Digs the cavity of x from the first cell in conflict with it: fills update.killed and the rim, and marks the cavity's
-// cells.
+// Digs the cavity of x: marks its cells and fills update.killed and the rim. first: a cell in conflict with x
 static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     int corners = mesh->corners, i;
     size_t head;
-    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT));
+    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT) && *paradt__mesh_row(mesh, first) != PARADT__DEAD);
     update->killed[0] = first * corners;
     update->killed_count = 1;
     build->rim_count = 0;
@@ -7969,10 +8010,11 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
             }
         }
     }
+    PARADT_ASSERT(build->rim_count >= (size_t)corners);
     return PARADT_OK;
 }
 
-// Room for what starring the rim makes: places, the list of them, and ridges, each of which is in two new cells.
+// Makes room for what starring makes: places, update.made, and ridges, each of which is in two new cells.
 static paradt_status paradt__cavity_room(paradt__insertion *build) {
     paradt__update *update = &build->update;
     size_t count = build->rim_count, ridges = count * (size_t)(build->scene.mesh.corners - 1);
@@ -7982,8 +8024,8 @@ static paradt_status paradt__cavity_room(paradt__insertion *build) {
     return status ? status : paradt__facets_room(&build->ridges, ridges / 2 + 1, build->memory);
 }
 
-// Makes a cell of each rim facet and the point: that of the cavity with the point in the place of the vertex off the
-// facet.
+// Makes a cell of each facet of the rim: a copy of the cavity's cell at the facet, with the point instead of the vertex
+// opposite the facet.
 PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__facets *ridges = &build->ridges;
@@ -7993,6 +8035,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
         paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
         paradt_index base = made * corners, *vertices = mesh->vertices + base;
         uint64_t sum;
+        PARADT_ASSERT(!(mesh->marks[paradt__mesh_cell(mesh, mesh->links[inner])] & PARADT__CONFLICT));
         memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
         vertices[place] = point;
         paradt__mesh_tie(mesh, base + place, mesh->links[inner]);
@@ -8007,7 +8050,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
     build->update.made_count = build->rim_count;
 }
 
-// Stars the cavity. Fills update.made with the new cells' handles of the rim facets.
+// Stars the cavity with the point. Fills update.made with the facets of the rim, as handles in the new cells.
 static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index point) {
     paradt_status status = paradt__cavity_room(build);
     if (status) return status;
@@ -8020,7 +8063,7 @@ static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index 
     return PARADT_OK;
 }
 
-// Clears the cavity's marks and gives its places back.
+// Clears the marks of the cavity's cells and gives their places back.
 static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
@@ -8035,7 +8078,7 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Inserts a point: search, dig, star.
+// Inserts a point: walk, dig, star.
 static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
@@ -8051,11 +8094,11 @@ static paradt_status paradt__insert(paradt__insertion *build, paradt_index point
 
 // --- the first cells
 
-// Makes the cell of the first points, which span, at place 0, and the ghost on its facet opposite vertex i at place
-// 1 + i.
+// Makes the cell of the first points, which span the space, at place 0, and at place 1 + i the ghost on its facet
+// opposite vertex i.
 static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
-    int corners = mesh->corners, i, j;
+    int corners = mesh->corners, side, i, j;
     const double *p[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__insertion_reserve(build, (size_t)corners + 1, (size_t)corners + 1);
     if (status) return status;
@@ -8064,12 +8107,15 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
         mesh->vertices[i] = paradt__insertion_point(build, (size_t)i);
         p[i] = paradt__scene_record(&build->scene, mesh->vertices[i]);
     }
-    if (paradt__orient(&build->scene.space, p) < 0) {
+    side = paradt__orient(&build->scene.space, p);
+    PARADT_ASSERT(side != 0);
+    if (side < 0) {
         mesh->vertices[0] = paradt__insertion_point(build, 1);
         mesh->vertices[1] = paradt__insertion_point(build, 0);
     }
-    // In a ghost two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet. Ghosts
-    // i and j meet in the facet without vertices i and j, which is opposite what stands for i in ghost j.
+    // The infinite vertex is on the other side of the facet than vertex i; so in a ghost vertices 0 and 1 are
+    // exchanged. Ghosts i and j have the facet without vertices i and j in common; in ghost j it is opposite vertex i
+    // of the cell.
     for (i = 0; i < corners; i++) {
         paradt_index base = (paradt_index)((i + 1) * corners);
         for (j = 0; j < corners; j++) {
@@ -8087,82 +8133,102 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 // >>kept spheres
 //
 // Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
-// too. The predicates decide where its value does not exceed the bound on its error. What they decide and what the
-// spheres decide is the same.
+// too. Where the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
 //
-// A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
-//     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
-// Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
-// The spheres stand in a table, each in the slot that its cell's place says, modulo the table's size. A sphere that
-// another cell's has driven out is made again when it is wanted.
+// A cell's sphere is kept as an affine function of x: the power of x with regard to the sphere, without |x|^2.
+//     power(x) = |x|^2 + normal . x + constant, negative inside; x is relative to the centre of the set's bounding box
+// A ghost has the halfspace beyond its facet instead of a ball: a function so steep that |x|^2 does not matter. The
+// spheres stand in a table, in slots. A cell's slot is its place modulo the table's size, a power of two. If another
+// cell's sphere has driven a sphere out of its slot, the sphere is made again when it is wanted.
 //
-// The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
-// the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
-//     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
-// Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
-// relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
-// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of
-// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. (The first two terms of n may be made
-// as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: 8u for v's terms, 11u for v x c's, 12.1u for n's.) With s_p,
-// s_x the computed differences of p and x to the centre, h_j the largest size of an |s_j| in the set, and
-//     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
-// a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
-// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
-// less than 1.1 W P / det. In all less than
-//     64u (H + (P W + sum N_j h_j) / det);
-// 60 and less than 60 are rounded up so far that the roundings of this bound itself and of P, N and h don't matter. Two
-// choices of P and N: the sums themselves (sharp), or, with m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2,
-// the products P = m_x m_y m_z, N_x = L m_y m_z, N_y = m_x L m_z, N_z = m_x m_y L, for fewer operations. The sums are
-// taken once the products have left many powers open that the in-sphere filter decides: where cells are long and thin.
-// Sums may be associated in any order and contracted: that only drops roundings.
-// Points near a reference sphere, of centre o, have sagittas (see >>reference sphere). There g(x) = -sagitta is taken
-// for |x|^2, which adds an affine function to it: with g(a) - g(p) in the place of |a|^2 in n,
-//     normal = -w, constant = w . s_p - g(p),   and power(x) = g(x) + normal . x + constant is what it was.
-// g is wrong by E at most, and G at most in size. n_j is wrong by 12.1u N_j again if N_j has E / 4u added to the size
-// of each difference: two of E are less than 12.1u of that. The power's terms add up to 2 G + 2 W, and E counts twice:
-// with H = G + E / 16u the same bound holds, which is as small as the noise. A power times det is the in-sphere
-// determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a power whose size is surely less than
-// quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A ghost's function is -t N . (x - p) +
-// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
-// N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
-//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
+// THE ERROR of a power. u = 2^-52 bounds the relative error of a rounding in any rounding mode.
+// (1) The exact sphere. Let p be one of the vertices, and a, b, c the differences of the other three to p. Then
+//         power(x) = |x - p|^2 - w . (x - p),   w = n / det,
+//         n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
+//     The centre is p + w / 2. With s_p and s_x the differences of p and x to the box's centre, as computed, what is
+//     kept is normal = -(2 s_p + w) and constant = |s_p|^2 + w . s_p.
+// (2) det and n. Let P be at least the sum of the sizes of the six terms of det, and N_j that of the terms of n_j. A
+//     computed difference has a relative error of at most u. So the product of two has at most 3u, the terms of b x c
+//     have 4u, and those of det 8u: det is wrong by at most 8.1u P. |a|^2 has 5u, so n_j is wrong by at most 12.1u N_j.
+//     (The first two terms of n may also be computed as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: the terms
+//     of v have 8u then, those of v x c 11u, and n_j is wrong by at most 12.1u N_j again.)
+// (3) w. Where det > 32u P, the true determinant is more than 0.74 det. Then w_j is wrong by at most
+//         2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det.
+// (4) The power. Let h_j be the largest |s_j| in the set, H = sum h_j^2 and W = sum |w_j| h_j. A term of the power
+//     passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W: that makes 60u H + 30u W.
+//     The error of w_j counts 2 h_j times. As det < 1.1 P, what is a multiple of W alone is less than 1.1 W P / det. In
+//     all the power is wrong by less than
+//         error = 64u (H + (P W + sum N_j h_j) / det).
+//     The two factors are 60 and less than 60. Rounding them up covers the roundings in this bound itself, and in P,
+//     N_j and h_j.
+// (5) P and N_j. Sharp bounds take the sums of the terms' sizes themselves. Quick bounds take fewer operations: with
+//     m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2 they take the products
+//         P = m_x m_y m_z,   N_x = L m_y m_z,   N_y = m_x L m_z,   N_z = m_x m_y L.
+//     Where cells are long and thin the quick bounds leave many powers open that the in-sphere filter decides; then
+//     paradt__kept_adapt changes over to sharp ones. All sums may be associated in any order and contracted, which only
+//     drops roundings.
+// (6) Ghosts. A ghost's function is power(x) = |x|^2 - t N . (x - p) with N = a x b, a and b the differences of its
+//     facet's other vertices to p, and t = 2^60 H^(1/2) / max |N_j|. With m_j = max(|a_j|, |b_j|), N_x is wrong by at
+//     most 3.1u * 2 m_y m_z + u |N_x|. The terms N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and
+//     the lift |x|^2 adds at most 1.1 H. In all the sign of the power is right if its size exceeds
+//         error = 2 H + 16u t (2 sum |N_j| h_j + Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z.
+// (7) Sagittas (see >>reference sphere). Near a sphere of centre o records have sagittas, and g(x) = -sagitta is taken
+//     for |x|^2. This adds an affine function to |x|^2, so with g(a) - g(p) instead of |a|^2 in n, a here the vertex,
+//         normal = -w,   constant = w . s_p - g(p),
+//     power(x) = g(x) + normal . x + constant is what it was. Let E bound the error of g, and G its size. If N_j is
+//     computed with E / 4u added to the size of each difference of g, n_j is wrong by at most 12.1u N_j again, for 2 E
+//     is less than 12.1u times that. The terms of the power add up to at most 2 G + 2 W, and E counts twice. So the
+//     bound of (4) holds with H = G + E / 16u, which is as small as the noise.
+// (8) Zero. A power times det is the in-sphere determinant, a multiple of the set's quantum, and det is at most
+//     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
+//     never passes this test, for the ghost's error exceeds 2 H.
 //
-// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_make, paradt__kept_settle,
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
 // paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
 // paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
+// Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
+// slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
+// common allocators from giving pages back.
+enum { PARADT__MOST_SPHERES = 1 << 16, PARADT__MANY_SPHERES = 1 << 14, PARADT__LEAST_SPHERES = 1 << 11 };
+
+// Stars. Of a star of R cells the rim has R facets and 2 + R / 2 vertices (Euler). The edges of its rim stand in a
+// table. There are three: a small one for common stars, which stays in the first cache; a second for wide stars; and
+// one for larger stars, which is allocated when it is first needed.
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
-    PARADT__SPHERES = 1 << 14,       // for many, and
-    PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
-    PARADT__MOST_RIM = 2048,         // new cells that are made together, at most; else the general way is taken
-    PARADT__RIM_VERTICES = 1026,     // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_RIM = 60,         // new cells that a point has as a rule at most, with
-    PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
-    PARADT__WIDE_RIM = 256,          // new cells for whose edges there is room to begin with
+    PARADT__COMMON_RIM = 60, // few stars have more cells
+    PARADT__COMMON_VERTICES = 32,
+    PARADT__WIDE_RIM = 256,
     PARADT__WIDE_VERTICES = 130,
-    PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
-    PARADT__WIDE_ROWS = 5,               // so many of these
-    PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
-    PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
-    PARADT__DIG_AT_ONCE = 512,           // cells whose facets are looked at between two looks at the room
-    PARADT__FIRST_DIG = 512,             // cells and facets of the rim that there is room for to begin with
-    PARADT__PLACES_AHEAD = 16,           // cells: then the place of a sphere that is fetched is wanted
-    PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
+    PARADT__MOST_RIM = 2048, // larger stars are made by >>insertion
+    PARADT__RIM_VERTICES = 1026,
+    PARADT__EDGE_UNIT = 32, // the length of a row of edges is a multiple of this
+    PARADT__WIDE_UNITS = 5  // of a row for wide stars
 };
 
-#define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
-#define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
-#define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
+enum {
+    PARADT__MOST_WAITING = 16,                   // facets that wait at a time for their spheres to be made again
+    PARADT__DIG_ROOM = PARADT__MOST_WAITING + 4, // room in the lists before a cell is dug: for the facets that wait,
+                                                 // and for the cell's own, of which four are stored together
+    PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
+    PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
+    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
+    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+};
 
+#define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
+#define PARADT__IN_CAVITY   (~((paradt__tag)-1 >> 1)) // bit of a tag: the cell is in the cavity that is being dug
+#define PARADT__NO_SPHERE   (PARADT__IN_CAVITY - 1)   // tag of an empty slot: no cell has this place
+
+// A slot of the table
 typedef struct paradt__sphere {
     double normal[3], constant;
-    double error;
-    paradt__tag tag;                                  // the cell, with the two marks
-    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
+    double error;                                     // bound on the error of a power
+    paradt__tag tag;                                  // place of the cell, and PARADT__IN_CAVITY
+    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
 } paradt__sphere;
 
-// A point relative to the centre of the box, and its lift
+// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas g
 typedef struct paradt__centred {
     double s[3], lift;
 } paradt__centred;
@@ -8170,123 +8236,122 @@ typedef struct paradt__centred {
 // A vertex of the cavity: at first its position, then the edge that leads to it from the new point
 typedef union paradt__spoke {
     paradt_index vertex;
-    double edge[4]; // by axis, and the square of its length, or how much g is larger there
+    double edge[4]; // by axis; last the square of its length, or with sagittas how much larger g is at the vertex
 } paradt__spoke;
 
-enum { PARADT__NEXT_NUMBER = sizeof(paradt__spoke) }; // from number to number
+enum { PARADT__NUMBER_STEP = sizeof(paradt__spoke) }; // from the number of one vertex to the next one's
 
-// What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
+// What the bounds on errors are made of: h_j, rounded up; H; and with sagittas E / 4u
 typedef struct paradt__frame {
     double half[3], square, slack;
 } paradt__frame;
 
-// How spheres are made
-typedef enum paradt__making {
-    PARADT__MAKE_QUICKLY,
-    PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
-    PARADT__MAKE_GRADED, // with these, by sagittas
-} paradt__making;
+// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas
+typedef enum paradt__making { PARADT__MAKE_QUICKLY, PARADT__MAKE_SHARP, PARADT__MAKE_GRADED } paradt__making;
 
+// The spheres, and what an insertion with their help works on
 typedef struct paradt__kept {
-    paradt__sphere *table; // [mask + 1] on cache lines, in the same block behind this
+    paradt__sphere *table; // [mask + 1] on cache lines; at first in the same block, behind this struct
     paradt__tag mask;
-    int evicted;      // a cell of the cavity that is being dug has lost its sphere, and has PARADT__CONFLICT instead
-    double centre[3]; // of the bounding box
-    paradt__frame frame;
-    double square;        // H as it is without sagittas
-    double steep;         // 2^60 times its root
-    double nil;           // powers of less than this in size are 0
+    int evicted;          // a cell of the cavity has lost its sphere, and has the mark PARADT__CONFLICT instead
+    double centre[3];     // of the bounding box
+    paradt__frame frame;  // of the spheres of cells
+    double box_square;    // H without sagittas
+    double steepness;     // of ghosts: 2^60 times the root of box_square
+    double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
 
-    // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
-    // in-sphere filter did
-    size_t made, missed, vague;
+    // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
+    size_t made_count, missed_count, doubtful_count;
     paradt__making making;
-    void *large_table; // its block; NULL: it is in the same block, behind this
-    paradt_index *large_edges;
-    size_t large_rim, large_rows; // for so many new cells
+    void *table_block;             // NULL: the table is in the same block as this struct
+    paradt_index *large_edges;     // the table of edges for stars of up to large_rim cells; NULL: none
+    size_t large_rim, large_units; // large_units: of its rows
 
-    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
-    // `spokes`. Numbers go on from point to point, so what is less than `first` is none.
-    uint32_t *number;                        // [numbers]
-    size_t numbers;                          // points + 1, at least
-    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
-    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__kept_limit_numbers
+    // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
+    // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    uint32_t *number;                                                   // [numbers]
+    size_t numbers;                                                     // at least points + 1
+    uint32_t first, next_number, spokes_end;                            // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
-    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
-    // large_edges.
+    // Tables of edges. Row i, element j: the handle of the facet that contains the edge from vertex i to vertex j and
+    // the new point, in the new cell that sees the edge in this direction.
     paradt_index common_edges[PARADT__COMMON_VERTICES * PARADT__COMMON_VERTICES];
-    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_ROWS * PARADT__EDGE_ROW];
+    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_UNITS * PARADT__EDGE_UNIT];
 
-    paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
+    paradt_index waiting[PARADT__MOST_WAITING]; // facets whose spheres are missing, as handles in the cavity's cells
 
-    // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    uint16_t corner[PARADT__MOST_RIM + 3][4]; // the vertices, as offsets
-    paradt_index row[PARADT__MOST_RIM][4];    // vertices
-    paradt_index outer[PARADT__MOST_RIM];
-    int ghosts; // there are some among them; those that are none then:
+    // The new cells, one for each facet of the rim. Spheres are made four at a time: hence three more.
+    uint16_t offsets[PARADT__MOST_RIM + 3][4]; // of the spokes of the facet's vertices
+    paradt_index row[PARADT__MOST_RIM][4];     // vertices, the point last
+    paradt_index outer[PARADT__MOST_RIM];      // mirrors of the facets of the rim
+    int ghosts;                                // there are ghosts among the new cells; then these are the others:
     paradt_index finite_base[PARADT__MOST_RIM + 3];
-    uint16_t finite_corner[PARADT__MOST_RIM + 3][4];
+    uint16_t finite_offsets[PARADT__MOST_RIM + 3][4];
 } paradt__kept;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
-#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
-#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
+#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300: limit of a ghost's t, and of sum N_j h_j / det
+#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: smaller sagittas tell more than |x|^2 does
 
-// The vertex with a number, as an offset
-PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *around, size_t offset) {
-    return (paradt__spoke *)(void *)((char *)around + offset);
+// Returns the spoke at an offset in bytes.
+PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *spokes, size_t offset) {
+    return (paradt__spoke *)(void *)((char *)spokes + offset);
 }
 
-// The first cache line that begins there
-PARADT__INLINE paradt__sphere *paradt__on_line(void *memory) {
+// Returns the first cache line that begins in the block.
+PARADT__INLINE paradt__sphere *paradt__on_cache_line(void *memory) {
     return (paradt__sphere *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
 static void paradt__kept_free(paradt__kept *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
-    paradt__release(memory, s->large_table);
+    paradt__release(memory, s->table_block);
     paradt__release(memory, s->large_edges);
     paradt__release(memory, s);
 }
 
+// Returns a point, given by its record, as the spheres need it.
 PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const double *x) {
-    paradt__centred seen;
-    seen.s[0] = x[0] - s->centre[0];
-    seen.s[1] = x[1] - s->centre[1];
-    seen.s[2] = x[2] - s->centre[2];
-    seen.lift = seen.s[0] * seen.s[0] + seen.s[1] * seen.s[1] + seen.s[2] * seen.s[2];
-    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) seen.lift = -x[3];
-    return seen;
+    paradt__centred centred;
+    centred.s[0] = x[0] - s->centre[0];
+    centred.s[1] = x[1] - s->centre[1];
+    centred.s[2] = x[2] - s->centre[2];
+    centred.lift = centred.s[0] * centred.s[0] + centred.s[1] * centred.s[1] + centred.s[2] * centred.s[2];
+    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) centred.lift = -x[3];
+    return centred;
 }
 
-// The edge from a point to another
+// Returns the edge from one point to another, given by their records.
 PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
-    paradt__spoke around;
+    paradt__spoke spoke;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
-    around.edge[0] = x;
-    around.edge[1] = y;
-    around.edge[2] = z;
-    around.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
-    return around;
+    spoke.edge[0] = x;
+    spoke.edge[1] = y;
+    spoke.edge[2] = z;
+    spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
+    return spoke;
 }
 
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
-// The size of the terms of a 2 x 2 determinant
+// Returns the sum of the sizes of the two terms of ad - bc.
 PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d) {
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2, or g(p + a) - g(p). Straight code,
-// to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
-// (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
-// been rounded.)
+// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5) and (7). a[3]:
+// |a|^2, or with sagittas g(p + a) - g(p).
+// The code has no branches, so that compilers can make vectors of several calls. Where det is too small, a larger
+// number stands in for it and the error is so large that all powers are in doubt. That is a choice by comparison: with
+// x87 registers a term like (safe - det) * 2^500 need not be 0 where both are equal, as one of them may have been
+// rounded.
 PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
                                         const double *a, const double *b, const double *c, double *normal,
                                         double *constant, double *error) {
@@ -8296,8 +8361,8 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
-    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // P, sum N_j h_j
-    double floor, safe, inverse, wx, wy, wz, reach;
+    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // size: P; sides: sum N_j h_j
+    double floor, safe, inverse, wx, wy, wz, reach;           // reach: W
     if (making != PARADT__MAKE_QUICKLY) {
         double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
         double slc = graded ? paradt__abs(lc) + f->slack : lc;
@@ -8317,6 +8382,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
         size = mx * my * mz;
         sides = (la + lb + lc) * (f->half[0] * my * mz + mx * f->half[1] * mz + mx * my * f->half[2]);
     }
+    // the least det; the last two terms keep quotients from overflowing
     floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
     safe = det > floor ? det : floor;
     inverse = 1.0 / safe;
@@ -8332,12 +8398,15 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
+// Row i: the order of the vertices of a cell but for vertex i that keeps the orientation if what replaces vertex i
+// comes last
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
-// The sphere of the ghost on a facet. seen: p
-PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere, const paradt__centred *seen,
-                                            const double *p, const double *q, const double *r) {
+// Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
+// powers are in doubt.
+PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere,
+                                            const paradt__centred *centred, const double *p, const double *q,
+                                            const double *r) {
     const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
     double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx,
@@ -8345,28 +8414,30 @@ PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__spher
     double mx = paradt__largest_of_three(ax, bx, 0.0), my = paradt__largest_of_three(ay, by, 0.0),
            mz = paradt__largest_of_three(az, bz, 0.0), t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
-    if (!(s->steep < PARADT__FLATTEST * size)) {
+    if (!(s->steepness < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
         sphere->error = PARADT__NO_ERROR_BOUND;
         return;
     }
-    t = s->steep / size;
+    t = s->steepness / size;
     sphere->normal[0] = -t * nx;
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
-    sphere->constant = t * (nx * seen->s[0] + ny * seen->s[1] + nz * seen->s[2]);
-    sphere->error = 2.0 * s->square +
+    sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1] + nz * centred->s[2]);
+    sphere->error = 2.0 * s->box_square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
+// Makes the function of a ghost. place: that of the infinite vertex
 static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
                                     const paradt_index *vertices, int place) {
     const unsigned char *order = paradt__facet_order[place];
     const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
                  *q = paradt__scene_record(&build->scene, vertices[order[1]]);
-    paradt__centred seen = paradt__centred_of(build->kept, p);
-    paradt__sphere_of_facet(build->kept, sphere, &seen, p, q, paradt__scene_record(&build->scene, vertices[order[2]]));
+    paradt__centred centred = paradt__centred_of(build->kept, p);
+    paradt__sphere_of_facet(build->kept, sphere, &centred, p, q,
+                            paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
@@ -8384,45 +8455,49 @@ PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_i
                      *p = paradt__scene_record(&build->scene, vertices[3]);
         paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
                       to_c = paradt__spoke_of(s->making, p, c);
-        paradt__centred seen = paradt__centred_of(s, p);
+        paradt__centred centred = paradt__centred_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+        paradt__sphere_make(s->making, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                             &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
-// Makes the slot of a cell's sphere free for it. If the sphere there is that of a cell in the cavity, the cell gets the
-// mark PARADT__CONFLICT instead.
+// Drives the sphere out that is in a cell's slot, and returns the slot. If the sphere is that of a cell in the cavity,
+// this cell gets the mark PARADT__CONFLICT instead.
 PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build, paradt_index cell) {
     paradt__kept *s = build->kept;
     paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
-    if (sphere->tag & PARADT__KNOWN) {
-        build->scene.mesh.marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
+    if (sphere->tag & PARADT__IN_CAVITY) {
+        build->scene.mesh.marks[sphere->tag & ~PARADT__IN_CAVITY] |= PARADT__CONFLICT;
         s->evicted = 1;
     }
-    s->missed++;
+    s->missed_count++;
+    PARADT_ASSERT(((s->mask + 1) & s->mask) == 0 && *paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     return sphere;
 }
 
-// Makes a sphere that is not in the table.
-PARADT__NOINLINE void paradt__kept_missed(const paradt__insertion *build, paradt_index cell) {
+// Makes a sphere again that is not in the table.
+PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
+    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
+// Returns the sphere of a cell, which is in the table afterwards.
 PARADT__INLINE const paradt__sphere *paradt__kept_sphere(const paradt__insertion *build, paradt_index cell) {
     const paradt__sphere *sphere = build->kept->table + ((paradt__tag)cell & build->kept->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__kept_missed(build, cell);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__IN_CAVITY) == (paradt__tag)cell)) paradt__kept_remake(build, cell);
     return sphere;
 }
 
+// Returns the power of x.
 PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const paradt__centred *x) {
     return (x->lift + sphere->constant) +
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
 
+// Fills p with the vertices of a cell, and x.
 PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
                                          const double **p) {
     int i;
@@ -8431,7 +8506,7 @@ PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_
     p[4] = x;
 }
 
-// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+// Is the cell, which is no ghost, in conflict with a point that is on its sphere?
 PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     paradt__kept_corners(build, cell, x, p);
@@ -8440,7 +8515,7 @@ PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index 
     return (unsigned)paradt__perturbed(&build->scene.space, p);
 }
 
-// Is the cell in conflict with the point? Where nothing is known.
+// Is the cell or ghost in conflict with the point? Asks the predicates.
 PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
@@ -8450,49 +8525,52 @@ PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_i
     build->scene.space.counters.insphere_calls++;
     sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
     if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
-    else build->kept->vague++;
+    else build->kept->doubtful_count++;
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
 }
 
-// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
-PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *seen,
-                                              const double *x) {
+// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
+PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell,
+                                              const paradt__centred *centred, const double *x) {
     const paradt__kept *s = build->kept;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power;
-    if (sphere->tag & PARADT__KNOWN) return 1;
-    power = paradt__sphere_power(sphere, seen);
+    if (sphere->tag & PARADT__IN_CAVITY) return 1;
+    power = paradt__sphere_power(sphere, centred);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->nil) return paradt__kept_tie(build, cell, x);
+    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x);
     return paradt__kept_decide(build, cell, x);
 }
 
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
-// the table stays as it is.
+// Adapts to long cells, and to points with hundreds of cells. Changes over to sharp bounds if quick ones leave many
+// powers in doubt. Makes the table four times as large if many spheres have been made again, and if for the cells to
+// come more would be than the larger table has slots. The table takes at most half of the memory that the cells take.
+// If that is refused the table stays as it is.
 PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells, at least
-    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
-    s->made = s->missed = s->vague = 0;
+    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    int often =
+        s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
+    PARADT_ASSERT(build->inserted < build->count);
+    if (s->doubtful_count > s->made_count / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
+    s->made_count = s->missed_count = s->doubtful_count = 0;
     if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
         larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
     if (!larger) return;
-    paradt__release(build->memory, s->large_table);
-    s->large_table = larger;
-    s->table = paradt__on_line(larger);
+    paradt__release(build->memory, s->table_block);
+    s->table_block = larger;
+    s->table = paradt__on_cache_line(larger);
     s->mask = (paradt__tag)(size - 1);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Room for the numbers of more vertices
+// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
+    PARADT_ASSERT(numbers > s->numbers);
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -8501,37 +8579,40 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Takes the sagittas where they are so small that without them most powers would tell nothing.
+// Changes over to sagittas if the records have them, and if they are so small that without them most powers would be in
+// doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
-    if (!build->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    if (!build->graded || !(square < s->box_square * PARADT__GRADE_PAYS)) return;
     s->making = PARADT__MAKE_GRADED;
     s->frame.square = square;
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
-// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
+// Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called as
+// well.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
     int axis;
     if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
         return PARADT_OK;
-    while (size < 8 * build->count && size < PARADT__SPHERES) size *= 2;
+    while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
     while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
     room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
     bytes = sizeof *s + (room + 1) * sizeof *s->table;
     s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
     build->kept = s;
     if (!s) return PARADT_ERROR_MEMORY;
-    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
+    // not for few points: allocators keep the pages from the call before, and even to look for them takes long then
     if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
     memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
-    s->table = paradt__on_line(s + 1);
+    s->table = paradt__on_cache_line(s + 1);
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
-    s->next_number = PARADT__NEXT_NUMBER;
+    s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
@@ -8540,10 +8621,12 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
         s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
-    s->square = s->frame.square;
-    s->steep = sqrt(s->square) * paradt__power(60);
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
     paradt__kept_grade(build);
-    s->nil = build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
     return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
@@ -8552,26 +8635,31 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space
 //
-// >>insertion once more for three dimensions, with kept spheres. The steps are the same: locate, dig, star; the new
-// cells take the places of the cavity. What is different is the form: no step has a branch that nothing foretells,
-// memory is asked for before it is used, and the inner functions, which have twins for AVX2, are handed in as constants
-// to functions that are inlined. A sphere's tag says whether its cell is in the cavity.
+// The insertion once more for three dimensions, with kept spheres. The steps are those of >>insertion: locate, dig,
+// star; here the new cells take the places of the cavity's cells. The form differs: there is no branch that processors
+// can't predict in any step, and memory is prefetched before it is used. The inner functions have twins for AVX2, so
+// they are handed in as a constant (paradt__kept_kernels) to functions that are inlined. Handles are taken apart by
+// shifts, as there are four a cell.
 //
-// The vertices of the cavity get small numbers, and a table by two such numbers takes the place of the ridges' hash
-// table. Cavities whose rim has more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__kept_insert, paradt__kept_insert_any, the types of its inner functions, what these have in common with
-// their twins, and paradt__kept_fetch_around.
+// While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
+// the sphere has been driven out of the table. When all of the cavity is dug its vertices have numbers, and a table of
+// edges, by the numbers of their ends, takes the place of the table of ridges. Cavities whose rim has more than
+// PARADT__MOST_RIM facets, or no table of edges, are starred by >>insertion.
+//
+// Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and kept->next is the point to come.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number,
+// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad, paradt__kept_fetch_around.
 
-// A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
-// two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
-// it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
-// Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
-// in a longer register and the other is not, and the walk would not end.
-PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *seen,
+// Finds a cell in conflict with the point, from neighbour to neighbour down the powers. The powers of a point with
+// regard to two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards
+// the point. It ends at the first cell that is in conflict for certain. Where powers are too inexact to go on, the walk
+// by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
+// powers each could be less than the other where one power is in a longer register, and the walk would not end.
+PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
                                                 const double *x) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__sphere_power(sphere, seen)), error = sphere->error;
+    double power = paradt__rounded(paradt__sphere_power(sphere, centred)), error = sphere->error;
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
         double least = power;
@@ -8581,7 +8669,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             paradt_index other = links[i] >> 2;
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__sphere_power(sphere, seen));
+            value = paradt__rounded(paradt__sphere_power(sphere, centred));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
@@ -8593,9 +8681,11 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
     return cell;
 }
 
-// What the search for the cavity works with
+// What digging works with: parts of the mesh, the update, the rim and paradt__kept, close together
 typedef struct paradt__dig {
-    paradt_index *killed, *rim;
+    paradt_index
+        *killed; // the cavity's cells: by the handles by which they were entered; once dug, by their first ones
+    paradt_index *rim;
     size_t killed_count, rim_count;
     const paradt_index *links;
     paradt__sphere *table;
@@ -8603,61 +8693,62 @@ typedef struct paradt__dig {
     int waiting_count;
     const paradt_index *vertices;
     paradt__spoke *spokes;
-    uint32_t *numbers, first, next; // of the vertices: as in paradt__kept, from vertex 0 on
+    uint32_t *numbers, first, next; // of vertices, as in paradt__kept; numbers: that of vertex 0
 } paradt__dig;
 
-// Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
+// Begins to number the vertices of a new cavity. Near the largest number that there is, numbers start again.
 PARADT__INLINE void paradt__kept_begin_numbers(const paradt__insertion *build, paradt__dig *dig) {
     paradt__kept *s = build->kept;
     dig->vertices = build->scene.mesh.vertices;
     dig->spokes = s->spokes;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
-        s->next_number = PARADT__NEXT_NUMBER;
+        s->next_number = PARADT__NUMBER_STEP;
     }
     dig->numbers = s->number + 1;
     dig->first = dig->next = s->next_number;
 }
 
-// Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
+// Gives a vertex of the cavity a number if it has none yet; without a branch, as processors can't predict which.
 PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
     paradt__spoke_at(dig->spokes, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
-    dig->next += is_new & PARADT__NEXT_NUMBER;
+    dig->next += is_new & PARADT__NUMBER_STEP;
 }
 
-// Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
-// again. To be called every PARADT__DIG_AT_ONCE vertices.
+// Keeps numbers in bounds; to be called for every PARADT__DIG_BATCH cells that are dug. The numbers of a cavity with
+// more than PARADT__RIM_VERTICES vertices are not used, so they may be given twice.
 PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
 // Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
 PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP, end = dig->next - dig->first;
     s->first = dig->first;
     s->spokes_end = end < most ? end : most;
     s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
-    // what comes of it is not used, but any point will do where its record is read
+    // any vertex will do instead of the infinite one: its record is read, and what is made of it is not used
     if (s->ghosts) paradt__spoke_at(s->spokes, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
-// What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
+// Adds the cell across a facet of the cavity to the cavity, unless it is there, or the facet to the rim; without
+// branches. inner: the facet's handle in the cavity's cell; sphere: the slot of the cell across; conflict: 1 or 0
 PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
                                        unsigned conflict) {
-    unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
-    sphere->tag |= conflict ? PARADT__KNOWN : 0;
+    unsigned fresh = conflict & !(sphere->tag & PARADT__IN_CAVITY);
+    sphere->tag |= conflict ? PARADT__IN_CAVITY : 0;
     dig->killed[dig->killed_count] = dig->links[inner];
     dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
 }
 
-// Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
-// count: of facets that wait already. Returns how many wait then.
+// Lets a facet wait whose sphere across is not in the table, and prefetches the vertices of the cell across. count:
+// number of facets that wait so far. Returns their new number.
 PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
                                        int count) {
     PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
@@ -8665,37 +8756,65 @@ PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_in
     return count + 1;
 }
 
-// Looks at the other side of a facet of the cavity.
-PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+// Looks at the cell across a facet of the cavity: it joins the cavity, the facet joins the rim, or the facet waits.
+// inner: the facet's handle in the cavity's cell
+PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *centred,
                                       const double *x, paradt_index inner) {
     paradt_index handle = dig->links[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere_power(sphere, seen);
+    double power = paradt__sphere_power(sphere, centred);
     unsigned conflict = power < 0.0;
     PARADT__PREFETCH(dig->links + 4 * (size_t)other);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
-        if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
+        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, seen, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x);
     }
     paradt__kept_judge(dig, inner, sphere, conflict);
 }
 
-// Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
-// with the same place one drives out the other.
+// New cells that are no ghosts: first handles, and the offsets of their vertices' spokes; with room for three more
+typedef struct paradt__new_cells {
+    paradt_index *base;
+    uint16_t (*offsets)[4];
+    int count;
+} paradt__new_cells;
+
+// The inner functions that have versions for an instruction set; two of them are handed on alone
 typedef void (*paradt__remake_kernel)(const paradt__insertion *build, const paradt_index *waiting, int count);
+typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d);
+
+typedef struct paradt__kept_kernels {
+    // Digs the cells of the cavity from number `head` on, as long as the lists have room; facets may wait. Returns the
+    // number of cells that are dug.
+    size_t (*spread)(paradt__insertion *build, paradt__dig *work, const paradt__centred *centred, const double *x,
+                     size_t head);
+    // Makes the missing spheres of the cells across facets that wait. Some may be missing again afterwards: of two
+    // cells with the same slot one drives out the other.
+    paradt__remake_kernel remake;
+    // Makes the spheres of new cells, and chooses kept->start among them.
+    void (*make)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                 const paradt__centred *centred);
+    // Fills the row of a new cell: a cell's vertices but for one, and the point last.
+    void (*fill_row)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+    // Stores the four links of a new cell.
+    paradt__links_kernel store_links;
+} paradt__kept_kernels;
 
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
 }
 
-// Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
-PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
-                                             const double *x, paradt__remake_kernel remake) {
+// Looks at the facets that wait, whose spheres are made again together. Of the vertices of the cell across a facet the
+// one opposite the facet is the least likely to be in a cache, so it is prefetched.
+PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt__dig *dig,
+                                                const paradt__centred *centred, const double *x,
+                                                paradt__remake_kernel remake) {
     const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
@@ -8706,49 +8825,37 @@ PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__d
     for (i = 0; i < count; i++) {
         paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
         paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                           paradt__kept_settle(build, (paradt_index)other, seen, x));
+                           paradt__kept_settle(build, (paradt_index)other, centred, x));
     }
     dig->waiting_count = 0;
 }
 
-// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
-// those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
-// the facet between them.
-PARADT__INLINE size_t paradt__kept_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                          const double *x, size_t head) {
+// The kernel `spread`. Numbers vertices, too: of the vertices of a cell, only the one opposite the facet by which the
+// cell was entered has not been met.
+static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                        const double *x, size_t head) {
     size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig dig = *work;
-    paradt__centred seen = *at;
-    size_t last = head + PARADT__DIG_AT_ONCE;
-    if (!head) paradt__kept_look(build, &dig, &seen, x, dig.killed[0]); // the first cell was not entered by that facet
+    paradt__centred centred = *point;
+    size_t last = head + PARADT__DIG_BATCH;
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 1) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 2) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 3) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 1) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 2) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 3) & 3));
     }
     *work = dig;
     return head;
 }
 
-// New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
-typedef struct paradt__new_cells {
-    paradt_index *base;
-    uint16_t (*corner)[4];
-    int count;
-} paradt__new_cells;
-
-// The inner functions that have versions for an instruction set
-typedef size_t (*paradt__spread_kernel)(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head);
-typedef void (*paradt__make_kernel)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen);
-
-PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first, const paradt__centred *seen,
-                                              const double *x, paradt__spread_kernel spread,
-                                              paradt__remake_kernel remake) {
+// Digs the cavity of x from the cell `first`, which is in conflict with x. Fills update.killed with the cells' first
+// handles, and the rim; and numbers the cavity's vertices.
+PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first,
+                                              const paradt__centred *centred, const double *x,
+                                              const paradt__kept_kernels *kernels) {
     size_t head = 0, i;
     paradt__dig dig;
     dig.killed = build->update.killed;
@@ -8756,20 +8863,21 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     dig.links = build->scene.mesh.links;
     dig.table = build->kept->table;
     dig.mask = build->kept->mask;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, first) != PARADT__DEAD);
     dig.killed[0] = 4 * first;
     dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
     paradt__kept_sphere(build, first);
-    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
+    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__IN_CAVITY;
     paradt__kept_begin_numbers(build, &dig);
     for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
-        head = spread(build, &dig, seen, x, head);
+        head = kernels->spread(build, &dig, centred, x, head);
         paradt__kept_limit_numbers(&dig);
         if (head == dig.killed_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__kept_look_late(build, &dig, seen, x, remake);
+        if (dig.waiting_count) paradt__kept_look_waiting(build, &dig, centred, x, kernels->remake);
         status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
                                    dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
@@ -8782,31 +8890,32 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     build->update.killed_count = dig.killed_count;
     build->rim_count = dig.rim_count;
     paradt__kept_end_numbers(build->kept, &dig);
+    PARADT_ASSERT(dig.rim_count >= 4 && dig.rim_count % 2 == 0);
+    PARADT_ASSERT(dig.rim_count > PARADT__MOST_RIM ||
+                  build->kept->spokes_end == (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP);
     return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
-// and the largest, which few stars need, at most an eighth.
+// Allocates a table of edges that is large enough for the cavity's rim, unless it would take more than half of the
+// memory that the cells take; the largest table, which few stars need, may take an eighth of it. If there is no memory
+// there is no table.
 PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    size_t star = PARADT__WIDE_RIM, vertices, rows;
+    size_t star = PARADT__WIDE_RIM, vertices, units;
     if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
         return;
     while (star < build->rim_count) star *= 2;
     vertices = 2 + star / 2;
-    rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
+    units = (vertices + PARADT__EDGE_UNIT - 1) / PARADT__EDGE_UNIT | 1; // odd: columns spread over the sets of a cache
+    if (vertices * units * PARADT__EDGE_UNIT > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
     paradt__release(build->memory, s->large_edges);
     s->large_rim = 0;
     s->large_edges =
-        (paradt_index *)paradt__alloc(build->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
+        (paradt_index *)paradt__alloc(build->memory, vertices * units * PARADT__EDGE_UNIT, sizeof *s->large_edges);
     if (!s->large_edges) return;
     s->large_rim = star;
-    s->large_rows = rows;
+    s->large_units = units;
 }
-
-// The vertices of a new cell: those of a cell but for one, and the point.
-typedef void (*paradt__row_kernel)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
@@ -8817,45 +8926,45 @@ static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, 
     row[3] = point;
 }
 
-// The place of the edge from one vertex to another, by their offsets, in a table of edges
-PARADT__INLINE size_t paradt__edge_slot(size_t from, size_t to, size_t rows) {
-    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
+// Returns the index of an edge in a table of edges. from, to: offsets of its ends; units: of the table's rows
+PARADT__INLINE size_t paradt__edge_index(size_t from, size_t to, size_t units) {
+    return from * (PARADT__EDGE_UNIT * units / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
 }
 
-// The rows of the new cells, and what is across the rim
-PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point, paradt__row_kernel turn) {
+// Fills kept->row and kept->outer.
+PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point,
+                                      const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i];
-        turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
+        kernels->fill_row(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
         s->outer[i] = links[inner];
+        PARADT_ASSERT(s->table[(paradt__tag)s->outer[i] >> 2 & s->mask].tag !=
+                      ((paradt__tag)s->outer[i] >> 2 | PARADT__IN_CAVITY));
     }
 }
 
-// Enters the rim's edges.
-PARADT__INLINE void paradt__kept_outline(paradt__insertion *build, paradt_index *edges, size_t rows) {
+// Enters the edges of the rim into a table, and fills kept->offsets.
+PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_index *edges, size_t units) {
     paradt__kept *s = build->kept;
     const uint32_t *numbers = s->number + 1, first = s->first;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
         size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
-        paradt_index edge = build->update.made[i];
-        uint16_t *corner = s->corner[i];
-        corner[0] = (uint16_t)a;
-        corner[1] = (uint16_t)b;
-        corner[2] = (uint16_t)c;
-        edges[paradt__edge_slot(b, c, rows)] = edge;
-        edges[paradt__edge_slot(c, a, rows)] = edge + 1;
-        edges[paradt__edge_slot(a, b, rows)] = edge + 2;
+        paradt_index base = build->update.made[i];
+        uint16_t *offsets = s->offsets[i];
+        offsets[0] = (uint16_t)a;
+        offsets[1] = (uint16_t)b;
+        offsets[2] = (uint16_t)c;
+        PARADT_ASSERT(a < s->spokes_end && b < s->spokes_end && c < s->spokes_end);
+        edges[paradt__edge_index(b, c, units)] = base;
+        edges[paradt__edge_index(c, a, units)] = base + 1;
+        edges[paradt__edge_index(a, b, units)] = base + 2;
     }
 }
-
-// The links of a new cell
-typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
-                                     paradt_index d);
 
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
@@ -8865,51 +8974,52 @@ static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt
     links[3] = d;
 }
 
-// Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
+// Stores the new cells at their places, and links them. A new cell sees an edge of the rim from b to c; its neighbour
+// there sees it from c to b.
+PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
     const paradt__kept *s = build->kept;
     paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag base = (paradt__tag)build->update.made[i], outer = (paradt__tag)s->outer[i];
-        size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
+        size_t a = s->offsets[i][0], b = s->offsets[i][1], c = s->offsets[i][2];
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        put(links + base, edges[paradt__edge_slot(c, b, rows)], edges[paradt__edge_slot(a, c, rows)],
-            edges[paradt__edge_slot(b, a, rows)], (paradt_index)outer);
+        store_links(links + base, edges[paradt__edge_index(c, b, units)], edges[paradt__edge_index(a, c, units)],
+                    edges[paradt__edge_index(b, a, units)], (paradt_index)outer);
         links[outer] = (paradt_index)(base + 3);
     }
 }
 
-// The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
-// constant it is faster.
-PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
-    paradt__kept_outline(build, edges, rows);
-    paradt__kept_star(build, edges, rows, put);
+// Stores and links the new cells by a table of edges. units: of its rows; a constant for common stars
+PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
+    paradt__kept_enter_edges(build, edges, units);
+    paradt__kept_star(build, edges, units, store_links);
 }
 
-// The same for more new cells than a point has as a rule
+// Stores and links the new cells of a star that is larger than common ones.
 PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     if (build->rim_count <= PARADT__WIDE_RIM)
-        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_ROWS, paradt__kept_links_plain);
-    else paradt__kept_link(build, s->large_edges, s->large_rows, paradt__kept_links_plain);
+        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_UNITS, paradt__kept_links_plain);
+    else paradt__kept_link(build, s->large_edges, s->large_units, paradt__kept_links_plain);
 }
 
-// Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
-// slots where nothing has been for long; these are fetched.
+// Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
+// Slots of places that have not been used lately are prefetched for the cells to come.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
-    enum { TOGETHER = 8 }; // handles: there is room for that many behind both lists
+    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, killed = update->killed_count, kept = killed < count ? killed : count, i;
+    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
     paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
     if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < kept; i += TOGETHER) memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
-    for (i = kept; i < count; i++) {
+    for (i = 0; i < reused; i += TOGETHER)
+        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = reused; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
@@ -8917,96 +9027,118 @@ PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
-typedef struct paradt__four {
-    double edge[3][4][4]; // [vertex][axis, or square][cell]
-    double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-} paradt__four;
-
-// Of new cells, none of them a ghost, the last one again, up to a multiple of four
+// Repeats the last of the new cells up to a multiple of four.
 PARADT__INLINE void paradt__new_cells_pad(paradt__new_cells *star) {
     int last = star->count - 1, i;
     for (i = star->count; i % 4; i++) {
         star->base[i] = star->base[last];
-        memcpy(star->corner[i], star->corner[last], sizeof star->corner[i]);
+        memcpy(star->offsets[i], star->offsets[last], sizeof star->offsets[i]);
     }
 }
 
-// The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
-// the four lanes the least power so far is kept, and of which four it is.
+// Four new cells that are no ghosts, in lanes: the edges to their vertices, and what is made of them
+typedef struct paradt__four_cells {
+    double edge[3][4][4]; // [vertex][as in paradt__spoke][lane]
+    double normal[3][4], constant[4], error[4], power[4];
+    double least[4], least_at[4]; // by lane the least power so far, and the index of the first cell of that four
+} paradt__four_cells;
+
+// Fills the edges. offsets: of the four cells
+PARADT__INLINE void paradt__four_load(paradt__four_cells *four, paradt__kept *s, uint16_t (*offsets)[4]) {
+    int lane, vertex, axis;
+    for (lane = 0; lane < 4; lane++) {
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *edge = paradt__spoke_at(s->spokes, offsets[lane][vertex])->edge;
+            for (axis = 0; axis < 4; axis++) four->edge[vertex][axis][lane] = edge[axis];
+        }
+    }
+}
+
+// Makes the spheres of the four cells, and the next point's powers. p: the new point; at: index of the first cell
+PARADT__INLINE void paradt__four_make(paradt__four_cells *four, paradt__making making, const paradt__frame *frame,
+                                      const paradt__centred *p, const paradt__centred *next, double at) {
+    double(*a)[4] = four->edge[0], (*b)[4] = four->edge[1], (*c)[4] = four->edge[2];
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
+        const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
+        const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
+        double n[3], d, e;
+        paradt__sphere_make(making, frame, p, to_b, to_a, to_c, n, &d, &e);
+        for (axis = 0; axis < 3; axis++) four->normal[axis][lane] = n[axis];
+        four->constant[lane] = d;
+        four->error[lane] = e;
+        four->power[lane] = (next->lift + d) + (n[0] * next->s[0] + n[1] * next->s[1] + n[2] * next->s[2]);
+        four->least_at[lane] = four->power[lane] < four->least[lane] ? at : four->least_at[lane];
+        four->least[lane] = four->power[lane] < four->least[lane] ? four->power[lane] : four->least[lane];
+    }
+}
+
+// Stores the spheres of the four cells in the table. base: the cells' first handles
+PARADT__INLINE void paradt__four_put(const paradt__four_cells *four, const paradt__kept *s, const paradt_index *base) {
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        paradt__tag cell = (paradt__tag)base[lane] >> 2;
+        paradt__sphere *to = s->table + (cell & s->mask);
+        for (axis = 0; axis < 3; axis++) to->normal[axis] = four->normal[axis][lane];
+        to->constant = four->constant[lane];
+        to->error = four->error[lane];
+        to->tag = cell;
+    }
+}
+
+// The kernel `make` for one kind of spheres. The code of four cells has no branches, so that compilers can make vectors
+// of the lanes.
 PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__insertion *build,
-                                          paradt__new_cells *star, const double *x, const paradt__centred *seen) {
+                                          paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
-    paradt__centred p = *seen, next = s->next;
-    paradt__four four;
-    double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
-    paradt__spoke *around = s->spokes, *end = paradt__spoke_at(around, s->spokes_end);
-    int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++)
-        *around = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, around->vertex));
+    paradt__centred p = *centred, next = s->next;
+    paradt__four_cells four;
+    paradt__spoke *spoke = s->spokes, *end = paradt__spoke_at(spoke, s->spokes_end);
+    int i, lane, best = 0;
+    for (; spoke < end; spoke++)
+        *spoke = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, spoke->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
     paradt__new_cells_pad(star);
     for (i = 0; i < star->count; i += 4) {
-        const double at = i;
-        for (lane = 0; lane < 4; lane++) {
-            for (vertex = 0; vertex < 3; vertex++) {
-                const double *edge = paradt__spoke_at(s->spokes, star->corner[i + lane][vertex])->edge;
-                for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
-            }
-        }
-        for (lane = 0; lane < 4; lane++) {
-            const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
-            const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
-            const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
-            double n[3], d, e;
-            paradt__sphere_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
-            for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
-            four.constant[lane] = d;
-            four.error[lane] = e;
-            four.power[lane] = (next.lift + d) + (n[0] * next.s[0] + n[1] * next.s[1] + n[2] * next.s[2]);
-            four.least_at[lane] = four.power[lane] < four.least[lane] ? at : four.least_at[lane];
-            four.least[lane] = four.power[lane] < four.least[lane] ? four.power[lane] : four.least[lane];
-        }
-        for (lane = 0; lane < 4; lane++) {
-            paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            paradt__sphere *to = s->table + (cell & s->mask);
-            for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
-            to->constant = four.constant[lane];
-            to->error = four.error[lane];
-            to->tag = cell;
-        }
+        paradt__four_load(&four, s, star->offsets + i);
+        paradt__four_make(&four, making, &frame, &p, &next, i);
+        paradt__four_put(&four, s, star->base + i);
     }
     for (lane = 1; lane < 4; lane++) best = four.least[lane] < four.least[best] ? lane : best;
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
+// The kernel `make` for sharp bounds
 PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *build, paradt__new_cells *star,
-                                                    const double *x, const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, seen);
+                                                    const double *x, const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
 }
 
+// The kernel `make` for sagittas; it has no twin for AVX2
 PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                               const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, seen);
+                                               const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen) {
+                                    const paradt__centred *centred) {
     paradt__making making = build->kept->making;
     if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
-        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
-// nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
+// Makes the functions of the ghosts among the new cells, and fills `star` with the other new cells. Tells them apart
+// without branches, as processors can't predict which is which: ghosts fill its lists from the end, the others from the
+// beginning.
 PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                          const paradt__centred *seen) {
+                                          const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const size_t rim = build->rim_count;
     const paradt_index *made = build->update.made;
@@ -9015,7 +9147,7 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
     for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
         base[at] = made[i];
-        memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
+        memcpy(s->finite_offsets[at], s->offsets[i], sizeof s->offsets[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
@@ -9023,31 +9155,31 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
         const paradt_index *vertices = build->scene.mesh.vertices + base[i];
         paradt__tag cell = (paradt__tag)base[i] >> 2;
         paradt__sphere *sphere = s->table + (cell & s->mask);
-        // the facet's vertices in the order of paradt__facet_order, but from the point on, which is the cell's last one
+        // the facet's vertices in the order of paradt__facet_order, from the point on, which is the cell's last vertex
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
-        paradt__sphere_of_facet(s, sphere, seen, x, paradt__scene_record(&build->scene, vertices[q]),
+        paradt__sphere_of_facet(s, sphere, centred, x, paradt__scene_record(&build->scene, vertices[q]),
                                 paradt__scene_record(&build->scene, vertices[r]));
         sphere->tag = cell;
     }
     star->base = base;
-    star->corner = s->finite_corner;
+    star->offsets = s->finite_offsets;
     star->count = (int)count;
 }
 
-// The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *seen,
-                                         paradt__make_kernel make) {
+// Makes the spheres of the new cells, and chooses where the search for the next point starts.
+PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
+                                         const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     paradt__new_cells star;
     star.base = build->update.made;
-    star.corner = s->corner;
+    star.offsets = s->offsets;
     star.count = (int)build->rim_count;
     s->start = build->update.made[0] >> 2;
-    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, seen);
-    if (star.count) make(build, &star, x, seen);
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, centred);
+    if (star.count) kernels->make(build, &star, x, centred);
 }
 
-// Gives back the places of the cavity from number `first` on, and takes the marks off their spheres.
+// Gives back the places of the cavity's cells from number `first` on, and takes their spheres out of the table.
 static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
     paradt__kept *s = build->kept;
     const paradt__update *update = &build->update;
@@ -9056,13 +9188,13 @@ static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) 
     if (status) return status;
     for (i = first; i < update->killed_count; i++) {
         paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
-        if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
+        if (*tag & PARADT__IN_CAVITY) *tag = PARADT__NO_SPHERE;
         paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
     }
     return PARADT_OK;
 }
 
-// Stars the cavity by >>insertion, where the rim is too large for the tables.
+// Stars a cavity whose rim is too large for the tables of edges, by >>insertion.
 static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
     paradt__kept *s = build->kept;
     paradt_status status = paradt__cavity_star(build, point);
@@ -9075,56 +9207,65 @@ static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_in
     return status ? status : paradt__kept_clear(build, 0);
 }
 
-PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
-                                                     paradt__spread_kernel spread, paradt__remake_kernel remake,
-                                                     paradt__make_kernel make, paradt__row_kernel turn,
-                                                     paradt__links_kernel put) {
+// Prepares the next insertion: sets kept->next, and prefetches the record of a later point.
+PARADT__INLINE void paradt__kept_look_ahead(const paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    const double *x = paradt__scene_record(&build->scene, point);
-    paradt__centred seen = s->next;
-    paradt_status status = paradt__kept_dig(build, paradt__kept_locate(build, &seen, x), &seen, x, spread, remake);
+    size_t next = build->inserted + 1, later = build->inserted + PARADT__INSERTIONS_AHEAD;
+    if (next < build->count)
+        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, next)));
+    if (later < build->count)
+        PARADT__PREFETCH(paradt__scene_record(&build->scene, paradt__insertion_point(build, later)));
+}
+
+// After digging: takes back the marks that stood in for evicted spheres, counts, and adapts if there is reason to.
+PARADT__INLINE void paradt__kept_dug(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
     size_t i;
-    int is_common;
-    if (status) return status;
-    if (build->inserted + 1 < build->count)
-        s->next = paradt__centred_of(
-            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + 1)));
-    if (build->inserted + PARADT__AHEAD < build->count)
-        PARADT__PREFETCH(
-            paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + PARADT__AHEAD)));
     for (i = 0; s->evicted && i < build->update.killed_count; i++)
         build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
     s->evicted = 0;
-    s->made += build->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__kept_adapt(build);
+    s->made_count += build->rim_count;
+    if (!PARADT__LIKELY(s->missed_count + s->doubtful_count <= s->mask)) paradt__kept_adapt(build);
+}
+
+// Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     const paradt__kept_kernels *kernels) {
+    paradt__kept *s = build->kept;
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred centred = s->next;
+    paradt_index first = paradt__kept_locate(build, &centred, x);
+    paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
+    int is_common;
+    if (status) return status;
+    paradt__kept_look_ahead(build);
+    paradt__kept_dug(build);
     is_common = build->rim_count <= PARADT__COMMON_RIM;
     if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
     if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
         return paradt__kept_star_large(build, point);
     status = paradt__kept_places(build);
     if (status) return status;
-    paradt__kept_rows(build, point, turn);
+    paradt__kept_rows(build, point, kernels);
     if (PARADT__LIKELY(is_common))
-        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
+        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_UNIT, kernels->store_links);
     else paradt__kept_link_uncommon(build);
-    paradt__kept_spheres(build, x, &seen, make);
+    paradt__kept_spheres(build, x, &centred, kernels);
+    PARADT_ASSERT(build->update.made_count == build->rim_count);
     return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
 }
 
-static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head) {
-    return paradt__kept_spread(build, work, at, x, head);
-}
-
+// Inserts the point kept->next, by plain kernels.
 static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_plain, paradt__kept_remake_plain,
-                                   paradt__kept_make_plain, paradt__kept_row_plain, paradt__kept_links_plain);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_plain, paradt__kept_remake_plain, paradt__kept_make_plain,
+                                          paradt__kept_row_plain, paradt__kept_links_plain};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 
-// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
-// nothing of that is in a cache, the insertion would wait for one after another.
+// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
+// it is in a cache, the insertion would otherwise wait for one thing after another.
 PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 };
+    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
     const paradt__kept *s = build->kept;
     paradt_index around[CELLS];
     size_t count = 1, i, j;
@@ -9145,14 +9286,15 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space by AVX2
 //
-// The inner functions of >>insertion in space for four facets, cells or vertices together, chosen where the processor
-// has AVX2 and FMA. They differ from the plain ones in nothing but the last bits of powers, which decide nothing where
-// they are in doubt. In names `four` stands for four lanes. Doors: paradt__kept_insert_avx2.
+// The kernels of >>insertion in space for four facets, cells or vertices together, chosen at run time where the
+// processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and powers decide
+// nothing where these bits matter. In names `four` stands for four lanes.
+// Doors: paradt__kept_insert_avx2.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
 
-// Bytes to shuffle so that the elements of four of which the mask has bits come first
+// By mask: the shuffle that moves the elements, of four, whose bits the mask has to the front
 #define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
 static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
@@ -9173,48 +9315,50 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
 
-// The elements of which the mask has bits, first
+// Returns the elements with the bits of the mask moved to the front.
 PARADT__AVX2 PARADT__INLINE __m128i paradt__packed(__m128i elements, unsigned mask) {
     return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
-// Where the spheres of four cells are, or others that have their places
-typedef struct paradt__four_at {
+// The slots of four cells; each may hold another cell's sphere.
+typedef struct paradt__four_slots {
     char *a, *b, *c, *d;
-} paradt__four_at;
+} paradt__four_slots;
 
 enum { PARADT__ERROR_AT = offsetof(paradt__sphere, error), PARADT__TAG_AT = offsetof(paradt__sphere, tag) };
 
-// Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
-PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig *dig, const paradt_index *row) {
-    const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
+// Returns the slots of the four cells across the facets of a cell. links: of this cell. Vectors would take longer.
+PARADT__INLINE paradt__four_slots paradt__four_across(const paradt__dig *dig, const paradt_index *links) {
+    const paradt__tag mask = 4 * dig->mask; // of first handles: 16 times such a handle is 64 times the cell's place
     char *table = (char *)dig->table;
-    paradt__four_at at;
-    at.a = table + 16 * (size_t)((paradt__tag)row[0] & places);
-    at.b = table + 16 * (size_t)((paradt__tag)row[1] & places);
-    at.c = table + 16 * (size_t)((paradt__tag)row[2] & places);
-    at.d = table + 16 * (size_t)((paradt__tag)row[3] & places);
+    paradt__four_slots at;
+    at.a = table + 16 * (size_t)((paradt__tag)links[0] & mask);
+    at.b = table + 16 * (size_t)((paradt__tag)links[1] & mask);
+    at.c = table + 16 * (size_t)((paradt__tag)links[2] & mask);
+    at.d = table + 16 * (size_t)((paradt__tag)links[3] & mask);
     return at;
 }
 
+// Returns the products that a sphere's affine function is the sum of.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__terms(const char *sphere, __m256d query) {
     return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
-// A point's powers. query: its place and 1; lift: its lift, four times
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
+// Returns a point's powers with regard to four spheres. query: its coordinates and 1; lift: its lift, four times
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_slots at, __m256d query, __m256d lift) {
     __m256d ab = _mm256_hadd_pd(paradt__terms(at.a, query), paradt__terms(at.b, query));
     __m256d cd = _mm256_hadd_pd(paradt__terms(at.c, query), paradt__terms(at.d, query));
     __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
     return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
 
+// Returns the errors of two spheres.
 PARADT__AVX2 PARADT__INLINE __m128d paradt__two_errors(const char *a, const char *b) {
     __m128d error = _mm_load_sd((const double *)(const void *)(a + PARADT__ERROR_AT));
     return _mm_loadh_pd(error, (const double *)(const void *)(b + PARADT__ERROR_AT));
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_slots at) {
     __m128d ab = paradt__two_errors(at.a, at.b), cd = paradt__two_errors(at.c, at.d);
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(ab), cd, 1);
 }
@@ -9223,49 +9367,50 @@ PARADT__INLINE int *paradt__tag_at(char *sphere) {
     return (int *)(void *)(sphere + PARADT__TAG_AT);
 }
 
-PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_slots at) {
     __m128i tags = _mm_cvtsi32_si128(*paradt__tag_at(at.a));
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.b), 1);
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.c), 2);
     return _mm_insert_epi32(tags, *paradt__tag_at(at.d), 3);
 }
 
-// The cells become the tags, with a mark where the power is negative: its sign, narrowed to 32 bits.
-PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_at at, __m128i cells, __m256d power) {
+// Stores the tags of four cells, with PARADT__IN_CAVITY where the power is negative: the signs, narrowed to 32 bits.
+PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_slots at, __m128i cells, __m256d power) {
     __m128i tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
                                                    _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
-    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__KNOWN)));
+    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__IN_CAVITY)));
     *paradt__tag_at(at.a) = _mm_cvtsi128_si32(tags);
     *paradt__tag_at(at.b) = _mm_extract_epi32(tags, 1);
     *paradt__tag_at(at.c) = _mm_extract_epi32(tags, 2);
     *paradt__tag_at(at.d) = _mm_extract_epi32(tags, 3);
 }
 
+// Returns a mask of the negative elements.
 PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
 }
 
-// Facets wait behind which a sphere is missing or the power does not tell. The order of the statements matters for
-// speed.
+// The kernel `spread`. A facet waits if the sphere of the cell across is missing or the power with regard to it does
+// not tell. The order of the statements matters for speed.
 PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, paradt__dig *work,
-                                                    const paradt__centred *seen, const double *x, size_t head) {
+                                                    const paradt__centred *centred, const double *x, size_t head) {
     paradt__dig dig = *work;
     const size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM - dig.killed_count;
     const size_t facets = build->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
-    const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
-    const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
-    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
+    const __m256d query = _mm256_setr_pd(centred->s[0], centred->s[1], centred->s[2], 1.0);
+    const __m256d lift = _mm256_set1_pd(centred->lift), sign = _mm256_set1_pd(-0.0);
+    const __m128i marks = _mm_set1_epi32((int)PARADT__IN_CAVITY), order = _mm_setr_epi32(0, 1, 2, 3);
     paradt_index *cell = dig.killed + head, *end = dig.killed + dig.killed_count, *rim = dig.rim + dig.rim_count;
-    paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    paradt__sphere nowhere; // what no cell is marked in
+    paradt_index *last = cell + (room < PARADT__DIG_BATCH ? room : PARADT__DIG_BATCH - 1);
+    paradt__sphere nowhere; // where tags are stored that are not to be
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
         const paradt_index *row = dig.links + (paradt__tag)base;
         __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
         __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
-        paradt__four_at at = paradt__four_across(&dig, row);
+        paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
@@ -9286,7 +9431,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
             _mm_storeu_si128((__m128i *)(void *)(build->kept->waiting + dig.waiting_count),
                              paradt__packed(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
-            if (dig.waiting_count > PARADT__LATE - 4) last = cell;
+            if (dig.waiting_count > PARADT__MOST_WAITING - 4) last = cell;
             at.a = sure & 1 ? at.a : (char *)&nowhere;
             at.b = sure & 2 ? at.b : (char *)&nowhere;
             at.c = sure & 4 ? at.c : (char *)&nowhere;
@@ -9315,14 +9460,14 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__dot_avx2(const __m256d *a, const __m
     return _mm256_fmadd_pd(a[2], b[2], _mm256_fmadd_pd(a[1], b[1], _mm256_mul_pd(a[0], b[0])));
 }
 
-// a x b along an axis; with sign -1 the sum of its two terms instead: of sizes, their size
+// Returns a component of a x b; with sign -1 the sum of its two terms instead of their difference.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const __m256d *b, int axis, int sign) {
     int j = (axis + 1) % 3, k = (axis + 2) % 3;
     __m256d product = _mm256_mul_pd(a[k], b[j]);
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
-// P and sum N_j h_j of paradt__sphere_make, for four cells
+// Computes P and sum N_j h_j of paradt__sphere_make for four cells.
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
@@ -9352,8 +9497,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere_make makes them: the normals by axis, and the constants. p: by axis,
-// and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
+// Makes the spheres of four cells, as paradt__sphere_make does. sphere: the normals by axis, and the constants; p: by
+// axis relative to the box's centre, and the lift; a, b, c: by axis, and the squares of their lengths
 PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
@@ -9384,7 +9529,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__f
                               _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
 }
 
-// Four columns to four rows
+// Stores four columns as four rows.
 PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double *a, double *b, double *c, double *d) {
     __m256d xy_02 = _mm256_unpacklo_pd(column[0], column[1]), xy_13 = _mm256_unpackhi_pd(column[0], column[1]);
     __m256d zw_02 = _mm256_unpacklo_pd(column[2], column[3]), zw_13 = _mm256_unpackhi_pd(column[2], column[3]);
@@ -9394,11 +9539,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double
     _mm256_storeu_pd(d, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
-// Puts the spheres of four cells into the table.
+// Stores the spheres of four cells in the table.
 PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, paradt__tag mask, __m128i cells,
                                                     const __m256d *sphere, __m256d error) {
-    __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
-    uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
+    __m128i slots = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
+    uint64_t low = (uint64_t)_mm_cvtsi128_si64(slots), high = (uint64_t)_mm_extract_epi64(slots, 1);
     double *to[4];
     __m256d tags = _mm256_castsi256_pd(_mm256_cvtepu32_epi64(cells));
     __m256d rest_02 = _mm256_unpacklo_pd(error, tags), rest_13 = _mm256_unpackhi_pd(error, tags);
@@ -9413,9 +9558,9 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, parad
     _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
 }
 
-// Four places, by axis, less a point
-PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const double *b, const double *c, const double *d,
-                                                     const __m256d *point, __m256d *to) {
+// Returns the differences of four points to another point, by axis.
+PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const double *b, const double *c,
+                                                          const double *d, const __m256d *point, __m256d *to) {
     __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
     __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
     __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
@@ -9425,33 +9570,34 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// The edges to the vertices around the point, in the place of these
+// Replaces the vertices in kept->spokes by the edges from the point to them. The last four may be padded: by any
+// vertex.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
-    for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
+    for (i = 0; i < 3; i++) end[i].vertex = 0;
     for (; at < end; at += 4) {
         __m256d to[4];
-        paradt__four_places(paradt__scene_record(&build->scene, at[0].vertex),
-                            paradt__scene_record(&build->scene, at[1].vertex),
-                            paradt__scene_record(&build->scene, at[2].vertex),
-                            paradt__scene_record(&build->scene, at[3].vertex), point, to);
+        paradt__four_differences(paradt__scene_record(&build->scene, at[0].vertex),
+                                 paradt__scene_record(&build->scene, at[1].vertex),
+                                 paradt__scene_record(&build->scene, at[2].vertex),
+                                 paradt__scene_record(&build->scene, at[3].vertex), point, to);
         to[3] = paradt__dot_avx2(to, to);
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
 }
 
-// Half of two rows
+// Returns two elements of a row and two of another.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
 }
 
-// The edges to the vertices that four new cells have in a place
-PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (*corner)[4], int place, __m256d *to) {
-    const double *a = paradt__spoke_at(s->spokes, corner[0][place])->edge;
-    const double *b = paradt__spoke_at(s->spokes, corner[1][place])->edge;
-    const double *c = paradt__spoke_at(s->spokes, corner[2][place])->edge;
-    const double *d = paradt__spoke_at(s->spokes, corner[3][place])->edge;
+// Returns, by axis, the edges to the vertices with number `vertex` of four new cells.
+PARADT__AVX2 PARADT__INLINE void paradt__four_edges(paradt__kept *s, uint16_t (*offsets)[4], int vertex, __m256d *to) {
+    const double *a = paradt__spoke_at(s->spokes, offsets[0][vertex])->edge;
+    const double *b = paradt__spoke_at(s->spokes, offsets[1][vertex])->edge;
+    const double *c = paradt__spoke_at(s->spokes, offsets[2][vertex])->edge;
+    const double *d = paradt__spoke_at(s->spokes, offsets[3][vertex])->edge;
     __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
     __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
     to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
@@ -9460,7 +9606,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (
     to[3] = _mm256_unpackhi_pd(zl_02, zl_13);
 }
 
-// Of four cells that with the least power
+// Returns that of four cells which has the least power.
 PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m128i cells) {
     int cell[4];
     __m256d least = _mm256_min_pd(powers, _mm256_permute2f128_pd(powers, powers, 1));
@@ -9469,13 +9615,14 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
+// The kernel `make` for quick or sharp bounds
 PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
                                                         paradt__new_cells *star, const double *x,
-                                                        const paradt__centred *seen) {
+                                                        const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
-    const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
-                          _mm256_set1_pd(seen->lift)};
+    const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_set1_pd(centred->s[2]),
+                          _mm256_set1_pd(centred->lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
     const paradt__frame frame = s->frame;
     paradt__sphere *table = s->table;
@@ -9488,12 +9635,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
-        paradt__four_around(s, star->corner + i, 1, a);
-        paradt__four_around(s, star->corner + i, 0, b);
-        paradt__four_around(s, star->corner + i, 2, c);
+        paradt__four_edges(s, star->offsets + i, 1, a);
+        paradt__four_edges(s, star->offsets + i, 0, b);
+        paradt__four_edges(s, star->offsets + i, 2, c);
         paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
         paradt__four_store(table, mask, cells, sphere, error);
-        power = _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // less the next point's lift
+        power =
+            _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // without the next point's lift, which all have
         less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
         least = _mm256_min_pd(power, least);
         is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
@@ -9504,19 +9652,19 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
 }
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                                const double *x, const paradt__centred *seen) {
-    paradt__kept_make_four(1, build, star, x, seen);
+                                                                const double *x, const paradt__centred *centred) {
+    paradt__kept_make_four(1, build, star, x, centred);
 }
 
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                const double *x, const paradt__centred *seen) {
+                                                const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of four cells that are not in the table, none of them a ghost
+// Makes the spheres of four cells again, none of them a ghost.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
     const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
@@ -9526,10 +9674,10 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_places(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+        paradt__four_differences(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
@@ -9542,10 +9690,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
+// The kernel `remake`. Ghosts stay missing: there are few, and they are made one by one when they are needed.
 PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build, const paradt_index *waiting,
                                                   int count) {
     const paradt__kept *s = build->kept;
-    int cells[PARADT__LATE + 3], missing = 0, i;
+    int cells[PARADT__MOST_WAITING + 3], missing = 0, i;
     if (s->making == PARADT__MAKE_GRADED) {
         paradt__kept_remake_plain(build, waiting, count);
         return;
@@ -9553,7 +9702,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < count; i++) {
         paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
-        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
+        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__IN_CAVITY) != (paradt__tag)cell) &
                    paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
@@ -9562,16 +9711,17 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) {
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
-            sphere->tag |= PARADT__KNOWN;
+            sphere->tag |= PARADT__IN_CAVITY;
     }
 }
 
-// The shuffles for paradt__facet_order; the last place is left empty.
-#define PARADT__TURN(a, b, c)                                                                                          \
+// paradt__facet_order as shuffles, which leave the last element 0
+#define PARADT__FACET_SHUFFLE(a, b, c)                                                                                 \
     { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
-static const unsigned char paradt__facet_shuffle[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3),
-                                                           PARADT__TURN(1, 0, 3), PARADT__TURN(0, 1, 2)};
-#undef PARADT__TURN
+static const unsigned char paradt__facet_shuffle[4][16] = {
+    PARADT__FACET_SHUFFLE(1, 3, 2), PARADT__FACET_SHUFFLE(0, 2, 3), PARADT__FACET_SHUFFLE(1, 0, 3),
+    PARADT__FACET_SHUFFLE(0, 1, 2)};
+#undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
@@ -9582,28 +9732,35 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store: what reads all four soon need not wait until they are in the cache.
+// One store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
 }
 
+// Inserts the point kept->next, by these kernels.
 PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_avx2, paradt__kept_remake_avx2,
-                                   paradt__kept_make_avx2, paradt__kept_row_avx2, paradt__kept_links_avx2);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_avx2, paradt__kept_remake_avx2, paradt__kept_make_avx2,
+                                          paradt__kept_row_avx2, paradt__kept_links_avx2};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>inserting
 //
-// Insertions from begin to end: points in their order, with pauses, and one more point at a time. Where spheres can be
-// kept they are, else the insertion is that in any dimension; nobody else need know which.
-// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
-// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
-// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
+// Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
+// between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
+//
+// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
+// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
+// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
+// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
+// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
+// paradt__bowyer_watson.
 
-// Frees what only changes need; the mesh stays, without marks and free places.
+// Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
     paradt__update_free(&build->update, build->memory);
     paradt__release(build->memory, build->rim);
@@ -9614,12 +9771,13 @@ static void paradt__insertion_rest(paradt__insertion *build) {
     build->kept = NULL;
 }
 
+// Frees everything.
 static void paradt__insertion_end(paradt__insertion *build) {
     paradt__insertion_rest(build);
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
 
-// Points that span the set come first in the order.
+// Moves dim + 1 points that span the space to the front of the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
@@ -9633,6 +9791,7 @@ static void paradt__insertion_span_first(const paradt__set *set, paradt_index *o
 
 typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
 
+// Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
     if (!build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
@@ -9641,13 +9800,13 @@ static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) 
     return paradt__kept_insert;
 }
 
-// Inserts the points that are left, in their order, until it pauses.
+// Inserts the points that are left, in their order, until there are none or the relay says to pause.
 static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(build);
     paradt_status status = PARADT_OK;
     size_t i;
     for (i = build->inserted; i < build->count && !status; i++) {
-        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
+        if (i % PARADT__REPORT_STEP == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
         status = insert(build, paradt__insertion_point(build, i));
         if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
@@ -9657,7 +9816,8 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
     return status;
 }
 
-// Inserts all points: the first, which span, make the first cells. After a pause paradt__insertion_go goes on.
+// Makes the first cells of the points that come first, which span the space, and inserts the others as
+// paradt__insertion_go does.
 static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
@@ -9673,16 +9833,17 @@ static paradt_status paradt__insertion_run(paradt__insertion *build, const parad
     return status ? status : paradt__insertion_go(build, progress);
 }
 
-// A cell near the last point
+// Returns a cell near the point that was inserted last.
 PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
     return build->kept ? build->kept->start : build->scene.hint;
 }
 
-// Prepares the insertion of more points, which have been counted. first: the next; numbers: of points that there are;
-// cell: where the search for the first begins
+// Prepares the insertion of more points; build->count has been increased. first: the first of them; numbers: the number
+// of points that there are; cell: where the search for the first begins
 static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_index first, size_t numbers,
                                              paradt_index cell) {
     paradt__kept *kept = build->kept;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
     if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
@@ -9692,8 +9853,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     return PARADT_OK;
 }
 
-// Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
-// orientations, for the spheres on the way are in no table.
+// Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
+// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
 static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
     paradt__kept *kept = build->kept;
     paradt_status status;
@@ -9705,7 +9866,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     build->order = NULL;
     build->inserted = build->count - 1;
     if (kept) {
-        kept->missed = 0; // such points are here and there: no larger table would have their spheres
+        kept->missed_count = 0; // such points are here and there: a larger table would not have their spheres either
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
@@ -9713,7 +9874,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     return status;
 }
 
-// Takes records as those of the set are.
+// Notes how the records of the set are laid out, and what is known of their sagittas.
 static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
     build->scene.width = set->width;
     build->graded = set->grade == PARADT__SAGITTA;
@@ -9721,7 +9882,7 @@ static void paradt__insertion_layout(paradt__insertion *build, const paradt__set
     build->grade_error = set->grade_error;
 }
 
-// Before paradt__insertion_run: the insertion of a set in an order, which gets points that span the set first.
+// Begins the insertion of a set in an order. Points that span the space are moved to the front of the order.
 static void paradt__insertion_begin(paradt__insertion *build, const paradt__set *set, paradt_index *order,
                                     paradt__memory *memory) {
     memset(build, 0, sizeof *build);
@@ -9735,7 +9896,8 @@ static void paradt__insertion_begin(paradt__insertion *build, const paradt__set 
     build->count = set->count;
 }
 
-// Makes the mesh of the set, whose points are along a curve, by insertion: closed by ghosts, vertices are positions.
+// Makes the closed mesh of a set, whose points are along a curve, by insertion. Vertices are positions in the set.
+// After an error the mesh is empty.
 static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                            const paradt__progress *progress, paradt__counters *counters) {
     paradt__insertion build;
