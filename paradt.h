@@ -10419,21 +10419,20 @@ static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
 // is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
 // right.
 
-// Adds a cell or ghost to the seam, its apex first.
+// Adds a cell or ghost to the seam. Its facet opposite the apex is open, and no other.
 static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
     int corners = patch->build.scene.mesh.corners, i;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    paradt_index *row, *next;
+    size_t base;
     paradt_status status = paradt__mesh_room(&patch->seam, patch->memory);
     if (status) return status;
-    row = patch->seam.vertices + paradt__mesh_take(&patch->seam) * corners;
-    next = row + 1;
+    base = (size_t)paradt__mesh_take(&patch->seam) * (size_t)corners;
     for (i = 0; i < corners; i++) {
-        if (vertices[i] < 0) *next++ = vertices[i];
-        else *(paradt__patch_is_own(patch, vertices[i]) ? row : next++) = paradt__patch_position(patch, vertices[i]);
+        int own = vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
+        patch->seam.vertices[base + (size_t)i] =
+            vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
+        patch->seam.links[base + (size_t)i] = own ? PARADT__OPEN : PARADT__HULL;
     }
-    PARADT_ASSERT(next == row + corners);
-    for (i = 0; i < corners; i++) patch->seam.links[row - patch->seam.vertices + i] = PARADT__OPEN;
     return PARADT_OK;
 }
 
@@ -10461,9 +10460,8 @@ static int paradt__patch_has_cells(paradt__patch *patch) {
     return 0;
 }
 
-// What the other regions say of the seam: cells of an apex, at place 0, and the vertices of a facet. Two that have the
-// facet in common are linked. Where the facet is in the table, it has been listed once. When the wrong cell on its side
-// has been reached, the place becomes free.
+// What the other regions say of the seam. Links of facets that have been listed twice are handles. PARADT__OPEN is the
+// link of a facet that has been listed once and whose wrong cell has not been reached.
 typedef struct paradt__seam {
     paradt__mesh mesh;
     paradt__facets once; // by keys
@@ -10489,8 +10487,9 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     for (field = patch->fields + 1; field < end; field++) {
         if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
     }
-    for (i = 0; i < count; i++) {
-        paradt_index facet = (paradt_index)i * corners;
+    for (i = 0; i < count * (size_t)corners; i++) {
+        paradt_index facet = (paradt_index)i;
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
         paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
                            corners);
     }
@@ -10505,8 +10504,8 @@ PARADT__INLINE int paradt__seam_has(const paradt__seam *seam, const paradt__mesh
     paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
     paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
     if (facet < 0) return 0;
-    PARADT_ASSERT(seam->mesh.vertices[facet] != PARADT__DEAD);
-    seam->mesh.vertices[facet] = PARADT__DEAD;
+    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN);
+    seam->mesh.links[facet] = PARADT__HULL;
     return 1;
 }
 
@@ -10558,11 +10557,9 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     paradt_status status = PARADT_OK;
     for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
     if (others && !seam->once.count) return paradt__patch_list_all(patch);
-    for (i = 0; i < seam->mesh.count && !status; i++) {
-        size_t facet = i * (size_t)seam->mesh.corners;
-        paradt_index apex = seam->mesh.vertices[facet];
-        if (apex == PARADT__DEAD || seam->mesh.links[facet] >= 0) continue;
-        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
+    for (i = 0; i < seam->mesh.count * (size_t)seam->mesh.corners && !status; i++) {
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
