@@ -4429,8 +4429,8 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
 // Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
 // paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row, PARADT__VERIFY,
-// PARADT__VERIFY_SMALL.
+// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
+// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4521,6 +4521,23 @@ PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t use
 PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
                                                paradt__memory *memory) {
     return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
+}
+
+typedef struct paradt__list {
+    paradt_index *items; // [capacity]
+    size_t count, capacity;
+} paradt__list;
+
+// Appends an item.
+PARADT__INLINE paradt_status paradt__list_append(paradt__list *list, paradt_index item, paradt__memory *memory) {
+    paradt_status status = paradt__list_room(&list->items, list->count, &list->capacity, list->count + 1, memory);
+    if (!status) list->items[list->count++] = item;
+    return status;
+}
+
+static void paradt__list_free(paradt__list *list, paradt__memory *memory) {
+    paradt__release(memory, list->items);
+    memset(list, 0, sizeof *list);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -10059,66 +10076,73 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_judge,
-// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
+// paradt__patch_publish, paradt__patch_learn_all, paradt__patch_list_seam, paradt__patch_has_cells,
+// paradt__patch_apply_seam, paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
-// a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
+// a curve, under a grid. Behind them, up to begin + capacity, there is place for others' points that only the region
+// sees.
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
-    size_t begin, room;
+    size_t begin, capacity;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
-    const struct paradt__patch *patch;                // what the region has built, where others may look at it; or NULL
-    paradt_index *seam; // [seam_count][dim + 1] the seam: vertices of a facet and apex, as positions in the set
-    size_t seam_count;
-    int has_cells; // some cell or ghost of T(P) has a vertex of the region
+    const struct paradt__patch *published;            // what the region has built, where others may look at it; or NULL
+    paradt__mesh seam; // the seam as the region sees it, see there; vertices are positions in the set
+    int has_cells;     // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
 typedef struct paradt__patch {
+    // what it is of
     const paradt__set *set;
-    paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
-    size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
+    size_t field_count;
+    const paradt__field *own; // the region's
+    int own_points_only;      // it is the first region, begins with its own points alone, and asks about nothing
     paradt__memory *memory;
+
+    // the insertion and its points: vertices are the region's points, in their order, then others'
     paradt__insertion build;
-    size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][build.scene.width]
-    int lent;                        // these are those of the field
-    paradt_index *others;            // [capacity - own points] positions of others' points in the set
-    paradt_index *origin;            // at the end, the caller's indices of all points:
-    paradt_index *table;             // in this, or, if it is NULL, in the field's part of set.origin
-    double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    size_t outer;                    // vertices from this one on may be outside of K
-    int roomy;                       // there is a margin: all points in K are in the set, with those on its border
-    paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
-    size_t list_count, list_capacity;
-    // [fringe_capacity] places of all cells and ghosts that have not only vertices of the region; some more than once,
-    // and some where such ones have been
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-    int facets;           // links are delivered as half-facets
-    int asks;             // 1: the points that it begins with are inserted
-    size_t asked;         // so many of the list have been taken from it
-    size_t dropped;       // cells and ghosts, at the end
-    int trusts;           // it is the first region, has its own points alone, and asks about nothing
-    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
-    size_t border_count, border_capacity;
-    paradt_index *seam; // [seam_capacity] see paradt__field
-    size_t seam_count, seam_capacity;
-    paradt_index *order;  // of the insertion of the first points
-    paradt_index *around; // [own points] one of the cells around each, for others to look at; or NULL
-    paradt_index *late;   // [late_capacity] cells waiting for what is not told yet
-    size_t late_count, late_capacity;
-    paradt_index *told; // [told_capacity] for the first told_count of others' points where their neighbours end
-    size_t told_count, told_capacity;
-    paradt_index *nearby; // [nearby_capacity] these neighbours, as positions in the set; none where there are too many
-    size_t nearby_count, nearby_capacity;
-    uint64_t looked;      // groups of neighbours
-    size_t late_cells;    // made by answers
-    size_t made;          // cells of the triangulation, of which build.scene.mesh are owned in the end
-    uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
+    paradt_index *order;               // of the insertion of the first points
+    size_t capacity;                   // points that the arrays below have room for
+    double *records;                   // [capacity][build.scene.width]
+    int records_lent;                  // these are those of the field
+    paradt_index *others;              // [capacity - own points] positions of others' points in the set
+    paradt__list margin;               // while the points are collected, positions of others' points in K
+    double bounds[2 * PARADT_MAX_DIM]; // K: low and high of each axis
+    int has_margin;                    // all points in K are in the set, with those on its border
+    size_t outer;                      // vertices from this one on may be outside of K
+
+    // the questions about cells
+    paradt__search search;     // is put to the fields one by one
+    paradt__set unbounded_set; // the set without a bound on positions: fields have gaps between them
+    paradt__list waiting;      // cells to be asked about
+    paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
+    int is_asking;             // the points that it begins with are inserted
+    size_t questions;          // cells taken from `waiting`
+    size_t answer_cells;       // made by the insertion of answers
+
+    // neighbours learned from other regions
+    paradt_index *a_cell;       // [own points] one of the cells at each, for others to look at; or NULL
+    paradt__list neighbor_ends; // for each of the first of others' points, where its neighbours end
+    paradt__list neighbors;     // as positions in the set; none where there are too many
+    uint64_t neighbor_effort;   // groups of them that have been looked at
+
+    // the seam
+    paradt__list seam_cells; // cells that were on the seam when they were asked about
+    paradt__mesh seam;       // see paradt__field
+    paradt__list wrong;      // the first region's cells that are not of T(P)
+
+    // what it delivers
+    paradt__list fringe;        // places of all cells and ghosts that have not only vertices of the region; some more
+                                // than once, and some where such ones have been
+    size_t dropped;             // cells and ghosts
+    paradt_index *origin;       // the caller's indices of all points:
+    paradt_index *origin_block; // in this, or, if it is NULL, in the field's part of set.origin
+    int facets;                 // links are delivered as half-facets
+    paradt__list open;          // facets delivered without a mirror, numbered as in the result
+    size_t cells_built;         // cells of the triangulation, of which build.scene.mesh are owned
+    uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
 // A field of `count` points of the set, without a grid.
@@ -10138,12 +10162,13 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->fields[patch->own].set.count;
-    void *records = patch->lent ? NULL : patch->records, *others = patch->others;
-    if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
+    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->own->set.count;
+    void *records = patch->records_lent ? NULL : patch->records, *others = patch->others;
+    if (!paradt__grow(patch->memory, &records, patch->records_lent ? 0 : used * width, capacity * width,
+                      sizeof(double)))
         return PARADT_ERROR_MEMORY;
-    if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
-    patch->lent = 0;
+    if (patch->records_lent) memcpy(records, patch->records, used * width * sizeof(double));
+    patch->records_lent = 0;
     patch->records = (double *)records;
     patch->build.scene.records = patch->records;
     used = used > own ? used - own : 0;
@@ -10155,13 +10180,13 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
 
 // Begins with the region's own points, in the field: the insertion uses its records.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
-    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
+    const paradt__field *own = patch->own;
+    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->capacity - own->set.count, sizeof *patch->others);
     if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
     patch->build.scene.records = patch->records;
-    patch->capacity = own->room;
-    patch->lent = 1;
+    patch->capacity = own->capacity;
+    patch->records_lent = 1;
     return PARADT_OK;
 }
 
@@ -10170,37 +10195,38 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
-    patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
+    patch->others[at - patch->own->set.count] = (paradt_index)position;
     patch->build.count++;
     return PARADT_OK;
 }
 
 // Adds the region's own points, for which there is room.
 static void paradt__patch_add_own(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t width = patch->build.scene.width, i;
-    for (i = 0; i < own->set.count && !patch->lent; i++)
+    for (i = 0; i < own->set.count && !patch->records_lent; i++)
         paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
     patch->build.count = own->set.count;
 }
 
 // The position of a vertex in the set
 PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     if ((size_t)vertex < own->set.count) return (paradt_index)own->begin + vertex;
     return patch->others[(size_t)vertex - own->set.count];
 }
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t count = own->set.count, i;
     patch->origin = patch->set->origin + own->begin;
-    if (patch->build.count > own->room) {
-        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->table);
-        if (!patch->table) return PARADT_ERROR_MEMORY;
-        memcpy(patch->table, patch->origin, count * sizeof *patch->table);
-        patch->origin = patch->table;
+    if (patch->build.count > own->capacity) {
+        patch->origin_block =
+            (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->origin_block);
+        if (!patch->origin_block) return PARADT_ERROR_MEMORY;
+        memcpy(patch->origin_block, patch->origin, count * sizeof *patch->origin_block);
+        patch->origin = patch->origin_block;
     }
     for (i = count; i < patch->build.count; i++) {
         paradt_index position = patch->others[i - count];
@@ -10210,24 +10236,13 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
 }
 
 // Is the point in K?
-static int paradt__within(const double *x, const double *low, const double *high, int dim) {
+static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
     int axis;
     for (axis = 0; axis < dim; axis++) {
         if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
     }
     return 1;
 }
-
-static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
-                                          paradt_index item) {
-    paradt_status status = paradt__list_room(list, *count, capacity, *count + 1, patch->memory);
-    if (!status) (*list)[(*count)++] = item;
-    return status;
-}
-
-// Appends to one of the patch's lists.
-#define PARADT__PATCH_LIST(patch, which, item)                                                                         \
-    paradt__patch_append(patch, &(patch)->which, &(patch)->which##_count, &(patch)->which##_capacity, item)
 
 // Lists the points of a field's box that are in K.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
@@ -10244,8 +10259,9 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
         if (level) {
             if (i >= field->grid.box_count[level - 1]) break;
             status = paradt__patch_gather(patch, field, level - 1, i, low, high);
-        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(field->begin + i));
+        } else if (i < field->set.count &&
+                   paradt__is_within(field->set.records + i * field->set.width, low, high, dim)) {
+            status = paradt__list_append(&patch->margin, (paradt_index)(field->begin + i), patch->memory);
         }
     }
     return status;
@@ -10264,21 +10280,22 @@ static double paradt__margin(const paradt__field *field) {
 
 // Lists the points of the others in the margin, which K has then.
 static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     double margin = paradt__margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
     size_t i;
     int axis;
     for (axis = 0; axis < patch->set->space.dim; axis++) {
-        patch->room[2 * axis] = low[axis] = own->low[axis] - margin;
-        patch->room[2 * axis + 1] = high[axis] = own->high[axis] + margin;
+        patch->bounds[2 * axis] = low[axis] = own->low[axis] - margin;
+        patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
-    patch->roomy = margin > 0.0;
-    for (i = 0; i < patch->field_count && patch->roomy && !status; i++) {
+    patch->has_margin = margin > 0.0;
+    for (i = 0; i < patch->field_count && patch->has_margin && !status; i++) {
         const paradt__field *field = patch->fields + i;
         int level = field->grid.levels - 1;
         size_t box;
-        for (box = 0; i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status; box++) {
+        for (box = 0; patch->fields + i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status;
+             box++) {
             status = paradt__patch_gather(patch, field, level, box, low, high);
         }
     }
@@ -10311,7 +10328,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     int i;
     size_t j;
     paradt_status status = PARADT_OK;
-    patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
+    patch->outer = patch->has_margin ? known.count : patch->own->set.count;
     if (paradt__spans(&known)) return PARADT_OK;
     for (i = 0; i <= known.space.dim && !status; i++) {
         for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != whole[i];) j++;
@@ -10322,7 +10339,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 
 // The order of insertion: points in the margin along with the region's
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__set known = paradt__patch_known(patch);
     const paradt__space *space = &patch->set->space;
     paradt__curve curve;
@@ -10345,19 +10362,20 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
 // The points to begin with. Vertices are the region's first, in their order, then those in the margin. The region that
 // has no margin sorts its points at once, while the others look for theirs; these do it when they build.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t needed, i;
     paradt_status status;
-    status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
+    status = patch->own_points_only ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
-    needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
+    needed = own->set.count + (patch->own_points_only ? 0 : patch->margin.count + (size_t)patch->set->space.dim + 1);
     if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
     if (status) return status;
     paradt__patch_add_own(patch);
-    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_add(patch, (size_t)patch->list[i]);
-    patch->list_count = 0;
+    for (i = 0; i < patch->margin.count && !status; i++)
+        status = paradt__patch_add(patch, (size_t)patch->margin.items[i]);
+    paradt__list_free(&patch->margin, patch->memory);
     if (!status) status = paradt__patch_add_span(patch, whole);
-    return status || !patch->trusts ? status : paradt__patch_sort(patch);
+    return status || !patch->own_points_only ? status : paradt__patch_sort(patch);
 }
 
 // --- cells
@@ -10367,13 +10385,13 @@ PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch
 }
 
 // Is the vertex a point of the region? These are the first.
-PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index vertex) {
-    return (size_t)vertex < patch->fields[patch->own].set.count;
+PARADT__INLINE int paradt__patch_is_own(const paradt__patch *patch, paradt_index vertex) {
+    return (size_t)vertex < patch->own->set.count;
 }
 
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
-static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+static int paradt__patch_own_vertices(const paradt__patch *patch, paradt_index cell) {
+    paradt_index own = (paradt_index)patch->own->set.count;
     return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
 }
 
@@ -10394,24 +10412,31 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     int i, share = 0;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] < 0) continue;
-        if (paradt__patch_has(patch, vertices[i])) share++;
+        if (paradt__patch_is_own(patch, vertices[i])) share++;
         else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
     }
-    return share == 1 && patch->own > 0;
+    return share == 1 && patch->own != patch->fields;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
-static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
+static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
     if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
     patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
-    return PARADT__PATCH_LIST(patch, list, cell);
+    return paradt__list_append(&patch->waiting, cell, patch->memory);
+}
+
+// Puts a cell into the list of wrong ones, unless it is there.
+static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
+    if (patch->build.scene.mesh.marks[cell] & PARADT__WRONG) return PARADT_OK;
+    patch->build.scene.mesh.marks[cell] |= PARADT__WRONG;
+    return paradt__list_append(&patch->wrong, cell, patch->memory);
 }
 
 // Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
+        share += vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
     return share == 1 || (share && outer);
@@ -10420,13 +10445,13 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
     const paradt__mesh *cells = &patch->build.scene.mesh;
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+    paradt_index own = (paradt_index)patch->own->set.count;
     size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
     for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
         if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_waiting(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -10440,7 +10465,7 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
 }
 
 // States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
-static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
+static void paradt__patch_state_question(paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
@@ -10461,8 +10486,8 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
 }
 
 // Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
-static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
-                                            const paradt_index *positions) {
+static paradt_index paradt__patch_ask_grid(paradt__patch *patch, const paradt__field *field,
+                                           const paradt_index *positions) {
     paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
@@ -10476,12 +10501,12 @@ static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__
 
 // The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
 // the question, or -1.
-static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
-    patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
+static paradt_index paradt__patch_ask_neighbors(paradt__patch *patch, size_t told, const paradt_index *positions) {
+    size_t i = told ? (size_t)patch->neighbor_ends.items[told - 1] : 0, end = (size_t)patch->neighbor_ends.items[told];
+    patch->neighbor_effort += 1 + (end - i) / PARADT__LANES;
+    paradt__question_redirect(&patch->search, &patch->unbounded_set, NULL, positions);
     for (; i < end; i++) {
-        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
+        if (paradt__question_fits(&patch->search, (size_t)patch->neighbors.items[i])) return patch->neighbors.items[i];
     }
     return -1;
 }
@@ -10490,25 +10515,25 @@ static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, co
 // neighbours are told, or else one of which they are not told yet, or SIZE_MAX.
 static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
+    size_t own = patch->own->set.count, untold = SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
         if (vertices[i] < 0) continue;
         if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
-        if (other >= patch->told_count) untold = other;
-        else if (patch->told[other] > (other ? patch->told[other - 1] : 0)) return other;
+        if (other >= patch->neighbor_ends.count) untold = other;
+        else if (patch->neighbor_ends.items[other] > (other ? patch->neighbor_ends.items[other - 1] : 0)) return other;
     }
     return untold;
 }
 
 // Is there a region of which the patch is not told yet what the cell needs?
-static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) {
+static int paradt__patch_must_defer(const paradt__patch *patch, paradt_index cell) {
     size_t i, witness;
     for (i = 0; i < patch->field_count; i++) {
-        if (i == patch->own || !patch->fields[i].patch) continue;
+        if (patch->fields + i == patch->own || !patch->fields[i].published) continue;
         witness = paradt__patch_witness(patch, patch->fields + i, cell);
-        if (witness != SIZE_MAX && witness >= patch->told_count) return 1;
+        if (witness != SIZE_MAX && witness >= patch->neighbor_ends.count) return 1;
     }
     return 0;
 }
@@ -10517,20 +10542,20 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
-    size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
+    size_t witness = field->published ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++)
         positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
-    return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
-                               : paradt__patch_ask_near(patch, witness, positions);
+    return witness == SIZE_MAX ? paradt__patch_ask_grid(patch, field, positions)
+                               : paradt__patch_ask_neighbors(patch, witness, positions);
 }
 
 // Notes of a cell that it is around its vertices, for those that are the region's.
-PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
+PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
+        if (vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i])) patch->a_cell[vertices[i]] = cell;
     }
 }
 
@@ -10540,15 +10565,15 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
-    patch->late_cells += build->update.made_count;
+    patch->answer_cells += build->update.made_count;
     for (i = 0; i < build->update.killed_count && !status; i++)
         build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
     for (i = 0; i < build->update.made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
         build->scene.mesh.marks[made] = 0;
-        if (patch->around) paradt__patch_note_around(patch, made);
-        status = PARADT__PATCH_LIST(patch, fringe, made);
-        if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
+        if (patch->a_cell) paradt__patch_note_cell(patch, made);
+        status = paradt__list_append(&patch->fringe, made, patch->memory);
+        if (!status && paradt__patch_own_vertices(patch, made)) status = paradt__patch_add_waiting(patch, made);
     }
     return status;
 }
@@ -10561,20 +10586,20 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
-    if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
+    if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
     build->scene.mesh.marks[cell] = PARADT__ASKED;
-    if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
+    if (paradt__patch_on_seam(patch, cell)) status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
     if (status) return status;
-    paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
+    paradt__patch_state_question(patch, cell, ghost);
+    if (patch->has_margin && paradt__question_is_confined(&patch->search, patch->bounds)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
-        if (i != patch->own && patch->fields[i].set.count)
+        if (patch->fields + i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
     }
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_wait(
+    return paradt__patch_add_waiting(
         patch,
         paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
 }
@@ -10594,34 +10619,36 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
 // Makes ready to be looked at by others.
-static paradt_status paradt__patch_show(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
-    patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
-    if (!patch->around) return PARADT_ERROR_MEMORY;
+static paradt_status paradt__patch_publish(paradt__patch *patch) {
+    size_t own = patch->own->set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
+    patch->a_cell = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->a_cell);
+    if (!patch->a_cell) return PARADT_ERROR_MEMORY;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
-            paradt__patch_note_around(patch, (paradt_index)cell);
+            paradt__patch_note_cell(patch, (paradt_index)cell);
     }
     return PARADT_OK;
 }
 
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
-static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
+static paradt_status paradt__patch_learn(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
     const paradt__mesh *mesh = &other->build.scene.mesh;
-    paradt_index first = other->around[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt_index first = other->a_cell[vertex], base = first * (paradt_index)mesh->corners, i;
     paradt__star star;
     size_t next;
     paradt_status status = PARADT_OK;
     paradt__star_of(mesh, first, vertex, &star);
-    patch->looked += PARADT__LANES + star.count / 4;
+    patch->neighbor_effort += PARADT__LANES + star.count / 4;
     if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
     for (i = base; i < base + mesh->corners && !status; i++) {
         if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
-            status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, mesh->vertices[i]));
+            status =
+                paradt__list_append(&patch->neighbors, paradt__patch_position(other, mesh->vertices[i]), patch->memory);
     }
     for (next = 1; next < star.count && !status; next++) {
         paradt_index neighbor = mesh->vertices[star.handles[next]];
-        if (neighbor >= 0) status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
+        if (neighbor >= 0)
+            status = paradt__list_append(&patch->neighbors, paradt__patch_position(other, neighbor), patch->memory);
     }
     return status;
 }
@@ -10630,28 +10657,31 @@ static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patc
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__kept_free(patch->build.kept, patch->memory);
     paradt__release(patch->memory, patch->order);
-    if (!patch->lent) paradt__release(patch->memory, patch->records);
+    if (!patch->records_lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->build.scene.mesh.marks);
-    paradt__release(patch->memory, patch->around);
-    paradt__release(patch->memory, patch->late);
-    paradt__release(patch->memory, patch->told);
-    paradt__release(patch->memory, patch->nearby);
-    paradt__release(patch->memory, patch->border);
+    paradt__release(patch->memory, patch->a_cell);
+    paradt__list_free(&patch->waiting, patch->memory);
+    paradt__list_free(&patch->deferred, patch->memory);
+    paradt__list_free(&patch->neighbor_ends, patch->memory);
+    paradt__list_free(&patch->neighbors, patch->memory);
+    paradt__list_free(&patch->seam_cells, patch->memory);
     patch->build.kept = NULL;
     patch->build.order = patch->order = NULL;
     patch->records = NULL;
-    patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
+    patch->a_cell = NULL;
     patch->build.scene.mesh.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
-    paradt__release(patch->memory, patch->list);
-    paradt__release(patch->memory, patch->fringe);
-    paradt__release(patch->memory, patch->seam);
+    paradt__list_free(&patch->margin, patch->memory);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    paradt__list_free(&patch->open, patch->memory);
+    paradt__mesh_free(&patch->seam, patch->memory);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
-    paradt__release(patch->memory, patch->table);
+    paradt__release(patch->memory, patch->origin_block);
     paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
 }
 
@@ -10660,13 +10690,14 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     size_t i;
     memset(patch, 0, sizeof *patch);
     patch->set = set;
-    patch->everyone = *set;
-    patch->everyone.count = (size_t)PARADT__NOWHERE;
+    patch->unbounded_set = *set;
+    patch->unbounded_set.count = (size_t)PARADT__NOWHERE;
     patch->fields = fields;
     patch->field_count = field_count;
-    patch->own = own;
+    patch->own = fields + own;
     patch->memory = patch->build.memory = memory;
     paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
+    paradt__mesh_begin(&patch->seam, set->space.dim + 1, 0);
     patch->build.scene.space = set->space;
     memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
     paradt__insertion_layout(&patch->build, set);
@@ -10691,7 +10722,7 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
     } else {
-        patch->made++;
+        patch->cells_built++;
         for (j = 0; j < corners; j++) paradt__patch_cut(patch, links[j], PARADT__OPEN);
     }
     vertices[0] = PARADT__DEAD;
@@ -10701,8 +10732,8 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 // Drops what the region does not own, all of it in the fringe.
 PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
     const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
-    const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
-    size_t count = patch->fringe_count, i;
+    const paradt_index *fringe = patch->fringe.items, own = (paradt_index)patch->own->set.count;
+    size_t count = patch->fringe.count, i;
     for (i = 0; i < count; i++) {
         const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
@@ -10718,22 +10749,21 @@ PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corne
 // Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
 // of them is not the region's.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__insertion *build = &patch->build;
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
     size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
+    for (i = 0; i < patch->wrong.count; i++) paradt__patch_drop(patch, (size_t)patch->wrong.items[i], 0);
     if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
     else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
     build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
     paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->list, patch->list_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe, patch->fringe_count, &end);
-    patch->list_count = 0;
-    paradt__release(patch->memory, patch->fringe);
-    patch->fringe = NULL;
-    patch->made += build->scene.mesh.count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->wrong.items, patch->wrong.count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe.items, patch->fringe.count, &end);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    patch->cells_built += build->scene.mesh.count;
     return PARADT_OK;
 }
 
@@ -10743,7 +10773,7 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
         if (to->links[cell * corners + j] == PARADT__OPEN)
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)((first + cell) * corners + j));
+            status = paradt__list_append(&patch->open, (paradt_index)((first + cell) * corners + j), patch->memory);
     }
     return status;
 }
@@ -10771,22 +10801,22 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
 }
 
 // Looks for answers so far
-static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    return paradt__search_effort(&patch->search) + patch->looked;
+static uint64_t paradt__patch_effort(const paradt__patch *patch) {
+    return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
-static int paradt__patch_is_hasty(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->fields[patch->own].set.count;
-    return paradt__patch_looked(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+static int paradt__patch_learning_pays(const paradt__patch *patch) {
+    size_t others = patch->build.count - patch->own->set.count;
+    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
 }
 
 // Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
 // where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
 // seam: exactly cospherical points are.
-static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_looked(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
-    return looked + patch->late_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+static int paradt__patch_gives_up(const paradt__patch *patch) {
+    uint64_t looked = paradt__patch_effort(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
+    return looked + patch->answer_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
@@ -10798,45 +10828,48 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
     if (!status && build->inserted < build->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
     build->order = patch->order = NULL;
-    patch->asks = 1;
-    return status || patch->trusts ? status : paradt__patch_suspects(patch);
+    patch->is_asking = 1;
+    return status || patch->own_points_only ? status : paradt__patch_suspects(patch);
 }
 
 // So many questions, with what is inserted for them, take as long as to insert a point.
 enum { PARADT__QUESTIONS_A_POINT = 2 };
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
-// wait for what others have to tell; or until it pauses. If it is hasty, no longer than others would take to tell.
-static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, const paradt__progress *progress) {
+// wait for what others have to tell; or until it pauses. If it is may_wait, no longer than others would take to tell.
+static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, const paradt__progress *progress) {
     paradt_status status = PARADT_OK;
-    while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
-        paradt_index cell = patch->list[--patch->list_count];
+    while (!status && patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch))) {
+        paradt_index cell = patch->waiting.items[--patch->waiting.count];
         if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
-        if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
-        if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->build.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
+        if (++patch->questions % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
+        if (paradt__relay_pauses(patch->build.relay, patch->questions, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
 
 // Has it paused, inserting or asking?
-static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
-    return !patch->asks || (patch->list_count && !(hasty && paradt__patch_is_hasty(patch)));
+static int paradt__patch_pauses(const paradt__patch *patch, int may_wait) {
+    return !patch->is_asking || (patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch)));
 }
 
 // Hears of all points that it has from others. The cells that waited for that go on.
-static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, i;
+static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
+    size_t own = patch->own->set.count, i;
     paradt_status status = PARADT_OK;
-    while (own + patch->told_count < patch->build.count && !status) {
-        paradt_index position = patch->others[patch->told_count];
+    while (own + patch->neighbor_ends.count < patch->build.count && !status) {
+        paradt_index position = patch->others[patch->neighbor_ends.count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
-        if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
-        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->nearby_count);
+        if (field->published)
+            status = paradt__patch_learn(patch, field->published, position - (paradt_index)field->begin);
+        if (!status)
+            status = paradt__list_append(&patch->neighbor_ends, (paradt_index)patch->neighbors.count, patch->memory);
     }
-    for (i = 0; i < patch->late_count && !status; i++) status = PARADT__PATCH_LIST(patch, list, patch->late[i]);
-    patch->late_count = 0;
+    for (i = 0; i < patch->deferred.count && !status; i++)
+        status = paradt__list_append(&patch->waiting, patch->deferred.items[i], patch->memory);
+    patch->deferred.count = 0;
     return status;
 }
 
@@ -10861,22 +10894,32 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 // is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
 // right.
 
-// Lists the facets of the seam, when all cells have been asked about.
-static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+// Adds a cell or ghost to the seam. Its facet opposite the apex is open, and no other.
+static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
     int corners = patch->build.scene.mesh.corners, i;
-    size_t at;
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    size_t base;
+    paradt_status status = paradt__mesh_room(&patch->seam, patch->memory);
+    if (status) return status;
+    base = (size_t)paradt__mesh_take(&patch->seam) * (size_t)corners;
+    for (i = 0; i < corners; i++) {
+        int own = vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
+        patch->seam.vertices[base + (size_t)i] =
+            vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
+        patch->seam.links[base + (size_t)i] = own ? PARADT__OPEN : PARADT__HULL;
+    }
+    return PARADT_OK;
+}
+
+// Lists the seam, when all cells have been asked about.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+    size_t i;
     paradt_status status = PARADT_OK;
-    for (at = 0; at < patch->border_count && !status; at++) {
-        paradt_index cell = patch->border[at], apex = -1;
-        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    for (i = 0; i < patch->seam_cells.count && !status; i++) {
+        paradt_index cell = patch->seam_cells.items[i];
         if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
         patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
-        for (i = 0; i < corners && !status; i++) {
-            paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
-            if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
-            else status = PARADT__PATCH_LIST(patch, seam, position);
-        }
-        if (!status) status = PARADT__PATCH_LIST(patch, seam, apex);
+        status = paradt__patch_add_to_seam(patch, cell);
     }
     return status;
 }
@@ -10886,111 +10929,75 @@ static int paradt__patch_has_cells(paradt__patch *patch) {
     size_t cell;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
-            paradt__patch_share(patch, (paradt_index)cell))
+            paradt__patch_own_vertices(patch, (paradt_index)cell))
             return 1;
     }
     return 0;
 }
 
-// What the other regions say of the seam
+// What the other regions say of the seam. Links of facets that have been listed twice are handles. PARADT__OPEN is the
+// link of a facet that has been listed once and whose wrong cell has not been reached.
 typedef struct paradt__seam {
-    size_t dim;           // vertices of a facet; the infinite one is among them where two ghosts meet
-    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex; or what follows
-    paradt_index *table;  // [capacity] hash table of facets; -1: free
-    size_t count, capacity;
-    size_t single; // facets that have been listed once
+    paradt__mesh mesh;
+    paradt__facets once; // by keys
 } paradt__seam;
 
-enum {
-    PARADT__MET = -1,  // the wrong cell on its side has been reached
-    PARADT__TWICE = -2 // it has been listed twice
-};
-
-// Puts a vertex among those before it, which are in order.
-PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_index vertex) {
-    for (; count > 0 && facet[count - 1] > vertex; count--) facet[count] = facet[count - 1];
-    facet[count] = vertex;
-}
-
-// Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
-PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
-    size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_hash(paradt__cell_sum(facet, (int)dim)) & mask;
-    for (; seam->table[place] >= 0; place = (place + 1) & mask) {
-        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
-        for (i = 0; i < dim && other[i] == facet[i];) i++;
-        if (i == dim) break;
-    }
-    return seam->table + place;
-}
-
-static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed) {
-    paradt_index *facet = seam->facets + seam->count * (seam->dim + 1), *place;
-    size_t i;
-    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i]);
-    facet[seam->dim] = listed[seam->dim];
-    place = paradt__seam_place(seam, facet, seam->dim);
-    if (*place >= 0) {
-        seam->facets[(size_t)*place * (seam->dim + 1) + seam->dim] = PARADT__TWICE;
-        seam->single--;
-        return;
-    }
-    *place = (paradt_index)seam->count++;
-    seam->single++;
-}
-
 static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
-    paradt__release(memory, seam->facets);
-    paradt__release(memory, seam->table);
+    paradt__mesh_free(&seam->mesh, memory);
+    paradt__facets_free(&seam->once, memory);
 }
 
 static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
     const paradt__field *end = patch->fields + patch->field_count, *field;
+    int corners = patch->build.scene.mesh.corners;
     size_t count = 0, i;
+    paradt_status status;
     memset(seam, 0, sizeof *seam);
-    seam->dim = (size_t)patch->build.scene.mesh.corners - 1;
-    for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
-    for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
-    seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
-    seam->table = (paradt_index *)paradt__alloc(patch->memory, seam->capacity, sizeof *seam->table);
-    if (!seam->facets || !seam->table) return PARADT_ERROR_MEMORY;
-    memset(seam->table, -1, seam->capacity * sizeof *seam->table);
+    paradt__mesh_begin(&seam->mesh, corners, 0);
+    for (field = patch->fields + 1; field < end; field++) count += field->seam.count;
+    status = paradt__mesh_reserve(&seam->mesh, count, count, patch->memory);
+    if (!status) status = paradt__facets_begin(&seam->once, 0, 1, patch->memory);
+    if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
+    if (status) return status;
     for (field = patch->fields + 1; field < end; field++) {
-        for (i = 0; i < field->seam_count; i++) paradt__seam_add(seam, field->seam + i * (seam->dim + 1));
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
     }
+    for (i = 0; i < count * (size_t)corners; i++) {
+        paradt_index facet = (paradt_index)i;
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
+                           corners);
+    }
+    PARADT__VERIFY(&seam->mesh, 0, 0);
     return PARADT_OK;
 }
 
-// Has the facet of a wrong cell, of so many corners, been listed once, so that the cell on its other side is right? It
-// is met then.
-PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt_index *vertices, size_t corners,
-                                      size_t without) {
-    paradt_index facet[PARADT_MAX_DIM], place, *apex;
-    size_t count = 0, i;
-    for (i = 0; i < corners; i++) {
-        if (i != without) paradt__facet_add(facet, count++, vertices[i]);
-    }
-    place = *paradt__seam_place(seam, facet, corners - 1);
-    if (place < 0) return 0;
-    apex = seam->facets + (size_t)place * corners + corners - 1;
-    if (*apex == PARADT__TWICE) return 0;
-    *apex = PARADT__MET;
+// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is reached then. sum:
+// of the cell
+PARADT__INLINE int paradt__seam_has(const paradt__seam *seam, const paradt__mesh *mesh, paradt_index handle,
+                                    uint64_t sum, int corners) {
+    paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
+    paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
+    if (facet < 0) return 0;
+    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN);
+    seam->mesh.links[facet] = PARADT__HULL;
     return 1;
 }
 
 // Lists those cells that are reached without passing the seam from those in the list, the first `next` apart.
 PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
-                                                        size_t corners) {
+                                                        int corners) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_status status = PARADT_OK;
-    size_t i;
-    for (; next < patch->list_count && !status; next++) {
-        size_t base = (size_t)patch->list[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->list, patch->list_count, next);
+    int i;
+    for (; next < patch->wrong.count && !status; next++) {
+        paradt_index base = patch->wrong.items[next] * corners;
+        uint64_t sum = paradt__cell_sum(mesh->vertices + base, corners);
+        paradt__mesh_fetch_listed(mesh, patch->wrong.items, patch->wrong.count, next);
         for (i = 0; i < corners && !status; i++) {
-            size_t other = (size_t)patch->build.scene.mesh.links[base + i] / corners;
-            if (!(patch->build.scene.mesh.marks[other] & PARADT__WAITING) &&
-                !paradt__seam_meets(seam, patch->build.scene.mesh.vertices + base, corners, i))
-                status = paradt__patch_wait(patch, (paradt_index)other);
+            paradt_index other = mesh->links[base + i] / corners;
+            if (!(mesh->marks[other] & PARADT__WRONG) && !paradt__seam_has(seam, mesh, base + i, sum, corners))
+                status = paradt__patch_add_wrong(patch, other);
         }
     }
     return status;
@@ -10998,11 +11005,11 @@ PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, co
 
 // Lists a wrong cell, and those that are reached from it without passing the seam.
 static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    size_t next = patch->list_count;
-    paradt_status status = paradt__patch_wait(patch, first);
+    size_t next = patch->wrong.count;
+    paradt_status status = paradt__patch_add_wrong(patch, first);
     if (status) return status;
-    if (seam->dim == 3) return paradt__patch_spread_wrong(patch, seam, next, 4);
-    return paradt__patch_spread_wrong(patch, seam, next, seam->dim + 1);
+    if (seam->mesh.corners == 4) return paradt__patch_spread_wrong(patch, seam, next, 4);
+    return paradt__patch_spread_wrong(patch, seam, next, seam->mesh.corners);
 }
 
 // Lists all cells and ghosts.
@@ -11011,7 +11018,7 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     paradt_status status = PARADT_OK;
     for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_wrong(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -11024,11 +11031,10 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     int others = 0;
     paradt_status status = PARADT_OK;
     for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
-    if (others && !seam->single) return paradt__patch_list_all(patch);
-    for (i = 0; i < seam->count && !status; i++) {
-        paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
-        if (apex < 0) continue;
-        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
+    if (others && !seam->once.count) return paradt__patch_list_all(patch);
+    for (i = 0; i < seam->mesh.count * (size_t)seam->mesh.corners && !status; i++) {
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
@@ -11039,16 +11045,16 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
     paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
-    for (next = 0; next < patch->fringe_count && !status; next++) {
-        paradt_index base = patch->fringe[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe, patch->fringe_count, next);
+    for (next = 0; next < patch->fringe.count && !status; next++) {
+        paradt_index base = patch->fringe.items[next] * corners;
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe.items, patch->fringe.count, next);
         for (i = base; i < base + corners && !status; i++) {
             paradt_index other = patch->build.scene.mesh.links[i] / corners;
             if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
                 patch->build.scene.mesh.marks[other] & PARADT__LISTED)
                 continue;
             patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
-            status = PARADT__PATCH_LIST(patch, fringe, other);
+            status = paradt__list_append(&patch->fringe, other, patch->memory);
         }
     }
     return status;
@@ -11061,20 +11067,20 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
     int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
-    if (patch->list_count && paradt__ghost_place(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->build.scene.mesh.marks[patch->list[0]] |= PARADT__LISTED;
-        status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
+    if (patch->wrong.count && paradt__ghost_place(paradt__patch_cell(patch, patch->wrong.items[0]), corners) >= 0) {
+        patch->build.scene.mesh.marks[patch->wrong.items[0]] |= PARADT__LISTED;
+        status = paradt__list_append(&patch->fringe, patch->wrong.items[0], patch->memory);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
     cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
     for (; cell < cells->count && !status;
          cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
     return status;
 }
 
 // Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
-static paradt_status paradt__patch_judge(paradt__patch *patch) {
+static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
     paradt__seam seam;
     paradt_status status = paradt__seam_begin(&seam, patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
@@ -11442,7 +11448,7 @@ static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory
     paradt__patch *patch = &region->patch;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
     patch->facets = work->facets;
-    patch->trusts = work->first_alone && index == 0;
+    patch->own_points_only = work->first_alone && index == 0;
     region->status = paradt__patch_points(patch, work->basis);
 }
 
@@ -11506,9 +11512,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->waits = 0;
     region->status = paradt__patch_list_seam(patch);
     field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    memset(&patch->seam, 0, sizeof patch->seam);
 }
 
 // Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
@@ -11519,13 +11524,13 @@ static void paradt__build_task(void *context, size_t index) {
     paradt__patch *patch = &region->patch;
     int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
     paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    region->status = patch->is_asking ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->is_asking) region->status = paradt__patch_complete(patch, can_learn, &progress);
     if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
     region->built = 1;
-    region->waits = !region->status && patch->list_count;
+    region->waits = !region->status && patch->waiting.count;
     paradt__count_patch(region);
-    if (region->status || region->waits || patch->trusts) return;
+    if (region->status || region->waits || patch->own_points_only) return;
     paradt__end_questions(work, index);
     paradt__patch_rest(patch);
 }
@@ -11533,14 +11538,14 @@ static void paradt__build_task(void *context, size_t index) {
 static void paradt__publish_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
+    region->status = paradt__patch_publish(&region->patch);
+    work->fields[index].published = &region->patch;
 }
 
 // No region changes while others look at it.
 static void paradt__learn_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+    if (region->waits) region->status = paradt__patch_learn_all(&region->patch);
 }
 
 static void paradt__complete_task(void *context, size_t index) {
@@ -11550,16 +11555,16 @@ static void paradt__complete_task(void *context, size_t index) {
     if (!region->waits) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
     paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+    if (!region->status && !region->patch.deferred.count) paradt__end_questions(work, index);
 }
 
 static void paradt__compact_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
     paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    region->status = patch->own_points_only ? paradt__patch_apply_seam(patch) : PARADT_OK;
     paradt__count_patch(region);
     if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->stats.cells_recomputed = patch->cells_built - patch->build.scene.mesh.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
 }
@@ -11575,13 +11580,14 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
     size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+    for (i = 0; i < patch->open.count && !status; i = end) {
+        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
+        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
         }
-        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+        status =
+            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
     }
     return status;
 }
@@ -11606,7 +11612,7 @@ static void paradt__emit_task(void *context, size_t index) {
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
     region->status = paradt__patch_emit(&region->patch, &to, region->offset);
     if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
 }
 
@@ -11636,13 +11642,13 @@ static size_t paradt__region_left(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     const paradt__insertion *build = &patch->build;
     if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
     return build->count - build->inserted + build->count - work->fields[index].set.count;
 }
 
 // What a region has done, in points inserted
 static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
 }
 
 static void paradt__leg_task(void *context, size_t index) {
@@ -11710,8 +11716,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
     for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->mesh.links + patch->list[j];
+        for (j = 0; j < patch->open.count; j++) {
+            paradt_index *link = work->mesh.links + patch->open.items[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
@@ -11872,8 +11878,8 @@ static size_t paradt__place_fields(paradt__work *work, int with_room) {
     for (i = 0; i < work->regions; i++) {
         size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
+        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].capacity;
     }
     return total;
 }
@@ -11940,7 +11946,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         region->patch.memory = region->patch.build.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
+        paradt__mesh_free(&work->fields[i].seam, &work->memory);
     }
     paradt__mesh_free(&work->slices, &work->memory);
     paradt__facets_free(&work->open_facets, &work->memory);
