@@ -817,11 +817,22 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
-// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+// Unrolls the loop that follows. Short loops of constant length are only fast unrolled, and GCC does it below -O3 on
+// request alone. Loops of variable length are unrolled four times: ten copies are much code for little speed.
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
+#else
+#define PARADT__UNROLL
+#define PARADT__UNROLL_4
+#endif
+
+// Is dim, which is at most PARADT_MAX_DIM, equal to the constant k? A constant 0 if k is more than PARADT_MAX_DIM, so
+// that the compiler drops the code for k.
 #define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
 
-// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
-// function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
+// Prefetches an element of an array. The element need not exist: the address is just a number. A function that only
+// prefetches must be PARADT__INLINE: otherwise GCC takes it for one without effect and drops the calls.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
@@ -847,25 +858,27 @@ extern "C" {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
 //
-// Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
-// needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
-// its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
-// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
-// paradt__make_pages, paradt__alloc_filled.
+// Allocates from the caller's allocator and accounts for every byte. A block is preceded by its size, so that a release
+// needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
+// of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
+// paradt__grow, paradt__release, paradt__make_pages.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
-    uint64_t limit; // bytes; UINT64_MAX: none
-    uint64_t held;
-    uint64_t peak;
+    uint64_t limit;  // bytes; UINT64_MAX: none
+    uint64_t held;   // bytes. Wraps below zero while the task has released more than it allocated
+    uint64_t peak;   // the most bytes held so far
     uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
     uint64_t base;   // of a share: what the parent held,
     uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
-enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
+// Bytes in front of the payload: the block's size and padding, which keeps the payload as aligned as the allocator's
+// memory, up to a cache line.
+enum { PARADT__BLOCK_HEADER = 64 };
 
-// The address sanitizer is told that the rest of the header is nobody's: an index just before an array is seen then.
+// Tells the address sanitizer that the padding is nobody's, so that it detects an index just below an array's start.
 #if defined(__SANITIZE_ADDRESS__)
 #define PARADT__ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -892,6 +905,7 @@ static void paradt__default_free(void *user, void *memory) {
     free(memory);
 }
 
+// Opens an account by the allocator and the limit of the options, which may be NULL.
 static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
     memset(memory, 0, sizeof *memory);
     memory->limit = UINT64_MAX;
@@ -905,9 +919,10 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
     }
 }
 
-// The account of one of `shares` tasks that may run at once.
+// Returns the account of one of `shares` tasks that may run concurrently.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
+    PARADT_ASSERT(shares > 0);
     memory.held = memory.peak = memory.needed = 0;
     memory.base = parent->held;
     memory.shares = shares;
@@ -915,7 +930,8 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
     return memory;
 }
 
-// Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
+// Adds what the child holds to the parent's account, and the child's peak to *sum_of_peaks. The tasks may have run
+// concurrently, so that the sum of their peaks is an upper bound of the true peak.
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
@@ -932,8 +948,8 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
     return NULL;
 }
 
-// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
-// account is below zero, so that it wraps, while its task has given back more than it took.
+// Returns `count` elements of `size` bytes, not cleared; NULL if the limit, the allocator or size_t does not admit so
+// many. Even zero elements get a block.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     size_t bytes;
     uint64_t held;
@@ -952,6 +968,7 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     return block + PARADT__BLOCK_HEADER;
 }
 
+// Returns a block to the allocator. payload: NULL or a block of this account or of one joined with it
 static void paradt__release(paradt__memory *memory, void *payload) {
     size_t bytes;
     char *block;
@@ -963,18 +980,19 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
-enum { PARADT__PAGE = 4096 }; // bytes of the pages that most systems have
+enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
 
-// The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
-// are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
-// be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
-// it is, and where pages are larger than is thought here the system refuses.
+// Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
+// Otherwise it provides them one at a time, at the first write to each, which takes longer. The call never changes
+// memory that has its pages already, whatever the caller's allocator returned; where pages are larger than
+// PARADT__PAGE, the system refuses the call, and nothing is lost.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
     enum { FEWEST = 8, POPULATE_WRITE = 23 /* not in all headers */ };
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PARADT__PAGE * PARADT__PAGE;
     uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
     int before = errno;
+    PARADT_ASSERT(first <= end);
     if (from < begin) from += PARADT__PAGE;
     if (to > from && (to - from) / PARADT__PAGE >= FEWEST && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
         errno = before;
@@ -983,9 +1001,11 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #endif
 }
 
-// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+// Replaces *array by a block of `count` elements of `size` bytes and copies its first `used` elements. Returns 0, with
+// *array as it was, if there is no memory.
 static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
     void *larger = paradt__alloc(memory, count, size);
+    PARADT_ASSERT(used <= count);
     if (!larger) return 0;
     paradt__make_pages(larger, 0, used * size);
     if (used) memcpy(larger, *array, used * size);
@@ -994,7 +1014,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
     return 1;
 }
 
-// paradt__alloc for a block that one thread is about to fill.
+// Does the same as paradt__alloc for a block that one thread is about to fill.
 static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t size) {
     void *block = paradt__alloc(memory, count, size);
     if (block) paradt__make_pages(block, 0, count * size);
@@ -1004,9 +1024,14 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // ---------------------------------------------------------------------------------------------------------------------
 // >>numbers
 //
-// Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
-// the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
-// shifts of negative integers are taken to be arithmetic, as all compilers have them.
+// Doubles as bit patterns, small helpers for integers and doubles, and a hash. Every decision in this file comes down
+// to bit patterns and integers, or to floating-point values beyond a bound on their error: so neither the rounding mode
+// nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right shifts of negative
+// integers are assumed to be arithmetic, as they are with all compilers.
+// Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
+// paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
+// paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
+// paradt__largest.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -1025,14 +1050,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 #define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
 #endif
 
-// The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL   _Pragma("GCC unroll 10")
-#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
-#else
-#define PARADT__UNROLL
-#define PARADT__UNROLL_4
-#endif
+// --- bit patterns
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
     uint64_t bits;
@@ -1054,7 +1072,7 @@ PARADT__INLINE int paradt__is_finite(double x) {
     return paradt__biased_exponent(x) < 2047;
 }
 
-// A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
+// Maps finite doubles to integers in the same order; both -0.0 and 0.0 become 0.
 PARADT__INLINE int64_t paradt__ordered_bits(double x) {
     uint64_t bits = paradt__bits(x), negative = 0 - (bits >> 63);
     return (int64_t)((bits ^ negative >> 1) - negative);
@@ -1065,12 +1083,14 @@ PARADT__INLINE double paradt__from_ordered_bits(int64_t x) {
     return paradt__from_bits(x < 0 ? (0 - (uint64_t)x) | (uint64_t)1 << 63 : (uint64_t)x);
 }
 
-// 2^exponent, exponent in -1022..1023
+// Returns 2^exponent. exponent: -1022..1023
 PARADT__INLINE double paradt__power(int exponent) {
+    PARADT_ASSERT(exponent >= -1022 && exponent <= 1023);
     return paradt__from_bits((uint64_t)(exponent + 1023) << 52);
 }
 
-PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
+PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x: not 0
+    PARADT_ASSERT(x);
 #if defined(__GNUC__) || defined(__clang__)
     return __builtin_ctzll(x);
 #else
@@ -1081,7 +1101,8 @@ PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
 #endif
 }
 
-PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
+// The number of bits from the highest one set; 0 for 0
+PARADT__INLINE int paradt__bit_length(uint64_t x) {
 #if defined(__GNUC__) || defined(__clang__)
     return x ? 64 - __builtin_clzll(x) : 0;
 #else
@@ -1092,7 +1113,7 @@ PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
 #endif
 }
 
-// |x| = mantissa * 2^exponent, mantissa < 2^53, exponent in -1074..971
+// Returns the mantissa of |x| = mantissa * 2^*exponent, mantissa < 2^53, *exponent in -1074..971.
 PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), normal = biased != 0;
@@ -1100,140 +1121,65 @@ PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     return (bits & 0xfffffffffffffu) | (uint64_t)normal << 52;
 }
 
-// x * 2^exponent. *exact is cleared when bits are lost (they are cut off) or it overflows (to the largest double).
+// Returns x * 2^exponent. Clears *exact if bits are lost, which are cut off, or if the product overflows: then it
+// becomes the largest double of its sign.
 static double paradt__scale(double x, int exponent, int *exact) {
     int e, drop;
     uint64_t sign = paradt__bits(x) & (uint64_t)1 << 63, mantissa = paradt__split(x, &e);
     if (!mantissa) return x;
     int normalize = 53 - paradt__bit_length(mantissa);
     mantissa <<= normalize;
-    // by more than 4200 all of it is gone either way
+    // beyond 4200 everything is shifted out in either direction
     e += (exponent < -4200 ? -4200 : exponent > 4200 ? 4200 : exponent) - normalize;
     if (e > 971) {
         *exact = 0;
         return paradt__from_bits(sign | 0x7fefffffffffffffu);
     }
     if (e >= -1074) return paradt__from_bits(sign | (uint64_t)(e + 1075) << 52 | (mantissa & 0xfffffffffffffu));
-    drop = -1074 - e < 53 ? -1074 - e : 53; // a subnormal result
+    drop = -1074 - e < 53 ? -1074 - e : 53; // the result is subnormal
     if (mantissa & (((uint64_t)1 << drop) - 1)) *exact = 0;
     return paradt__from_bits(sign | mantissa >> drop);
 }
 
-// Wide integers are the widest that the compiler computes with. Longer ones are rows of digits in base 2^PARADT__RADIX,
-// least significant first, balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1) (the last may be larger where stated). So
-// there is no carry and no sign to care for while products are summed in wide integers, digit by digit; the sign of a
-// number is that of its highest digit other than 0; and the difference of two doubles has few nonzero digits, however
-// far apart their exponents are.
-#ifdef __SIZEOF_INT128__
-__extension__ typedef __int128 paradt__wide;
-typedef int64_t paradt__digit;
-#define PARADT__WIDE_BITS 127 // without the sign
-#define PARADT__RADIX     60
-#else
-typedef int64_t paradt__wide;
-typedef int32_t paradt__digit;
-#define PARADT__WIDE_BITS 63
-#define PARADT__RADIX     28
-#endif
-
-// So many products of two balanced digits fit into a wide integer, and a carry besides: 508.
-#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
-
-// Digits of a number below 2^bits in size, the last one balanced too
-PARADT__INLINE int paradt__digit_count(int bits) {
-    return bits / PARADT__RADIX + 1;
-}
-
-// x = digit + 2^PARADT__RADIX * carry, the digit balanced
-PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
-    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
-    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
-}
-
-PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
-    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
-}
-
-// digits[count] = the number whose digits are summed up in sum; the last digit takes all that remains.
-PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    PARADT__UNROLL
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// Balances sum[count] in place.
-PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
-    for (int i = 0; i + 1 < count; i++) {
-        sum[i + 1] += paradt__carry(sum[i]);
-        sum[i] = paradt__low_digit(sum[i]);
-    }
-}
-
-// The sign of a number
-PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
-    while (count > 1 && !digits[count - 1]) count--;
-    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
-}
-
-// sum[] += sign * a[an] * b[bn]. Every element of sum grows by at most min(an, bn) products of digits.
-PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                         const paradt__digit *b, int bn) {
-    PARADT__UNROLL
-    for (int i = 0; i < an; i++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (bn <= 6 || x) // long differences have few digits other than 0
-            PARADT__UNROLL
-        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
-    }
-}
-
-// The same with numbers of any length
-PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                             const paradt__digit *b, int bn) {
-    for (int i = 0; i < an; i++, sum++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (!x) continue; // long differences have few digits other than 0
-        PARADT__UNROLL_4
-        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
-    }
-}
-
-PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
-PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
-    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
-    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
-        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
-        *sum++ += sign < 0 ? -part : part;
-    }
-}
-
-// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
-#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+// --- integers and doubles
 
 PARADT__INLINE int paradt__max(int a, int b) {
     return a > b ? a : b;
 }
+
 PARADT__INLINE int paradt__min(int a, int b) {
     return a < b ? a : b;
 }
 
-PARADT__INLINE double paradt__larger(double a, double b) {
-    return a > b ? a : b;
+// Returns a hash of h.
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+// Unit roundoff: no operation on doubles errs by more, relative to its result. It is 2^-52, that of directed rounding,
+// for the FPU's mode is the host's; double rounding by x87 registers stays below it, too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+// Does arithmetic have at least that precision? x87 registers can be set to round to single precision, and some hosts
+// set them so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// Rounds x to a double where arithmetic may keep more digits in a register. Needed for a value that is used or compared
+// in several places, which must all see the same number.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
 }
 
 PARADT__INLINE double paradt__abs(double x) {
@@ -1244,29 +1190,15 @@ PARADT__INLINE double paradt__abs(double x) {
 #endif
 }
 
-// The largest size among count values
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+// Returns the largest |x[i]| of count > 0 values.
 PARADT__INLINE double paradt__largest(const double *x, int count) {
     double m = paradt__abs(x[0]);
     for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
     return m;
-}
-
-// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
-// and hosts have done so.
-static int paradt__precise(void) {
-#if defined(__i386__) || defined(_M_IX86)
-    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
-    return above > one;
-#else
-    return 1;
-#endif
-}
-
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
-// in several places: all must see the same.
-PARADT__INLINE double paradt__rounded(double x) {
-    volatile double rounded = x;
-    return rounded;
 }
 
 // Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
@@ -1287,14 +1219,6 @@ static double paradt__widen(uint32_t bits) {
     }
     memcpy(&x, &wide, sizeof x);
     return x;
-}
-
-static uint64_t paradt__mix(uint64_t h) {
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    return h ^ h >> 32;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1479,24 +1403,31 @@ static double paradt__now(void) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>predicates
+// >>space
 //
-// Signs of determinants of doubles, exact for all finite ones. Doors: paradt__space_begin, _add, _end, paradt__orient,
-// paradt__insphere, paradt__conflict, paradt__compare.
+// What the predicates know of a set of points: the exponents of its numbers, its extents, and bounds for the filters.
+// This section and the next four give the signs of determinants of doubles, exactly for all finite ones.
 //
-// The determinants are those of the differences to one of the points: of k columns for the orientation, and for the
-// in-sphere test of one more, the lift |x - base|^2 - (w - w_base), which differs from |x|^2 - w by a linear function
-// of x only, so that the determinant is the same. Stages, each giving up only when it can not be sure:
-//   filter   in doubles, with a bound on its error for whatever order, contraction and rounding the compiler and the
-//            FPU choose. A determinant is a multiple of its quantum, the product of its columns' units: when the
-//            quantum exceeds value and error together, it is 0. So lattices hardly ever leave the filter.
-//   small    in wide integers (128 bits, or 64 where there are none), by minors
-//   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
-//   general  any exponents, any dimension: as many digits as it takes.
-// No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
-// more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
+// The determinants are those of the differences between some points and one of them, the base: k columns of
+// coordinates for the orientation, and one more for the in-sphere test, the lift |x - base|^2 - (w - w_base). The lift
+// differs from |x|^2 - w by a linear function of x, so that the determinant is the same. A determinant is a multiple of
+// its quantum, the product of its columns' units. There are four stages; each passes on what it cannot decide:
+//   filter   in doubles (>>filters), with an error bound that holds for every order, contraction and rounding that the
+//            compiler and the FPU may choose. If the quantum exceeds value and error together, the determinant is 0: so
+//            lattices hardly ever need another stage.
+//   small    by minors in wide integers (>>exact): 128 bits, or 64 where there are no such integers
+//   fixed    for 2 and 3 columns, differences of at most 60 or 117 bits (one or two digits): loops of constant length
+//   general  for any exponents and any dimension, with as many digits as it takes
+// No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
+// dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
+// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
+// more; the other stages take 9 KB.
+// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
+// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
+// paradt__space_end, paradt__compare.
 
-// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+// Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
 #define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
@@ -1504,48 +1435,45 @@ typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
 
-// The exponents found in some doubles. All of them 0: unit > top.
+// The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
-    int unit;   // every one is a multiple of 2^unit
-    int bottom; // every one that is not 0 is at least 2^bottom in size
-    int top;    // every one is less than 2^top in size
+    int unit;   // each is a multiple of 2^unit
+    int bottom; // each is 0 or at least 2^bottom in size
+    int top;    // each is less than 2^top in size
 } paradt__range;
 
-// A filter's error for determinants of one kind
+// A filter's bounds for determinants of one kind
 typedef struct paradt__bounds {
-    double factor;  // error by rounding: this times the product of the columns' largest entries
+    double factor;  // the error by rounding is at most this times the product of the columns' largest entries
     double certain; // an error bound for all points of the set
-    double quantum; // every determinant is a multiple of more than this
+    double quantum; // a bit less than the quantum, of which each determinant is a multiple
 } paradt__bounds;
 
-// What the predicates know about a set of points: all that they are asked about must have been measured. One per
-// thread, for they count into it. Once measured, dim and ambient may be lowered and the axes of the points be permuted.
+// The predicates may only be asked about points that were measured. Each thread needs a space of its own, as the
+// predicates count their calls in it. After measuring, dim and ambient may be lowered and the axes of all points be
+// permuted.
 typedef struct paradt__space {
-    int dim;      // k: the first k coordinates of a point orient
-    int ambient;  // d >= k: all d coordinates enter the lift |x|^2 (points in a k-flat that is a graph over those k)
-    int weighted; // 1: a point's weight follows its d coordinates, and is taken from its lift
-    int filtered; // 1: every coordinate is 0 or 2^-120..2^120 in size, every weight 0 or 2^-240..2^240
-    int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
+    int dim;      // k: orientations are those of the first k coordinates
+    int ambient;  // d >= k: all d coordinates enter the lift (the points lie in a k-flat, a graph over the first k)
+    int weighted; // 1: a point's weight follows its d coordinates and is subtracted from its lift
+    int filtered; // 1: each coordinate is 0 or 2^-120..2^120 in size, each weight 0 or 2^-240..2^240
+    int bounded;  // 1: the filters cannot overflow. They need no lower bound of sizes: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];              // ... largest coordinate of each axis, as measured
-    double per_unit;                           // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                               // no filter's error by underflow exceeds it
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest ...
+    int64_t high[PARADT_MAX_DIM];              // ... and the largest coordinate on each axis, as measured
+    double per_unit;                           // 2^-unit if all coordinates are below 2^59 units in size, else 0
+    double tiny;                               // no filter errs by more than this by underflow
     paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
     paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
-    double orient_certain;                     // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                     // the smallest of orient's
+    double orient_certain;                     // the largest `certain` of all orientations, k = 1..d
+    double orient_quantum;                     // the smallest `quantum` of all orientations
     paradt__counters counters;
 } paradt__space;
 
-#define PARADT__UNDECIDED 2
-
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
-// ceil(log2(n!))
-static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
-
+// Extends the range to x, whatever x is.
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1556,7 +1484,8 @@ PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
-// Most numbers change nothing, which their exponents and last bits tell. Those that are not finite count as 2^1024.
+// Extends the range to x. Most numbers do not extend it, which their exponents and last bits show. Numbers that are not
+// finite count as 2^1024.
 PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
@@ -1565,7 +1494,7 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
         paradt__measure_anew(range, x);
 }
 
-// Are all points that were measured numbers?
+// Are all coordinates and weights that were measured finite?
 static int paradt__space_is_finite(const paradt__space *s) {
     return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
@@ -1576,8 +1505,9 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
+    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
@@ -1589,6 +1519,7 @@ static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weig
     }
 }
 
+// Measures a point: its coordinates and, in a weighted space, its weight.
 PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     for (int j = 0; j < s->ambient; j++) {
         int64_t x = paradt__ordered_bits(p[j]);
@@ -1599,38 +1530,40 @@ PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     if (s->weighted) paradt__measure(&s->weights, p[s->ambient]);
 }
 
-// A bit less than 2^exponent, for comparisons with rounded values; 0 when it is too small to be told apart
+// Returns a bit less than 2^exponent, for comparisons with rounded values; 0 if that is too small for the filters.
 static double paradt__quantum(int exponent) {
     return exponent < -900 ? 0 : paradt__power(paradt__min(exponent, 1000)) * (1 - 8 * PARADT__ROUNDOFF);
 }
 
-// The filters' error by rounding, to be multiplied with P, the product of the largest sizes m_j in the n columns. Let u
-// be the roundoff.
+// Returns the factor of a filter's error by rounding: the error is at most the factor times P, the product of the m_j,
+// where m_j is the largest size in column j of n columns. Let u be the roundoff.
 //
-// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials (an entry of the lift counts as one value). A computed
-// monomial has gone through at most c roundings, whichever way sums are ordered and products contracted: one a product,
-// and for a sum one less than the number of its terms.
-//   k = 2  2 differences, 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, product and
+// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
+// computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
+// product, and by a sum once less than the sum has terms.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
 //          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
-// so the error is at most c u S to first order, S the sum of the monomials' sizes, and S <= n! P. Twice that is taken,
-// for the higher orders, for m_j being computed values and for the roundings of the bound itself.
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
+// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
 //
-// Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
-// 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
-// an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most 2^(n-1) u m_j, and so do, three
-// times, the multipliers: the computed pivots are exactly those of a matrix with entries perturbed by at most e m_j,
-// e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound its determinant differs by at most n e h P to first order,
-// h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
+// Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
+// most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
+// reciprocal, errs by 3 u. Each of an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most
+// 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
+// matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
+// that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
+// Again the factor is twice as large.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
-// Adds what another has measured.
+// Adds what another space has measured.
 static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     for (int j = 0; j < s->ambient; j++) {
         if (other->low[j] < s->low[j]) s->low[j] = other->low[j];
@@ -1640,11 +1573,14 @@ static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     paradt__range_join(&s->weights, &other->weights);
 }
 
-// Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
-// of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
-// n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
-// column without a pivot above 1e-300 makes the determinant less than 2^36 1e-300 Q: all below 2^-959 Q. No value
-// exceeds 2^36 Q, so that nothing overflows while 2^36 Q < 2^1023.
+// Ends measuring: derives the bounds.
+//
+// Underflow, or flushing results and operands to zero, adds an error of at most 2^-1022 for each operation. Let Q be
+// the product of the max(1, m_j). With minors there are less than 2^13 operations, and each error is multiplied by
+// other entries, at most Q in size together, in at most n! < 2^19 monomials. With elimination an error is multiplied by
+// pivots, in at most n h 2^n < 2^36 ways (2^n because pivots grow) of 2^3 operations each. A column without a pivot
+// above 1e-300 makes the determinant less than 2^36 1e-300 Q. All of that is below 2^-959 Q. No value exceeds 2^36 Q,
+// so that nothing overflows if 2^36 Q < 2^1023.
 static void paradt__space_end(paradt__space *s) {
     const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
     const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
@@ -1655,12 +1591,12 @@ static void paradt__space_end(paradt__space *s) {
                   s->weights.bottom >= -240;
     s->bounded = precise && growth <= 940;
     s->tiny = s->bounded ? paradt__power(growth - 950) : 0;
-    // such products and conversions are exact in any rounding mode, and there is nothing to flush to zero
+    // these products and conversions are exact in any rounding mode, and none of them can be flushed to zero
     s->per_unit = 0;
     if (precise && unit >= -900 && unit < s->coordinates.top && s->coordinates.top <= paradt__min(unit + 59, 900))
         s->per_unit = paradt__power(-unit);
     if (!s->bounded) return;
-    for (int j = 0; j < d; j++) { // extents in descending order: the product of the first k is that of any k at most
+    for (int j = 0; j < d; j++) { // extents in descending order: no k of them have a larger product than the first k
         double extent = 0;
         int i = j;
         if (s->low[j] < s->high[j])
@@ -1686,10 +1622,10 @@ static void paradt__space_end(paradt__space *s) {
     }
 }
 
-// -1, 0, 1: the lexicographic order by the first dim coordinates
+// Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
 PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
     for (int j = 0; j < s->dim; j++) {
-        if (s->filtered) { // nothing that could be flushed to zero
+        if (s->filtered) { // no number is so small that it could be flushed to zero
             if (a[j] != b[j]) return a[j] < b[j] ? -1 : 1;
         } else {
             int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
@@ -1702,9 +1638,16 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filters
 //
-// Doors: to be listed.
+// Determinants in doubles. A filter returns the determinant's sign, or PARADT__UNDECIDED if rounding may have changed
+// it. The space must be bounded, so that nothing overflows, and its points measured. A filter first compares with the
+// error bound for all points of the set, which costs nothing; only where that does not decide, it computes the bound
+// for its points. The bounds are derived in >>space.
+// Doors: paradt__filter_orient2, paradt__filter_orient3, paradt__filter_insphere2, paradt__filter_insphere3,
+// paradt__filter4, paradt__filter_any.
 
-// The filters' last step. largest: the product of the columns' largest entries
+#define PARADT__UNDECIDED 2
+
+// The last step of each filter. largest: the product of the columns' largest entries
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
     double error = b->factor * largest + s->tiny;
     if (value > error) return 1;
@@ -1714,6 +1657,7 @@ PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest
     return 0;
 }
 
+// The orientation of p[0..2]
 PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
@@ -1723,6 +1667,7 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
+// The orientation of p[0..3]
 PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2], *c = p[3];
     double x[3] = {a[0] - o[0], b[0] - o[0], c[0] - o[0]};
@@ -1734,7 +1679,8 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
 }
 
-// The rest of a lift whose first k squares are summed already: further coordinates and weights. *size bounds all of it.
+// Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
+// first k squares, and subtracts the weights' difference. *size: a bound of the lift's size, for the error
 PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d, int weighted, const double *a,
                                         const double *o) {
     for (int j = k; j < d; j++) lift += (a[j] - o[j]) * (a[j] - o[j]);
@@ -1742,6 +1688,7 @@ PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d,
     return weighted ? lift - (a[d] - o[d]) : lift;
 }
 
+// Is p[3] inside the circle of p[0..2]? d >= 2: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[3];
     double x[3], y[3], lift[3], size[3], det;
@@ -1757,8 +1704,8 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
                           &s->insphere[2]);
 }
 
-// The sum of the sizes of all monomials of four rows: never larger than 24 times the product of the columns' largest
-// entries, and much smaller where some rows are, as among points on a curve.
+// The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
+// entries, and much less if some rows are small, as those of points on a curve are.
 static double paradt__monomials4(const double *x, const double *y, const double *z, const double *lift) {
     double a[4], b[4], c[4], sum = 0;
     for (int i = 0; i < 4; i++) {
@@ -1774,6 +1721,7 @@ static double paradt__monomials4(const double *x, const double *y, const double 
     return sum;
 }
 
+// Is p[4] inside the sphere of p[0..3]? d >= 3: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[4];
     double x[4], y[4], z[4], lift[4], size[4], det;
@@ -1787,7 +1735,7 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xy30 = x[3] * y[0] - x[0] * y[3], xy02 = x[0] * y[2] - x[2] * y[0], xy13 = x[1] * y[3] - x[3] * y[1];
     double xyz012 = xy01 * z[2] + xy12 * z[0] - xy02 * z[1], xyz123 = xy12 * z[3] + xy23 * z[1] - xy13 * z[2];
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
-    // minus the determinant of the rows (x, y, z, lift), as it takes in odd dimensions
+    // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
@@ -1796,15 +1744,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
 }
 
-// Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
-// out, by the pairs of the first two columns and those of the next two.
+// The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
+// first two and in the last two columns
 PARADT__INLINE double paradt__without(double (*xy)[5], double (*zw)[5], int out) {
     const int a = out == 0, b = 1 + (out <= 1), c = 2 + (out <= 2), d = 3 + (out <= 3);
     return (xy[a][b] * zw[c][d] - xy[a][c] * zw[b][d]) + (xy[a][d] * zw[b][c] + xy[b][c] * zw[a][d]) +
            (xy[c][d] * zw[a][b] - xy[b][d] * zw[a][c]);
 }
 
-// Four dimensions: n = 4 for the orientation (base p[0]), 5 for the in-sphere test (base p[5])
+// Either determinant in 4 dimensions, of rows p[0..n-1] - base: n = 4 for the orientation, 5 for the in-sphere test
 PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, const double *base, int n, int d) {
     double x[4][5], xy[5][5], zw[5][5], lift[5], size[5], det, largest = 1;
     const paradt__bounds *b = n == 4 ? &s->orient[4] : &s->insphere[4];
@@ -1834,14 +1782,14 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
     return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
 }
 
-// Determinant of n rows by elimination with pivots; 0 also when there is no pivot
+// Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     double det = 1;
     for (int t = 0; t < n; t++) {
         int pivot = t;
         for (int i = t + 1; i < n; i++)
             if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot this small is noise of underflow; its reciprocal would overflow
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
         if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
         if (pivot != t) {
             det = -det;
@@ -1860,10 +1808,12 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     return det;
 }
 
-// Rows p[0..n-1] - base: k coordinates and, when n > k, the lift
+// Either determinant in any dimension, of rows p[0..n-1] - base: k coordinates and, if n > k, the lift over d
+// coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
     double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
         double lift = 0, size;
         for (int j = 0; j < k; j++) {
@@ -1882,18 +1832,158 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>exact stages
+// >>digits
 //
-// Doors: to be listed.
+// Integers of any length, for determinants that no machine integer holds. paradt__wide is the widest integer that the
+// compiler computes with. A longer number is an array of digits in base 2^PARADT__RADIX, least significant first, and
+// balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1), where the last digit may be larger if that is stated. Products
+// are summed digit by digit in an array of wide integers, a sum; PARADT__SUMMANDS products fit before carries must be
+// taken. So a sum has neither a carry nor a sign to care for, the sign of a number is that of its highest digit other
+// than 0, and the difference of two doubles has few digits other than 0, however far apart their exponents are.
+// Functions whose names end in _any are for numbers of any length; the others are unrolled, for constant lengths.
+// Doors: paradt__digit_count, paradt__low_digit, paradt__carry, paradt__sign, paradt__clear, paradt__clear_any,
+// paradt__multiply_add, paradt__multiply_add_any, paradt__add_shifted, paradt__make_room, paradt__store,
+// paradt__store_any.
 
-// What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
-// n > k, the lift over d coordinates.
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 paradt__wide;
+typedef int64_t paradt__digit;
+#define PARADT__WIDE_BITS 127 // without the sign
+#define PARADT__RADIX     60
+#else
+typedef int64_t paradt__wide;
+typedef int32_t paradt__digit;
+#define PARADT__WIDE_BITS 63
+#define PARADT__RADIX     28
+#endif
+
+// The number of products of two balanced digits that fit into a wide integer beside a carry: 508
+#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
+
+// The number of digits, the last one balanced too, of an integer below 2^bits in size
+PARADT__INLINE int paradt__digit_count(int bits) {
+    return bits / PARADT__RADIX + 1;
+}
+
+// Returns the balanced digit of x = digit + 2^PARADT__RADIX * carry.
+PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
+    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
+    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
+}
+
+// Returns the carry of the same sum.
+PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
+    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
+}
+
+// The sign of a number, -1, 0 or 1
+PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
+    PARADT_ASSERT(count > 0);
+    while (count > 1 && !digits[count - 1]) count--;
+    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
+}
+
+PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
+    PARADT__UNROLL
+    for (int i = 0; i < count; i++) sum[i] = 0;
+}
+
+PARADT__INLINE void paradt__clear_any(paradt__wide *sum, int count) {
+    memset(sum, 0, (size_t)count * sizeof *sum);
+}
+
+// Adds sign * a[an] * b[bn] to the sum. Each of its elements receives at most min(an, bn) products of digits.
+PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                         const paradt__digit *b, int bn) {
+    PARADT__UNROLL
+    for (int i = 0; i < an; i++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        PARADT__UNROLL
+        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+// Adds sign * mantissa * 2^shift to the sum; mantissa < 2^53, shift >= 0. A summand of an element is below
+// 2^(2 RADIX - 1).
+PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
+    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
+    PARADT_ASSERT(shift >= 0);
+    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
+        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
+        *sum++ += sign < 0 ? -part : part;
+    }
+}
+
+// Takes the carries of sum[count] in place.
+PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
+    for (int i = 0; i + 1 < count; i++) {
+        sum[i + 1] += paradt__carry(sum[i]);
+        sum[i] = paradt__low_digit(sum[i]);
+    }
+}
+
+// Prepares sum[count] for another `products` products an element. *used counts those since the last carries.
+PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
+    PARADT_ASSERT(products <= PARADT__SUMMANDS);
+    *used += products;
+    if (*used <= PARADT__SUMMANDS) return;
+    paradt__balance(sum, count);
+    *used = products;
+}
+
+// Takes the carries of sum[count] and writes the digits of the number. The last digit is what remains, balanced or not.
+PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    PARADT__UNROLL
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>exact
+//
+// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
+// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
+// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+
+// ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+
+// The determinant of the n rows row[i] - base: k columns of coordinates and, if n > k, the lift over d coordinates
 typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
 } paradt__determinant;
 
+// The range of the coordinates (or weights) first..end - 1 of all rows and the base
 static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
@@ -1903,7 +1993,7 @@ static paradt__range paradt__measure_columns(const paradt__determinant *q, int f
     return range;
 }
 
-// |x| / 2^unit = mantissa * 2^*shift for a multiple of 2^unit
+// Returns the mantissa of |x| / 2^unit = mantissa * 2^*shift. x: a multiple of 2^unit
 PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1911,16 +2001,18 @@ PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     return mantissa ? mantissa >> paradt__max(unit - e, 0) : 0;
 }
 
-// The numbers of a task as integers: differences of at most 60 bits and a sign
+// --- numbers that fit: the small stage
+
+// The entries of a determinant as integers: differences of at most 60 bits and a sign
 typedef struct paradt__fixed {
-    int unit;      // of the coordinates; 2 * unit is the lifts'
-    int bits;      // differences are below 2^bits
-    int lift_bits; // lifts are below 2^lift_bits
+    int unit;      // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits;      // differences are below 2^bits in size
+    int lift_bits; // lifts are below 2^lift_bits in size
     int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
-// x / 2^unit for |x| < 2^(unit + 59); *lost collects the bits below the unit
+// Returns x / 2^unit, for |x| < 2^(unit + 59), and adds the bits below the unit to *lost.
 PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     int e, drop;
     uint64_t mantissa = paradt__split(x, &e) << 10;
@@ -1929,7 +2021,7 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     return paradt__bits(x) >> 63 ? -(int64_t)(mantissa >> drop) : (int64_t)(mantissa >> drop);
 }
 
-// Fills f->x in the unit of the set.
+// Fills f->x in the unit of the set, which s->per_unit must allow.
 PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
                                        int columns) {
     f->unit = s->coordinates.unit;
@@ -1942,7 +2034,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
     }
 }
 
-// Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
+// Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
+// weight needs a smaller unit.
 PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
@@ -1975,19 +2068,19 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determina
     return 1;
 }
 
-// Fills f but for the lifts. 0: differences or weights do not fit.
+// Fills f without the lifts. Returns 0 if differences or weights do not fit.
 PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
     if (s->per_unit > 0 && 2 * s->coordinates.unit <= weights.unit) paradt__fix_by_set(f, s, q, columns);
     else if (!paradt__fix_by_bits(f, q, columns, &weights)) return 0;
-    // the sum of up to 8 squares, and a difference of weights
+    // a sum of up to 8 squares, and the difference of two weights
     f->lift_bits = paradt__max(2 * f->bits + 3, weights.top + 1 - 2 * f->unit) + (weights.top > weights.bottom);
     return 1;
 }
 
-// Fills f->lift, which must fit in wide integers.
+// Fills f->lift. f->lift_bits must be at most PARADT__WIDE_BITS - 5.
 PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
@@ -2003,11 +2096,12 @@ PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinan
     }
 }
 
-// Determinants of the rows in wide integers. pair(i, j): of their first two columns
+// The determinant of rows i and j in the first two columns
 PARADT__INLINE paradt__wide paradt__wide_pair(const paradt__fixed *f, int i, int j) {
     return (paradt__wide)f->x[i][0] * f->x[j][1] - (paradt__wide)f->x[j][0] * f->x[i][1];
 }
 
+// The determinant of all rows, which must fit in a wide integer, for k = 2 or 3
 PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, int k) {
     paradt__wide p01 = paradt__wide_pair(f, 0, 1), p02, p12, p03, p13, p23, z0, z1, z2, z3;
     if (n == 2) return p01;
@@ -2020,7 +2114,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
            f->lift[1] * (z0 * p23 - z2 * p03 + z3 * p02) - f->lift[0] * (z1 * p23 - z2 * p13 + z3 * p12);
 }
 
-// The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
+// The same for any k. minor[mask] is the determinant of the rows in the mask and of as many first columns.
 PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
@@ -2031,34 +2125,40 @@ PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, in
         for (unsigned rest = mask; rest; rest &= rest - 1) {
             int i = paradt__trailing_zeros(rest);
             paradt__wide x = column < k ? f->x[i][column] : f->lift[i];
-            sum = x * minor[mask ^ 1u << i] - sum; // along the last column, whose last row counts positive
+            sum = x * minor[mask ^ 1u << i] - sum; // along the last column: the sign of its last row is positive
         }
         minor[mask] = sum;
     }
     return minor[(1 << n) - 1];
 }
 
-// few: k is 2 or 3
+// few: is k 2 or 3?
 PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k, int few) {
     paradt__wide det = few ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
     return (det > 0) - (det < 0);
 }
 
-// --- general
+// --- numbers of any length: the general stage
 
-// The lengths of a task's numbers
+// The lengths of a determinant's entries. Units are exponents.
 typedef struct paradt__layout {
     int unit, bits, digits;                // of the coordinates' differences
     int lift_unit, lift_bits, lift_digits; // of the lifts; 2 unit - lift_unit is a multiple of PARADT__RADIX
 } paradt__layout;
 
-// Places on the stack for all numbers of a task, and for sums. The largest task, 8 columns of differences of 2099 bits,
-// takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
+// Two sizes of room on the stack, each for all numbers of a determinant and for sums. Differences have at most 2099
+// bits (from 2^-1074 to 2^1025), lifts 4202 (from 2^-2148 to 2^2054): 35 and 71 digits of 60 bits, or 75 and 151 of 28.
+//   small  Every determinant of up to 3 columns of coordinates fits. The largest is the weighted in-sphere test with
+//          k = 3: rows take 4 (3 35 + 71) = 704 digits, minors of 1 or 3 columns 4 106 = 424, of 2 columns 6 70 = 420,
+//          together 1548, and sums 177 elements. With digits of 28 bits: 1504 + 904 + 900 = 3308, and 377.
+//   large  Every determinant fits. The largest, with k = 8, takes 5768 digits of 60 bits and sums of 562 elements, or
+//          12328 and 1202 of 28 bits, when it is made from halves (paradt__general_halves).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
 #define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
 #define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
+// Finds the lengths: from the set's range or, if that is long, from the points'.
 static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
@@ -2076,20 +2176,7 @@ static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__dete
     return y;
 }
 
-// Room for more products in the sums of count elements: *used of PARADT__SUMMANDS are taken
-PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
-    *used += products;
-    if (*used <= PARADT__SUMMANDS) return;
-    paradt__balance(sum, count);
-    *used = products;
-}
-
-PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
-    PARADT__UNROLL
-    for (int i = 0; i < count; i++) sum[i] = 0;
-}
-
-// sum += sign * (a - b) / 2^unit
+// Adds sign * (a - b) / 2^unit to the sum.
 PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a, double b, int unit) {
     int shift;
     uint64_t mantissa = paradt__mantissa(a, unit, &shift);
@@ -2098,7 +2185,7 @@ PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a
     paradt__add_shifted(sum, paradt__bits(b) >> 63 ? sign : -sign, mantissa, shift);
 }
 
-// digits = a - b; a wide integer holds it
+// Writes the digits of (a - b) / 2^unit, which must fit in a wide integer.
 PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, double a, double b, int unit) {
     int shift;
     paradt__wide x, y;
@@ -2111,22 +2198,22 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
     digits[count - 1] = (paradt__digit)x;
 }
 
-// Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
-// it uses as much as y->digits; sum has place for all of a lift and y->digits more.
+// Writes the rows one after another: each k numbers of y->digits and, with the lift, one of y->lift_digits. Uses
+// another y->digits behind the rows. sum: room for a lift and y->digits more
 PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
                                         const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
-        int used = 8; // weights add less than so many products
-        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
+        int used = 8; // the weights add less than 8 products
+        if (lifted) paradt__clear_any(lift, y->lift_digits);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                memset(sum, 0, (size_t)y->digits * sizeof *sum);
+                paradt__clear_any(sum, y->digits);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
                 paradt__store_any(x, sum, y->digits);
             }
@@ -2142,22 +2229,23 @@ PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, c
     }
 }
 
-// Where the minors of the columns first, first + 1, ... of a task are made
+// The minors of a determinant that consist of columns first, first + 1, ...
 typedef struct paradt__minors {
-    const paradt__determinant *task;
+    const paradt__determinant *whole;
     const paradt__layout *layout;
-    const paradt__digit *rows;
+    const paradt__digit *rows; // as paradt__load_rows writes them
     int first;
 } paradt__minors;
 
-// Digits of a minor of so many columns
+// The number of digits of a minor of so many columns
 PARADT__INLINE int paradt__minor_digits(const paradt__minors *m, int columns) {
-    int lifted = m->first + columns > m->task->k;
+    int lifted = m->first + columns > m->whole->k;
     return paradt__digit_count((columns - lifted) * m->layout->bits + lifted * m->layout->lift_bits +
                                paradt__log_factorial[columns]);
 }
 
-// Digits that the minors of so many rows need at most, of an odd (parity 1) or even number of columns
+// The most digits that all minors of one size take together, among sizes of odd (parity 1) or even parity, if they are
+// made of so many rows
 static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     int most = 0;
     for (int columns = 1, binomial = rows; columns <= rows; columns++) {
@@ -2167,18 +2255,19 @@ static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     return most;
 }
 
-// The next larger number with as many bits set (Gosper's hack)
+// Returns the next larger number with as many bits set (Gosper's hack).
 PARADT__INLINE unsigned paradt__next_subset(unsigned set) {
     unsigned low = set & (0 - set), ripple = set + low;
     return ripple | ((set ^ ripple) >> 2) / low;
 }
 
-// The determinant of the rows in the set, as many columns from m->first on: its digits, in work, and their number. Of
-// every size all minors are made from those one column smaller, in two places that take turns.
+// Computes the minor of the rows in the set and of as many columns from m->first. Returns its digits, in work, and
+// their number in *digits. All minors of each size are made from those that are one column smaller, in two areas of
+// work that take turns.
 static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set, paradt__digit *work, paradt__wide *sum,
                                           int *digits) {
     const paradt__layout *y = m->layout;
-    int k = m->task->k, row_digits = k * y->digits + (m->task->n > k ? y->lift_digits : 0);
+    int k = m->whole->k, row_digits = k * y->digits + (m->whole->n > k ? y->lift_digits : 0);
     int row[PARADT__MAX_ROWS], rows = 0, previous = 0;
     uint16_t place[1 << PARADT__MAX_ROWS];
     paradt__digit *places[2], *from = NULL;
@@ -2191,7 +2280,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            memset(sum, 0, (size_t)length * sizeof *sum);
+            paradt__clear_any(sum, length);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2213,14 +2302,14 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The determinant of all rows is the sum over sets of half the rows: minors of the first columns in these times minors
-// of the other columns in the others (Laplace). For 9 rows that takes six times as long and a sixth of the
-// space.
+// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
+// a sixth of the room and six times as long.
 static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
-    int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
+    int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    memset(sum, 0, (size_t)digits * sizeof *sum);
+    paradt__clear_any(sum, digits);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2235,7 +2324,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     return paradt__sign(work, digits);
 }
 
-// 1: so many digits, and sums of so many, are room for all minors at once
+// Do all minors fit together into so many digits, and the sums into so many elements?
 static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
@@ -2244,6 +2333,7 @@ static int paradt__general_fits(const paradt__determinant *q, const paradt__layo
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
+// whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
 PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
                                      paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
@@ -2270,15 +2360,16 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
     return paradt__general(q, y, work, sum, whole);
 }
 
-// --- fixed
+// --- one or two digits: the fixed stage
 
 #ifdef __SIZEOF_INT128__
-// Rows as paradt__load_rows makes them, w digits a coordinate and 2 w a lift: every product of numbers has just as many
-// digits as they have together, for
-//   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
-//          (below 2^122) 2^62, sums of four products of them below 2^126.7
-//   w = 2  numbers of 117 bits, all digits balanced
-// p[2 w] = the determinant of the first two columns of two rows
+// The rows are as paradt__load_rows writes them, with w digits a coordinate and 2 w a lift, and every product of
+// numbers gets as many digits as its factors have together. That suffices for
+//   w = 1  differences of 60 bits. Last digits may exceed the radix: they are at most 2^61 for pairs, 2^62.6 for
+//          triples and 2^62 for lifts (which are below 2^122), so that a sum of four of their products is below 2^126.7
+//   w = 2  differences of 117 bits, with all digits balanced
+
+// Computes p[2 w], the determinant of the rows a and b in the first two columns.
 PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
@@ -2287,7 +2378,8 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
-// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+// Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
+// third: digits of an entry in the third column
 PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
                                          const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
                                          const paradt__digit *ab, int w) {
@@ -2299,7 +2391,7 @@ PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const para
     paradt__store(t, sum, 2 * w + third);
 }
 
-// w: a constant
+// The sign of the determinant. w: a constant, 1 or 2
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
     const int stride = k * w + (n > k ? 2 * w : 0);
     const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
@@ -2343,13 +2435,13 @@ PARADT__INLINE int paradt__fixed_one(const paradt__fixed *f, int n, int k) {
     return paradt__fixed_sign(rows, n, k, 1);
 }
 
-// 1: two digits do for the coordinates, four for the lifts
+// Do two digits suffice for the differences, and four for the lifts?
 PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     if ((k != 2 && k != 3) || y->bits > 117) return 0;
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-// Rows of two digits a coordinate and four a lift
+// Writes rows of two digits a coordinate and four a lift.
 PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
     const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
     for (int i = 0; i < q->n; i++) {
@@ -2374,11 +2466,14 @@ PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const parad
 }
 #endif
 
-// The sign of the task's determinant. few: k is 2 or 3, and n, k and d are constants, for only then the loops of the
-// ways for few columns are unrolled into code that is short and fast.
+// --- which stage
+
+// The sign of the determinant. few: k is 2 or 3, and n, k and d are constants, so that the compiler unrolls the loops
+// of the small stage and of the fixed stage with one digit.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
     const paradt__determinant q = {n, k, d, s->weighted, row, base};
+    PARADT_ASSERT((n == k || n == k + 1) && k >= 1 && k <= d && d <= PARADT_MAX_DIM);
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2426,7 +2521,7 @@ PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *con
     return -paradt__exact_inline(s, p, p[4], 4, 3, 3, 1);
 }
 
-// Points of a plane in space
+// The in-sphere test for points of a plane in space
 PARADT__NOINLINE int paradt__exact_flat3(paradt__space *s, const double *const *p) {
     return paradt__exact_inline(s, p, p[3], 3, 2, 3, 1);
 }
@@ -2435,12 +2530,14 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
     return paradt__exact_inline(s, row, base, n, s->dim, s->ambient, 0);
 }
 
+// The orientation of p[0..k], k = s->dim
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
+// The in-sphere test of p[k + 1] with p[0..k]
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
     if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
@@ -2453,10 +2550,23 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>signs
 //
-// Doors: to be listed.
+// The predicates: orientation, in-sphere test, and the test for conflict, which is the in-sphere test with its ties
+// broken. Each asks a filter first and the exact stages if the filter is undecided. All points must have been measured
+// into the space, and the cell of an in-sphere test must be positively oriented.
+// The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
+// CGTA 44, 2011. The public predicates measure the points of each call.
+// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
 
+// Was the set measured, up to the end, and are the dimensions among those measured?
+PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
+    return s->dim >= 1 && s->dim <= s->ambient && s->ambient <= PARADT_MAX_DIM &&
+           (!s->bounded || s->insphere[s->dim].factor > 0);
+}
+
+// The orientation by the first k coordinates. k: s->dim, as a constant where code for it alone is wanted
 PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
@@ -2474,8 +2584,10 @@ static int paradt__orient(paradt__space *s, const double *const *p) {
     return paradt__orient_any(s, p, s->dim);
 }
 
+// The in-sphere test. k, d: s->dim and s->ambient, as constants where code for them alone is wanted
 PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p, int k, int d) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.insphere_calls++;
     if (s->bounded)
         sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
@@ -2485,15 +2597,15 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
-// Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
+// Returns 1 if p[k + 1] is inside the sphere of the cell p[0..k], 0 if it is on the sphere, -1 if it is outside.
 static int paradt__insphere(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
-// The lexicographically largest of p[0..query], but for those in the mask `done`. In three dimensions without branches,
-// for in lattices they can't be foreseen.
+// Returns the place of the lexicographically largest of p[0..query] that is not in the mask `done`. In 3 dimensions it
+// does not branch on comparisons, as the processor could not predict the branches in lattices.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
     if (PARADT__IS(s->dim, 3) && s->filtered) {
@@ -2513,14 +2625,15 @@ PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *c
     return largest;
 }
 
-// What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
-// going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
-// raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
-// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, CGTA 44, 2011).
+// Decides an in-sphere test of sign 0: 1 in conflict, 0 not. The query is p[k + 1]. The perturbation raises the lifts
+// of all points, those of lexicographically larger points overwhelmingly more: going down from the largest point, the
+// first one whose lift matters decides. Raising the query's lift moves the query outside. Raising the lift of p[i]
+// moves the query inside if the cell stays positively oriented when the query takes the place of p[i].
 PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p) {
     const int query = s->dim + 1;
     const double *other[PARADT__MAX_ROWS];
     unsigned done = 0;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.perturbed++;
     for (;;) {
         int largest = paradt__largest_point(s, p, query, done), sign;
@@ -2532,7 +2645,7 @@ PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p)
     }
 }
 
-// Of k + 2 points: 1 when p[k + 1] is in conflict with the cell of the positively oriented p[0..k], else 0
+// Is p[k + 1] in conflict with the cell p[0..k]? 1 or 0; there are no ties.
 static int paradt__conflict(paradt__space *s, const double *const *p) {
     int sign = paradt__insphere(s, p);
     return sign ? sign > 0 : paradt__perturbed(s, p);
@@ -2546,12 +2659,15 @@ PARADT_DEF int paradt_orient(int dim, const double *const *points) {
     return paradt__orient(&s, points);
 }
 
-// Copies of the points with their weights behind them
+// --- the public predicates
+
+// Copies of points, each with its weight behind it
 typedef struct paradt__joined {
     double memory[PARADT_MAX_DIM + 2][PARADT_MAX_DIM + 1];
     const double *points[PARADT_MAX_DIM + 2];
 } paradt__joined;
 
+// Copies dim + 2 points and their weights, and measures them. weights: NULL: none
 static void paradt__join(paradt__joined *joined, paradt__space *s, int dim, const double *const *points,
                          const double *weights) {
     paradt__space_begin(s, dim, dim, weights != NULL);
