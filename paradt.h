@@ -722,6 +722,135 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
 
 // READING THE IMPLEMENTATION
+//
+// A POINT'S WAY through the file, from the caller's array to the caller's cells:
+//
+//       the caller's points                                            index
+//             |
+//             |  >>reading, >>sorting: finite, distinct, along Hilbert's curve, box after box
+//             |  >>scale and axes: the axes that orient, a scale for the filters
+//             v
+//       a set of records                                               position
+//             |
+//             +---------------- facet by facet ---+---------------- point by point -----+
+//             |                                   |                                     |
+//             |  >>grid          cells of eight   |  >>order of insertion   rounds      |
+//             |  >>first simplex where to begin   |  >>insertion     walk, dig, star    |
+//             |  >>search        the apex         |  >>kept spheres  tests by one       |
+//             |  >>front         the AFL          |                  product, in space  |
+//             |  >>incode, >>dewall               |                                     |
+//             v                                   v                                     |
+//       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
+//             |                                   |                                     |
+//             +-----------------+-----------------+                                     |
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>patches and
+//                               |  >>regions of insertion
+//                               |
+//                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
+//                               |  handles become numbers
+//                               v
+//       paradt_triangulation                                           index, number
+//
+// INDEX SPACES. All are paradt_index or size_t; a variable's name says of which space it is.
+//
+//     index      a point as the caller counts. set.origin[position] gives it
+//     position   a point in a set: its record is records + position * width. The vertices of a mesh are positions until
+//                the mesh is closed. A region's patch counts its own points first, then others' (vertex)
+//     place      a cell in a mesh, a point in a grid: its row, wherever the cell or point moves from
+//     handle     a facet as one of its cells sees it: corners * place + i, opposite vertex i. Links are handles
+//     number     a cell as delivered
+//     slot       of a hash table
+//     region     0 to regions - 1, a box of space; a rank in paradt_mpi.h
+//
+// SENTINELS
+//
+//     PARADT__HULL      a link: no cell is on the other side        PARADT__INFINITE  a vertex: that of ghosts
+//     PARADT__OPEN      a link: the cell there is not known;        PARADT__DEAD      a vertex: the place is free
+//                       a list's end                                PARADT__NOWHERE   no position, no place
+//     PARADT__GAVE_UP   a status: another way is to be tried        PARADT__FAR       a bound: there is none
+//
+// VOCABULARY. The field's words: cell, facet, ridge (a facet of a facet), vertex, apex (the vertex opposite a facet),
+// star and link of a vertex, conflict, cavity, hull, circumsphere, active face list (AFL). And of this file:
+//
+//     ghost           the cell on the outer side of a hull facet, with the infinite vertex
+//     half-facet      a facet as one of its cells sees it; its mirror: as the other cell does
+//     rim             the cavity's facets; to star the cavity: to join the point with the rim
+//     update          what a change did: cells killed, cells made
+//     region, owner   a box of space; the region that delivers a cell which several make
+//     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     seam            facets between the first region's cells and others'
+//     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
+//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
+//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     filter          floating point that decides, or says that it can't
+//
+// THREE READING PATHS
+//
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//                       where it is fast; >>inserting
+//     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>patches and the sections behind it,
+//                       >>regions of insertion; then paradt_mpi.h
+//
+// CONTENTS, with the lines of each section
+//
+//   ground
+//     memory                       166   the account of every byte
+//     numbers                      200   bit patterns, integers, small helpers
+//     tasks                        181   progress, teams, pauses, the clock
+//   predicates
+//     space                        233   what the predicates know of a set
+//     filters                      196   signs in floating point, with error bounds
+//     digits                       132   integers of many digits
+//     exact                        584   signs in integers
+//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//   points
+//     curve                        323   Hilbert's curve, sorting along it
+//     points                       162   the caller's points, records
+//     measures                     144   points that span, spacing
+//     cuts                         220   boxes of space
+//     reading                      199   the first pass over the points
+//     sorting                      372   along the curve, box after box
+//     scale and axes               102   the scale, the axes that orient
+//     reference sphere             194   sagittas near a sphere
+//   mesh
+//     mesh                         636   cells, links, ghosts, free places; closing
+//     facets                       255   the table of facets: AFL, ridges, open facets
+//     scene                         94   conflict test, walk, update
+//   search
+//     grid                         320   a hierarchy of boxes over a set
+//     search kernels               387   tests of eight boxes or points together
+//     pencil                       444   the spheres through a facet
+//     search                       353   the apex of a facet, a point in a sphere
+//     questions                     75   the same of cells of others' points
+//   making
+//     first simplex                139   a cell to begin with
+//     reach                         96   which cells a region makes and owns, facet by facet
+//     front                        403   what facet by facet has in common
+//     incode                        28   incremental construction
+//     dewall                       145   divide and conquer, merge first
+//     order of insertion           120   rounds along the curve
+//     insertion                    254   dig and star, in any dimension
+//     kept spheres                 503   conflict tests by one product, in space
+//     insertion in space           651   dig and star with kept spheres
+//     insertion in space by AVX2   463   its inner functions for four lanes
+//     inserting                    169   insertions from begin to end
+//   division
+//     regions                      112   @@
+//     patches                      560   @@
+//     telling                      269   @@
+//     seam                         262   @@
+//     call                         179   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         544   the steps of a divided insertion
+//   entry
+//     methods                      212   one row a method; AUTO's choice
+//     triangulate                  342   the entry
+//   division
+//     remote                       352   @@
+//   check
+//     check                        737   the certificate
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
