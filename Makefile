@@ -18,7 +18,7 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run check test bench thesis study clean help test-programs test-list
+.PHONY: all run check test bench thesis study lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -181,6 +181,15 @@ $(BUILD)/bench/study: tests/bench/study.c
 
 study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
 	sh tests/bench/study.sh
+
+LIBRARY := $(BUILD)/libparadt.so
+# Only the public functions are visible.
+lib: $(LIBRARY) ## Build a shared library, for programs in other languages: build/libparadt.so
+
+$(LIBRARY): paradt.h
+	@mkdir -p $(@D)
+	echo '#include "paradt.h"' | $(CC) $(CFLAGS) $(WARNINGS) -fPIC -fvisibility=hidden -shared -I. -DPARADT_IMPLEMENTATION \
+	    '-DPARADT_DEF=extern __attribute__((visibility("default")))' -x c -o $@ - -lm
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

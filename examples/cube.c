@@ -1,4 +1,4 @@
-// cc -o cube examples/cube.c -lm && ./cube
+// cc -O2 -o cube examples/cube.c -lm && ./cube
 #define PARADT_IMPLEMENTATION
 #include "../paradt.h"
 #include <stdio.h>
@@ -10,9 +10,10 @@ int main(void) {
     paradt_triangulation t;
     if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
         return 1;
+    const size_t k = (size_t)t.dim + 1; // vertices a cell
     for (size_t c = 0; c < t.cell_count; c++)
-        printf("%d %d %d %d\n", (int)t.cells[4 * c], (int)t.cells[4 * c + 1], (int)t.cells[4 * c + 2],
-               (int)t.cells[4 * c + 3]);
+        for (size_t j = 0; j < k; j++)
+            printf("%d%c", (int)t.cells[k * c + j], j + 1 < k ? ' ' : '\n');
     paradt_free(&t);
     return 0;
 }

@@ -3,7 +3,7 @@
 //     cc -O3 -o paradt examples/paradt.c -pthread -lm
 //     paradt gen:plummer:100000:1 -o cluster.vtu -o cluster.png --check
 //
-// `paradt --help` says what it reads, writes and does; paradt_io.h has the details of the formats.
+// `paradt --help` lists the inputs, outputs and options; paradt_io.h describes the file formats.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"
@@ -16,7 +16,7 @@
 
 enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
 enum { MAX_JOBS = 1024 };
-enum { POINTS_PER_REGION = 20000 }; // with fewer, what regions compute twice outweighs what they share out
+enum { POINTS_PER_REGION = 20000 }; // in smaller regions, cells that are made twice cost more than threads gain
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>settings
@@ -25,26 +25,29 @@ typedef struct settings {
     const char *input;
     const char **outputs;
     size_t output_count;
-    const char *stats; // file, or "-"; NULL: none
+    const char *stats; // file to write; "-": standard output; NULL: no statistics
     paradt_io_want want;
     paradt_method method;
     paradt_partition partition;
-    size_t regions; // 0: as suits the jobs
-    size_t jobs;    // 0: all processors
+    size_t regions; // 0: plan() chooses
+    size_t jobs;    // 0: one a processor
     int check, hash, quiet, help, version;
 } settings;
 
+// Prints an error. Returns the status.
 static int fail(int status, const char *text) {
     fprintf(stderr, "paradt: %s\n", text);
     return status;
 }
 
-// Says what is wrong with the command line; returns 0.
-static int wrong(const char *option, const char *reason) {
-    fprintf(stderr, "paradt: %s: %s (paradt --help lists the options)\n", option, reason);
+// Prints an error of the command line. value: of the option, NULL if it is not to be named. Returns 0.
+static int wrong(const char *option, const char *value, const char *reason) {
+    fprintf(stderr, "paradt: %s%s%s: %s (paradt --help lists the options)\n", option, value ? " " : "",
+            value ? value : "", reason);
     return 0;
 }
 
+// Reads a whole number from 1 to `high`. Returns 1, or 0 if the text is something else.
 static int take_number(const char *text, uintmax_t high, size_t *value) {
     char *end;
     uintmax_t number;
@@ -55,6 +58,8 @@ static int take_number(const char *text, uintmax_t high, size_t *value) {
     *value = (size_t)number;
     return 1;
 }
+
+// Each take_... function stores the value of an option. It returns NULL, or what is wrong with the value.
 
 static const char *take_output(settings *s, const char *value) {
     s->outputs[s->output_count++] = value;
@@ -89,7 +94,8 @@ static const char *take_jobs(settings *s, const char *value) {
 
 static const char *take_partition(settings *s, const char *value) {
     s->partition = strcmp(value, "uniform") == 0 ? PARADT_UNIFORM : PARADT_BISECTION;
-    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL : "bisection or uniform";
+    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL
+                                                                             : "a partition is bisection or uniform";
 }
 
 static const char *take_stats(settings *s, const char *value) {
@@ -99,24 +105,24 @@ static const char *take_stats(settings *s, const char *value) {
 
 static const struct {
     const char *name;
-    const char *value;                                   // what --help calls its argument; NULL: it takes none
-    const char *(*take)(settings *s, const char *value); // returns NULL, or what is wrong with the value
-    size_t flag;                                         // without an argument: the int to set
-    const char *about;
+    const char *value;                                   // name of the argument in --help; NULL: no argument
+    const char *(*take)(settings *s, const char *value); // stores the argument; NULL: no argument
+    size_t flag;                                         // of an option without argument: offset of the int to set
+    const char *about;                                   // description in --help
 } options_table[] = {
-    {"-o", "FILE", take_output, 0, "write the result; may be given several times"},
-    {"--method", "NAME", take_method, 0, "how to triangulate; the result is the same by every method"},
-    {"--dim", "D", take_dim, 0, "dimension, 2 to 8: the first D columns are coordinates"},
+    {"-o", "FILE", take_output, 0, "write the result; may be repeated"},
+    {"--method", "NAME", take_method, 0, "algorithm; every method gives the same result"},
+    {"--dim", "D", take_dim, 0, "dimension, 2 to 8; the first D columns are the coordinates"},
     {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
-    {"--regions", "K", take_regions, 0, "divide space into K regions (default: as suits the jobs)"},
-    {"--jobs", "J", take_jobs, 0, "threads (default: all processors)"},
-    {"--partition", "HOW", take_partition, 0, "bisection (default: regions of equal points) or uniform"},
+    {"--regions", "K", take_regions, 0, "divide space into K regions (default: one a job, fewer for small sets)"},
+    {"--jobs", "J", take_jobs, 0, "number of threads (default: one a processor)"},
+    {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
-    {"--quiet", NULL, NULL, offsetof(settings, quiet), "no summary, no progress bar"},
-    {"--help", NULL, NULL, offsetof(settings, help), "this text"},
-    {"--version", NULL, NULL, offsetof(settings, version), "the version"},
+    {"--quiet", NULL, NULL, offsetof(settings, quiet), "print neither summary nor progress bar"},
+    {"--help", NULL, NULL, offsetof(settings, help), "print this text"},
+    {"--version", NULL, NULL, offsetof(settings, version), "print the version"},
 };
 
 enum { OPTIONS = sizeof options_table / sizeof *options_table };
@@ -125,7 +131,8 @@ static void print_help(void) {
     int i;
     printf("paradt [options] INPUT\n\n"
            "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly.\n\n"
-           "INPUT: %s, - (standard input, as .txt) or gen:KIND:N:SEED\n\n",
+           "INPUT: a file by extension (%s), - (standard input, read as .txt),\n"
+           "       or gen:KIND:N:SEED (generated points)\n\n",
            paradt_io_inputs());
     for (i = 0; i < OPTIONS; i++) {
         char left[40];
@@ -135,18 +142,18 @@ static void print_help(void) {
     }
     printf(
         "\nOutputs, by extension: %s\n"
-        "  .ele: with .node and .neigh beside it; .off, .ply and .obj: the hull in 3D, the triangles in 2D\n\nMethods:",
+        "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n\nMethods:",
         paradt_io_outputs());
     for (i = 0; i < PARADT_METHOD_COUNT; i++)
         printf(" %s", paradt_method_string((paradt_method)i));
     printf("\n\nKinds of points for gen:KIND:N:SEED:\n");
     for (i = 0; i < paradt_gen_kinds(); i++)
         printf("  %-16s  %s\n", paradt_gen_name(i), paradt_gen_about(i));
-    printf("\nExit status: 0 done, 1 the work failed, 2 usage, 3 the input can't be read or is not finite\n");
+    printf("\nExit status: 0 done, 1 failed, 2 wrong usage, 3 input that can't be read or is not finite\n");
 }
 
-// Takes one option, whose value follows "=" or is the next argument. Returns how many arguments it took; 0: it is
-// wrong.
+// Reads the first of the `left` arguments as an option. Its value follows "=" or is the next argument. Returns the
+// number of arguments read, or 0 after an error.
 static int take_option(settings *s, int left, char **arguments) {
     const char *text = arguments[0], *equals = strncmp(text, "--", 2) == 0 ? strchr(text, '=') : NULL, *value, *reason;
     size_t n = equals ? (size_t)(equals - text) : strlen(text);
@@ -155,23 +162,23 @@ static int take_option(settings *s, int left, char **arguments) {
         if (strlen(options_table[i].name) == n && memcmp(options_table[i].name, text, n) == 0)
             break;
     if (i == OPTIONS)
-        return wrong(text, "no such option");
+        return wrong(text, NULL, "no such option");
     if (!options_table[i].take) {
         if (equals)
-            return wrong(text, "takes no value");
+            return wrong(text, NULL, "this option takes no value");
         *(int *)((char *)s + options_table[i].flag) = 1;
         return 1;
     }
     value = equals ? equals + 1 : left > 1 ? arguments[1] : NULL;
     if (!value)
-        return wrong(text, "its value is missing");
+        return wrong(text, NULL, "its value is missing");
     reason = options_table[i].take(s, value);
     if (reason)
-        return wrong(text, reason);
+        return wrong(text, equals ? NULL : value, reason);
     return equals ? 1 : 2;
 }
 
-// Returns 1, or 0 when the command line is wrong.
+// Reads the command line. Returns 1, or 0 after an error.
 static int parse(settings *s, int count, char **arguments) {
     int i, only_names = 0;
     for (i = 1; i < count;) {
@@ -185,38 +192,43 @@ static int parse(settings *s, int count, char **arguments) {
                 return 0;
             i += taken;
         } else if (s->input)
-            return wrong(text, "a second input");
+            return wrong(text, NULL, "a second input; there can be only one");
         else
             s->input = arguments[i++];
     }
     if (!s->input && !s->help && !s->version)
-        return wrong("INPUT", "nothing to read is named");
+        return wrong("no input", NULL, "name a file, - or gen:KIND:N:SEED");
     return 1;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>work: threads, progress, time
 
-// Threads that take the tasks of one call after another, of which a triangulation makes some dozens. They are made when
-// they are first needed, and kept: a new thread takes longer to begin than one that waits.
+// The threads of parallel_for, which a triangulation calls some dozens of times. A thread is created by the first call
+// that needs one and then waits from call to call: waking a thread takes less time than creating one.
 typedef struct team {
-    size_t jobs, started;
+    size_t jobs;    // threads wanted, the caller's among them
+    size_t started; // threads created
     pthread_t threads[MAX_JOBS];
-    pthread_mutex_t lock; // guards what follows
-    pthread_cond_t called, done;
+    pthread_mutex_t lock;  // guards the members below
+    pthread_cond_t called; // there are tasks, or `over` is set
+    pthread_cond_t done;   // the last task has ended
     void (*task)(void *context, size_t index);
     void *context;
-    size_t count, next, left; // tasks, the next to begin, and those that have not ended
-    int over;
+    size_t count; // of tasks
+    size_t next;  // first task that has not begun
+    size_t left;  // tasks that have not ended
+    int over;     // the threads have to end
 } team;
 
+// The `user` of the callbacks
 typedef struct work {
     team team;
     pthread_mutex_t lock; // guards the bar
     paradt_io_bar bar;
 } work;
 
-// Runs tasks until none is left to begin. The lock is held, except while a task runs.
+// Runs tasks until all have begun. The caller holds the lock, which is released while a task runs.
 static void run_tasks(team *t) {
     while (t->next < t->count) {
         size_t index = t->next++;
@@ -228,6 +240,7 @@ static void run_tasks(team *t) {
     }
 }
 
+// The function of each created thread
 static void *take_part(void *argument) {
     team *t = (team *)argument;
     pthread_mutex_lock(&t->lock);
@@ -240,7 +253,7 @@ static void *take_part(void *argument) {
     return NULL;
 }
 
-// A paradt_parallel_for. Threads that can't be had are done without: the caller's own always works.
+// A paradt_parallel_for. If threads can't be created, fewer share the tasks; the calling thread always takes part.
 static void parallel_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     team *t = &((work *)user)->team;
     size_t wanted = t->jobs < count ? t->jobs : count;
@@ -302,11 +315,12 @@ typedef struct job {
     paradt_triangulation t;
     size_t regions;
     size_t jobs;
-    double seconds; // of the triangulation alone
+    double seconds; // wall time of the triangulation, without reading, writing and checking
     double check_seconds;
 } job;
 
-// The fields of paradt_stats under their own names; its total is measured here again, as a caller sees it.
+// The fields of paradt_stats that the JSON has under their own names. `seconds` is not among them: the JSON's is
+// measured here, around the call.
 // clang-format off
 #define COUNTERS(X)                                                                                                    \
     X(cells) X(hull_facets) X(duplicates) X(hidden) X(distance_evaluations) X(grid_cells_visited) X(active_peak)       \
@@ -316,10 +330,11 @@ typedef struct job {
 #define TIMERS(X) X(seconds_points) X(seconds_grid) X(seconds_build) X(seconds_finish)
 
 typedef struct text {
-    char *at;
-    size_t left;
+    char *at;    // where the next character goes
+    size_t left; // bytes from there to the end of the buffer
 } text;
 
+// Appends to a text. The buffer has to be large enough.
 static void say(text *out, const char *format, ...) PARADT_IO__FORMAT(2, 3);
 
 static void say(text *out, const char *format, ...) {
@@ -332,6 +347,7 @@ static void say(text *out, const char *format, ...) {
     out->left -= (size_t)n;
 }
 
+// Appends a JSON string.
 static void say_string(text *out, const char *string) {
     say(out, "\"");
     for (; *string; string++)
@@ -342,15 +358,15 @@ static void say_string(text *out, const char *string) {
     say(out, "\"");
 }
 
-// The statistics as JSON: malloc'ed, or NULL
+// Returns the statistics as JSON, from malloc; NULL if there is no memory.
 static char *make_stats(const job *j) {
-    size_t room = 8192 + 6 * strlen(j->s->input);
-    char *result = (char *)malloc(room);
+    size_t capacity = 8192 + 6 * strlen(j->s->input); // an escaped character takes 6
+    char *result = (char *)malloc(capacity);
     text out;
     if (!result)
         return NULL;
     out.at = result;
-    out.left = room;
+    out.left = capacity;
     say(&out, "{\n  \"version\": \"%d.%d.%d\",\n  \"input\": ", PARADT_VERSION / 10000, PARADT_VERSION / 100 % 100,
         PARADT_VERSION % 100);
     say_string(&out, j->s->input);
@@ -370,11 +386,16 @@ static char *make_stats(const job *j) {
 }
 
 static void print_summary(const job *j) {
+    static const char *const flats[] = {"at one place", "on one line", "in one plane"};
     const paradt_stats *stats = &j->t.stats;
     size_t i;
     printf("points       %zu in %d dimensions", j->points.count, j->points.dim);
-    if (j->t.dim >= 0 && j->t.dim < j->points.dim)
-        printf(", all in a flat of dimension %d", j->t.dim);
+    if (j->t.dim >= 0 && j->t.dim < j->points.dim) {
+        if (j->t.dim <= 2)
+            printf(", all %s", flats[j->t.dim]);
+        else
+            printf(", all in a flat of dimension %d", j->t.dim);
+    }
     printf("\ncells        %zu\nhull facets  %" PRIu64 "\nduplicates   %" PRIu64 "\n", j->t.cell_count,
            stats->hull_facets, stats->duplicates);
     if (j->points.weights)
@@ -393,7 +414,7 @@ static void print_summary(const job *j) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>main
 
-static paradt_io_stage stage; // what an interrupted run has to remove
+static paradt_io_stage stage; // the temporary files, which a signal handler removes
 
 static int exit_status(paradt_io_status status) {
     static const int statuses[] = {EXIT_DONE, EXIT_INPUT, EXIT_USAGE, EXIT_FAILED};
@@ -404,6 +425,7 @@ static int io_failed(const paradt_io_error *error) {
     return fail(exit_status(error->status), error->text);
 }
 
+// Checks that all outputs can be written. dim: of the points; 0: not known yet. Returns 1, or 0 after an error.
 static int check_outputs(const settings *s, int dim, paradt_io_error *error) {
     size_t i;
     for (i = 0; i < s->output_count; i++)
@@ -412,6 +434,7 @@ static int check_outputs(const settings *s, int dim, paradt_io_error *error) {
     return !s->stats || strcmp(s->stats, "-") == 0 || paradt_io_check_place(s->stats, s->input, error);
 }
 
+// Chooses the numbers of threads and regions that the settings leave open.
 static void plan(job *j) {
     const settings *s = j->s;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
@@ -425,13 +448,26 @@ static void plan(job *j) {
         j->regions = s->regions;
 }
 
+// Writes what paradt_check found.
+static void describe_fault(char *reason, size_t size, const paradt_fault *fault) {
+    text out;
+    out.at = reason;
+    out.left = size;
+    say(&out, "the check found: %.200s", fault->reason);
+    if (fault->cell >= 0)
+        say(&out, ", cell %lld", (long long)fault->cell);
+    if (fault->point >= 0)
+        say(&out, ", point %lld", (long long)fault->point);
+}
+
+// Triangulates the points and, if asked to, certifies the result. Returns the exit status.
 static int triangulate(job *j) {
     paradt_points points;
     paradt_options options;
     paradt_fault fault = {NULL, -1, -1};
     paradt_status status;
     work w;
-    char reason[200];
+    char reason[300];
     memset(&points, 0, sizeof points);
     memset(&options, 0, sizeof options);
     points.data = j->points.coordinates;
@@ -453,8 +489,7 @@ static int triangulate(job *j) {
         j->check_seconds = paradt_io_now() - w.bar.begun - j->seconds;
         snprintf(reason, sizeof reason, "the check can't be done: %s", paradt_status_string(status));
         if (fault.reason)
-            snprintf(reason, sizeof reason, "the check found: %s (cell %lld, point %lld)", fault.reason,
-                     (long long)fault.cell, (long long)fault.point);
+            describe_fault(reason, sizeof reason, &fault);
     }
     work_end(&w);
     if (!status)
@@ -463,6 +498,7 @@ static int triangulate(job *j) {
     return EXIT_FAILED;
 }
 
+// Writes all outputs into the stage. stats: the JSON; NULL: not wanted. Returns 1, or 0 after an error.
 static int write_all(const job *j, const char *stats, paradt_io_error *error) {
     const settings *s = j->s;
     size_t i;
@@ -474,10 +510,12 @@ static int write_all(const job *j, const char *stats, paradt_io_error *error) {
     return 1;
 }
 
+// Returns the exit status.
 static int flush_output(void) {
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
 }
 
+// Prints what goes to standard output. Returns the exit status.
 static int print_all(const job *j, const char *stats) {
     const settings *s = j->s;
     if (stats && strcmp(s->stats, "-") == 0)
@@ -489,6 +527,8 @@ static int print_all(const job *j, const char *stats) {
     return flush_output();
 }
 
+// Writes and prints the result. The outputs get their names only after everything is written and printed. Returns the
+// exit status.
 static int finish(const job *j) {
     paradt_io_error error;
     char *stats = NULL;

@@ -3,11 +3,12 @@
 //     mpicc -O3 -o paradt_mpi examples/paradt_mpi.c -lm
 //     mpiexec -n 8 paradt_mpi gen:plummer:1000000:1 -o cluster.pvtu
 //
-// It takes the inputs and options of `paradt` that make sense here; `paradt_mpi --help` lists them. Each rank makes or
-// reads its own part of gen:..., of .npy and of binary .ply; other inputs are read by rank 0, which hands in all
-// points. Each rank writes its own piece of a .pvtu, points and cells, without weights; for other outputs and for
-// --check the cells are gathered on rank 0. Only rank 0 prints, and shows how far its own work is; what a rank alone
-// can't read or write the first such rank says.
+// `paradt_mpi --help` lists the options. They and the inputs are those of `paradt`, as far as they make sense here.
+//
+// Each rank generates its part of gen:... and reads its part of a .npy or binary .ply. Rank 0 reads all other inputs
+// and hands in all points. Each rank writes its piece of a .pvtu: points and cells, without weights. For other outputs
+// and for --check the cells are gathered on rank 0. Rank 0 alone prints, and its progress bar shows its own work. An
+// error of reading or writing is printed by the first rank that has one.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"
@@ -20,7 +21,7 @@
 enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
 
 static int rank, ranks;
-static paradt_io_stage stage; // what an interrupted rank has to remove
+static paradt_io_stage stage; // the temporary files of this rank, which a signal handler removes
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>settings
@@ -29,14 +30,14 @@ typedef struct settings {
     const char *input;
     const char **outputs;
     size_t output_count;
-    const char *stats; // file, or "-"; NULL: none
+    const char *stats; // file to write; "-": standard output; NULL: no statistics
     paradt_io_want want;
     paradt_method method;
     paradt_partition partition;
     int replicated, check, hash, progress, quiet, help, version;
 } settings;
 
-// Says on rank 0 what went wrong; returns the exit status.
+// Prints an error on rank 0. Returns the status.
 static int fail(int status, const char *format, ...) PARADT_IO__FORMAT(2, 3);
 
 static int fail(int status, const char *format, ...) {
@@ -50,6 +51,8 @@ static int fail(int status, const char *format, ...) {
     }
     return status;
 }
+
+// Each take_... function stores the value of an option. It returns NULL, or what is wrong with the value.
 
 static const char *take_output(settings *s, const char *value) {
     s->outputs[s->output_count++] = value;
@@ -74,7 +77,8 @@ static const char *take_method(settings *s, const char *value) {
 
 static const char *take_partition(settings *s, const char *value) {
     s->partition = strcmp(value, "uniform") == 0 ? PARADT_UNIFORM : PARADT_BISECTION;
-    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL : "bisection or uniform";
+    return s->partition == PARADT_UNIFORM || strcmp(value, "bisection") == 0 ? NULL
+                                                                             : "a partition is bisection or uniform";
 }
 
 static const char *take_stats(settings *s, const char *value) {
@@ -84,24 +88,24 @@ static const char *take_stats(settings *s, const char *value) {
 
 static const struct {
     const char *name;
-    const char *value;                                   // what --help calls its argument; NULL: it takes none
-    const char *(*take)(settings *s, const char *value); // returns NULL, or what is wrong with the value
-    size_t flag;                                         // without an argument: the int to set
-    const char *about;
+    const char *value;                                   // name of the argument in --help; NULL: no argument
+    const char *(*take)(settings *s, const char *value); // stores the argument; NULL: no argument
+    size_t flag;                                         // of an option without argument: offset of the int to set
+    const char *about;                                   // description in --help
 } options_table[] = {
-    {"-o", "FILE", take_output, 0, "write the result; may be given several times"},
-    {"--method", "NAME", take_method, 0, "how each rank triangulates; the result is the same by every method"},
-    {"--dim", "D", take_dim, 0, "dimension, 2 to 8: the first D columns are coordinates"},
+    {"-o", "FILE", take_output, 0, "write the result; may be repeated"},
+    {"--method", "NAME", take_method, 0, "algorithm of each rank; every method gives the same result"},
+    {"--dim", "D", take_dim, 0, "dimension, 2 to 8; the first D columns are the coordinates"},
     {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
-    {"--partition", "HOW", take_partition, 0, "bisection (default: boxes of equal points) or uniform"},
-    {"--replicated", NULL, NULL, offsetof(settings, replicated), "every rank gets all points, by incode or dewall"},
+    {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
+    {"--replicated", NULL, NULL, offsetof(settings, replicated), "give every rank all points; incode or dewall only"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result on rank 0 in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
     {"--progress", NULL, NULL, offsetof(settings, progress), "draw a progress bar, though mpiexec hides the terminal"},
-    {"--quiet", NULL, NULL, offsetof(settings, quiet), "no summary"},
-    {"--help", NULL, NULL, offsetof(settings, help), "this text"},
-    {"--version", NULL, NULL, offsetof(settings, version), "the version"},
+    {"--quiet", NULL, NULL, offsetof(settings, quiet), "print neither summary nor progress bar"},
+    {"--help", NULL, NULL, offsetof(settings, help), "print this text"},
+    {"--version", NULL, NULL, offsetof(settings, version), "print the version"},
 };
 
 enum { OPTIONS = sizeof options_table / sizeof *options_table };
@@ -110,7 +114,8 @@ static void print_help(void) {
     int i;
     printf("mpiexec -n RANKS paradt_mpi [options] INPUT\n\n"
            "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly, on many ranks.\n\n"
-           "INPUT: %s, - (standard input, as .txt) or gen:KIND:N:SEED (paradt --help lists the kinds)\n\n",
+           "INPUT: a file by extension (%s), - (standard input, read as .txt),\n"
+           "       or gen:KIND:N:SEED (generated points; paradt --help lists the kinds)\n\n",
            paradt_io_inputs());
     for (i = 0; i < OPTIONS; i++) {
         char left[40];
@@ -118,39 +123,40 @@ static void print_help(void) {
                  options_table[i].value ? options_table[i].value : "");
         printf("  %-16s  %s\n", left, options_table[i].about);
     }
-    printf("\nOutputs, by extension: .pvtu %s\n  .pvtu: a piece for each rank beside it\n\nMethods:",
-           paradt_io_outputs());
+    printf("\nOutputs, by extension: .pvtu %s\n  .pvtu comes with one .vtu a rank\n\nMethods:", paradt_io_outputs());
     for (i = 0; i < PARADT_METHOD_COUNT; i++) printf(" %s", paradt_method_string((paradt_method)i));
-    printf("\n\nExit status: 0 done, 1 the work failed, 2 usage, 3 the input can't be read or is not finite\n");
+    printf("\n\nExit status: 0 done, 1 failed, 2 wrong usage, 3 input that can't be read or is not finite\n");
 }
 
-static int wrong(const char *option, const char *reason) {
-    fail(EXIT_USAGE, "%s: %s (paradt_mpi --help lists the options)", option, reason);
+// Prints an error of the command line. value: of the option, NULL if it is not to be named. Returns 0.
+static int wrong(const char *option, const char *value, const char *reason) {
+    fail(EXIT_USAGE, "%s%s%s: %s (paradt_mpi --help lists the options)", option, value ? " " : "", value ? value : "",
+         reason);
     return 0;
 }
 
-// Takes one option, whose value follows "=" or is the next argument. Returns how many arguments it took; 0: it is
-// wrong.
+// Reads the first of the `left` arguments as an option. Its value follows "=" or is the next argument. Returns the
+// number of arguments read, or 0 after an error.
 static int take_option(settings *s, int left, char **arguments) {
     const char *text = arguments[0], *equals = strncmp(text, "--", 2) == 0 ? strchr(text, '=') : NULL, *value, *reason;
     size_t n = equals ? (size_t)(equals - text) : strlen(text);
     int i;
     for (i = 0; i < OPTIONS; i++)
         if (strlen(options_table[i].name) == n && memcmp(options_table[i].name, text, n) == 0) break;
-    if (i == OPTIONS) return wrong(text, "no such option");
+    if (i == OPTIONS) return wrong(text, NULL, "no such option");
     if (!options_table[i].take) {
-        if (equals) return wrong(text, "takes no value");
+        if (equals) return wrong(text, NULL, "this option takes no value");
         *(int *)((char *)s + options_table[i].flag) = 1;
         return 1;
     }
     value = equals ? equals + 1 : left > 1 ? arguments[1] : NULL;
-    if (!value) return wrong(text, "its value is missing");
+    if (!value) return wrong(text, NULL, "its value is missing");
     reason = options_table[i].take(s, value);
-    if (reason) return wrong(text, reason);
+    if (reason) return wrong(text, equals ? NULL : value, reason);
     return equals ? 1 : 2;
 }
 
-// Returns 1, or 0 when the command line is wrong.
+// Reads the command line. Returns 1, or 0 after an error.
 static int parse(settings *s, int count, char **arguments) {
     int i, only_names = 0;
     for (i = 1; i < count;) {
@@ -162,23 +168,23 @@ static int parse(settings *s, int count, char **arguments) {
             int taken = take_option(s, count - i, arguments + i);
             if (!taken) return 0;
             i += taken;
-        } else if (s->input) return wrong(text, "a second input");
+        } else if (s->input) return wrong(text, NULL, "a second input; there can be only one");
         else s->input = arguments[i++];
     }
-    if (!s->input && !s->help && !s->version) return wrong("INPUT", "nothing to read is named");
+    if (!s->input && !s->help && !s->version) return wrong("no input", NULL, "name a file, - or gen:KIND:N:SEED");
     if (s->replicated && s->method == PARADT_BOWYER_WATSON)
-        return wrong("--replicated", "works by incode or dewall alone");
+        return wrong("--replicated", NULL, "the method has to be incode or dewall");
     return 1;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>parts: the share of the input that a rank hands in
+// >>parts: the part of the input that a rank hands in
 
 typedef struct part {
-    void *rows;      // of the file, or coordinates; from malloc
-    double *weights; // [points.count], from malloc; NULL: none
-    int whole;       // rank 0 has all points, as coordinates; the same on all ranks
-    uint64_t first;  // number of the first one in the input
+    void *rows;      // coordinates, or rows of the file with other columns; from malloc
+    double *weights; // [points.count], from malloc; NULL: no weights
+    int whole;       // 1: rank 0 has all points, and `rows` are coordinates alone; the same on all ranks
+    uint64_t first;  // index of the part's first point in the input
     paradt_points points;
 } part;
 
@@ -188,13 +194,13 @@ static void part_free(part *p) {
     memset(p, 0, sizeof *p);
 }
 
-// The largest status of all ranks.
+// Returns the largest status of all ranks; collective.
 static int agree(int status) {
     MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     return status;
 }
 
-// The same; the first rank that failed says why.
+// The same; the first rank that has an error prints it.
 static int agree_on(int status, const paradt_io_error *error) {
     int first = status ? rank : ranks;
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
@@ -202,10 +208,12 @@ static int agree_on(int status, const paradt_io_error *error) {
     return agree(status);
 }
 
-// A table of numbers in a file: what rank 0 tells the others of its header.
+// A table of numbers in a file: what rank 0 reads from the header and sends to the other ranks. OFFSET: of the first
+// row, in bytes; STRIDE: bytes of a row; FLOATS: 1: the numbers are floats, 0: doubles
 enum { TABLE_OFFSET, TABLE_ROWS, TABLE_STRIDE, TABLE_COLUMNS, TABLE_FLOATS, TABLE_FIELDS };
 
-// A .npy of little-endian floats in rows. Returns 1 if it is one.
+// Fills the table if the file is a .npy of little-endian floating-point numbers stored by rows, and returns 1; else 0.
+//   head  the first `size` bytes of the file, and a NUL
 static int npy_table(const char *head, size_t size, int64_t *table) {
     const char *text = head + 10, *shape;
     unsigned length;
@@ -227,7 +235,7 @@ static int npy_table(const char *head, size_t size, int64_t *table) {
     return 1;
 }
 
-// Bytes of a PLY type; 0: a list, or unknown
+// Returns the size of a PLY type; 0: a list, or unknown.
 static int ply_size(const char *type) {
     static const struct {
         const char *name;
@@ -241,7 +249,8 @@ static int ply_size(const char *type) {
     return 0;
 }
 
-// A binary .ply whose vertices come first and begin with x, y, z of one floating-point type. Returns 1 if it is one.
+// Fills the table if the file is a little-endian .ply whose first element is the vertices, and their first properties
+// are x, y, z of one floating-point type, and returns 1; else 0. head: the first bytes of the file, and a NUL
 static int ply_table(const char *head, int64_t *table) {
     const char *end = strstr(head, "\nend_header\n"), *line = strstr(head, "\nelement "), *next;
     char type[16], name[16];
@@ -262,7 +271,7 @@ static int ply_table(const char *head, int64_t *table) {
         place++;
         table[TABLE_STRIDE] += size;
     }
-    if (line != end + 1 && strncmp(line, "element ", 8) != 0) return 0; // a comment: more properties may follow
+    if (line != end + 1 && strncmp(line, "element ", 8) != 0) return 0; // more properties may follow a comment
     table[TABLE_OFFSET] = end + 12 - head;
     table[TABLE_ROWS] = rows;
     table[TABLE_COLUMNS] = 3;
@@ -275,8 +284,8 @@ static int has_extension(const char *name, const char *extension) {
     return n > m && strcasecmp(name + n - m, extension) == 0;
 }
 
-// Is the input such a file of so many bytes? One whose rows are cut short is for the reader that says so. What stands
-// behind them is not looked at.
+// Is the file, of `bytes` bytes, a table that has all its rows? A file that ends early is left to paradt_io_read, which
+// reports the error. Bytes after the rows are ignored.
 static int is_table(const settings *s, FILE *file, int64_t bytes, int64_t *table) {
     char head[4097];
     size_t size = fread(head, 1, sizeof head - 1, file);
@@ -291,14 +300,14 @@ static int is_table(const settings *s, FILE *file, int64_t bytes, int64_t *table
            dim <= PARADT_MAX_DIM && dim + s->want.weights <= table[TABLE_COLUMNS];
 }
 
-// Can the input be read once only? What can't be found is for the reader that says so.
+// Can the input be read only once? A missing file is left to paradt_io_read, which reports the error.
 static int is_stream(const char *input) {
     struct stat about;
     return strcmp(input, "-") == 0 || (stat(input, &about) == 0 && !S_ISREG(about.st_mode));
 }
 
-// Finds out on rank 0 whether the input is a table that ranks can read in parts; collective. Returns 1 if it is. MPI
-// takes what stands before a colon for the name of a file system, so such names are left to the other reader.
+// Finds out on rank 0 whether the input is a table, which the ranks can read in parts; collective. Returns 1 if it is.
+// MPI takes a name before a colon for a file system, so a name with a colon is left to paradt_io_read.
 static int find_table(const settings *s, int64_t *table) {
     static const union {
         unsigned short number;
@@ -317,12 +326,12 @@ static int find_table(const settings *s, int64_t *table) {
     return found;
 }
 
-// The first of a rank's elements, where `count` are dealt out in blocks.
-static int64_t share(int64_t count, int r) {
+// Returns the index of the first element of rank r, if `count` elements are dealt out in blocks.
+static int64_t first_of(int64_t count, int r) {
     return count / ranks * r + count % ranks * r / ranks;
 }
 
-// Reads `bytes` bytes from an offset of its own on each rank; collective.
+// Reads `bytes` bytes at the offset, which differ between ranks; collective. Returns 0 after an error.
 static int read_bytes(MPI_File file, int64_t offset, char *to, int64_t bytes) {
     const int64_t piece = 1 << 30;
     int64_t most = bytes, done;
@@ -339,7 +348,7 @@ static int read_bytes(MPI_File file, int64_t offset, char *to, int64_t bytes) {
     return good;
 }
 
-// Copies the column behind the coordinates.
+// Copies the column after the coordinates to the weights.
 static void take_weights(part *p) {
     size_t i, size = p->points.scalar == PARADT_F32 ? 4 : 8;
     for (i = 0; i < p->points.count; i++) {
@@ -353,8 +362,9 @@ static void take_weights(part *p) {
     p->points.weights = p->weights;
 }
 
+// Reads this rank's rows of the table; collective. Returns the exit status.
 static int read_table(const settings *s, const int64_t *table, part *p) {
-    int64_t first = share(table[TABLE_ROWS], rank), count = share(table[TABLE_ROWS], rank + 1) - first;
+    int64_t first = first_of(table[TABLE_ROWS], rank), count = first_of(table[TABLE_ROWS], rank + 1) - first;
     MPI_File file;
     int status = EXIT_DONE;
     p->first = (uint64_t)first;
@@ -378,7 +388,7 @@ static int read_table(const settings *s, const int64_t *table, part *p) {
     return EXIT_DONE;
 }
 
-// Makes this rank's share of a gen: input.
+// Generates this rank's part of a gen: input; collective. Returns the exit status.
 static int generate(const settings *s, part *p) {
     paradt_gen_spec spec;
     const char *reason = paradt_gen_parse(&spec, s->input);
@@ -386,8 +396,8 @@ static int generate(const settings *s, part *p) {
     int64_t first, end;
     double *x;
     if (reason) return fail(EXIT_USAGE, "%s: %s", s->input, reason);
-    first = s->replicated ? 0 : share((int64_t)spec.count, rank);
-    end = s->replicated ? (int64_t)spec.count : share((int64_t)spec.count, rank + 1);
+    first = s->replicated ? 0 : first_of((int64_t)spec.count, rank);
+    end = s->replicated ? (int64_t)spec.count : first_of((int64_t)spec.count, rank + 1);
     p->first = (uint64_t)first;
     p->points.count = (size_t)(end - first);
     p->points.dim = dim;
@@ -407,7 +417,8 @@ static int exit_status(paradt_io_status status) {
     return statuses[status];
 }
 
-// Reads all of the input, on rank 0 or on all ranks; collective. The others get no points.
+// Reads the whole input on rank 0, or on all ranks; collective. Without on_all the other ranks get no points. Returns
+// the exit status.
 static int read_whole(const settings *s, int on_all, part *p) {
     paradt_io_points points;
     paradt_io_error error;
@@ -415,11 +426,11 @@ static int read_whole(const settings *s, int on_all, part *p) {
     memset(&points, 0, sizeof points);
     if (rank == 0 && on_all && ranks > 1 && is_stream(s->input)) {
         paradt_io__error(&error, PARADT_IO_BAD_NAME,
-                         "%.900s: --replicated reads it on every rank, so it has to be a file", s->input);
+                         "%.900s: --replicated reads the input on every rank, so it has to be a file", s->input);
         status = EXIT_USAGE;
     } else if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error)) status = exit_status(error.status);
     status = agree_on(status, &error);
-    if (!status) { // on all ranks
+    if (!status) { // the other ranks read only what rank 0 could read
         if (on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))
             status = exit_status(error.status);
         status = agree_on(status, &error);
@@ -436,6 +447,7 @@ static int read_whole(const settings *s, int on_all, part *p) {
     return status;
 }
 
+// Reads or generates this rank's part of the input; collective. Returns the exit status.
 static int read_part(const settings *s, part *p) {
     int64_t table[TABLE_FIELDS] = {0};
     if (strncmp(s->input, "gen:", 4) == 0) return generate(s, p);
@@ -461,10 +473,12 @@ static void print_json(FILE *out, const settings *s, const part *p, const paradt
 }
 
 static void print_summary(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
+    static const char *const flats[] = {"at one place", "on one line", "in one plane"};
     double cells = (double)t->cell_total;
     size_t i;
     printf("points       %" PRIu64 " in %d dimensions", t->point_total, p->points.dim);
-    if (t->dim >= 0 && t->dim < p->points.dim) printf(", all in a flat of dimension %d", t->dim);
+    if (t->dim >= 0 && t->dim <= 2 && t->dim < p->points.dim) printf(", all %s", flats[t->dim]);
+    else if (t->dim > 2 && t->dim < p->points.dim) printf(", all in a flat of dimension %d", t->dim);
     printf("\ncells        %" PRIu64 " (%" PRIu64 " a rank, at most %" PRIu64 ")\nhull facets  %" PRIu64 "\n",
            t->cell_total, t->cell_total / (uint64_t)ranks, t->largest.cells, t->sum.hull_facets);
     printf("duplicates   %" PRIu64 "\n", t->sum.duplicates);
@@ -485,15 +499,15 @@ static int is_pvtu(const char *name) {
     return n > 5 && strcasecmp(name + n - 5, ".pvtu") == 0;
 }
 
-// "cluster.pvtu" to "cluster_3.vtu"; malloc'ed
+// Returns the name of rank r's piece, "cluster_3.vtu" for "cluster.pvtu", from malloc; NULL if there is no memory.
 static char *piece_name(const char *name, int r) {
-    size_t room = strlen(name) + 24;
-    char *piece = (char *)malloc(room);
-    if (piece) snprintf(piece, room, "%.*s_%d.vtu", (int)strlen(name) - 5, name, r);
+    size_t size = strlen(name) + 24;
+    char *piece = (char *)malloc(size);
+    if (piece) snprintf(piece, size, "%.*s_%d.vtu", (int)strlen(name) - 5, name, r);
     return piece;
 }
 
-// The `n` characters of a name as an attribute of XML; malloc'ed
+// Returns the first n characters of a name, escaped for an attribute of XML, from malloc; NULL if there is no memory.
 static char *escaped(const char *name, size_t n) {
     char *text = (char *)malloc(6 * n + 1), *to = text;
     size_t i;
@@ -506,31 +520,31 @@ static char *escaped(const char *name, size_t n) {
     return text;
 }
 
-// What binds the pieces together: malloc'ed text
+// Returns the contents of the .pvtu, which lists the pieces, from malloc; NULL if there is no memory.
 static char *pvtu_text(const char *name) {
     const char *slash = strrchr(name, '/'), *base = slash ? slash + 1 : name;
     char *pieces = escaped(base, strlen(base) - 5), *text;
-    size_t room = 1024 + (size_t)ranks * (pieces ? strlen(pieces) + 64 : 0), used;
+    size_t capacity = 1024 + (size_t)ranks * (pieces ? strlen(pieces) + 64 : 0), used;
     int r;
-    text = pieces ? (char *)malloc(room) : NULL;
+    text = pieces ? (char *)malloc(capacity) : NULL;
     if (!text) {
         free(pieces);
         return NULL;
     }
     used =
-        (size_t)snprintf(text, room,
+        (size_t)snprintf(text, capacity,
                          "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
                          "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
                          "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
                          "</PPoints>\n");
     for (r = 0; r < ranks; r++)
-        used += (size_t)snprintf(text + used, room - used, "<Piece Source=\"%s_%d.vtu\"/>\n", pieces, r);
+        used += (size_t)snprintf(text + used, capacity - used, "<Piece Source=\"%s_%d.vtu\"/>\n", pieces, r);
     free(pieces);
-    snprintf(text + used, room - used, "</PUnstructuredGrid>\n</VTKFile>\n");
+    snprintf(text + used, capacity - used, "</PUnstructuredGrid>\n</VTKFile>\n");
     return text;
 }
 
-// This rank's piece, and on rank 0 what binds them together.
+// Writes this rank's piece and, on rank 0, the .pvtu. Returns 1, or 0 with the error filled in.
 static int write_pieces(const char *name, const paradt_mpi_triangulation *t, paradt_io_error *error) {
     char *piece = piece_name(name, rank), *text = rank == 0 ? pvtu_text(name) : NULL;
     paradt_io_points points;
@@ -555,7 +569,9 @@ static int write_pieces(const char *name, const paradt_mpi_triangulation *t, par
     return good;
 }
 
-// On rank 0, with all points and cells.
+// Checks and writes the gathered result on rank 0. Returns 1, or 0 with the error filled in.
+//   all  all points
+//   t    all cells
 static int finish_whole(const settings *s, const part *all, const paradt_triangulation *t, paradt_io_error *error) {
     paradt_io_points points;
     paradt_fault fault = {NULL, -1, -1};
@@ -575,7 +591,7 @@ static int finish_whole(const settings *s, const part *all, const paradt_triangu
     return 1;
 }
 
-// What takes all cells on rank 0; collective.
+// Gathers the cells on rank 0, checks and writes them there; collective. Returns the exit status.
 static int finish_gathered(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
     paradt_io_error error;
     paradt_triangulation whole;
@@ -595,7 +611,7 @@ static int finish_gathered(const settings *s, const part *p, const paradt_mpi_tr
     return status;
 }
 
-// Writes under temporary names, and checks; collective.
+// Writes all outputs under temporary names and checks the result; collective. Returns the exit status.
 static int finish(const settings *s, const part *p, const paradt_mpi_triangulation *t) {
     paradt_io_error error;
     int status = EXIT_DONE, gathers = s->check;
@@ -609,11 +625,12 @@ static int finish(const settings *s, const part *p, const paradt_mpi_triangulati
     return !status && gathers ? finish_gathered(s, p, t) : status;
 }
 
-// Are the statistics for a file, or for standard output?
+// Do the statistics go to a file?
 static int has_stats_file(const settings *s) {
     return s->stats && strcmp(s->stats, "-") != 0;
 }
 
+// Returns 1, or 0 with the error filled in.
 static int write_stats(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash,
                        paradt_io_error *error) {
     char *text = NULL;
@@ -630,6 +647,7 @@ static int write_stats(const settings *s, const part *p, const paradt_mpi_triang
     return good;
 }
 
+// Prints and writes the statistics on rank 0. Returns the exit status.
 static int report(const settings *s, const part *p, const paradt_mpi_triangulation *t, uint64_t hash) {
     paradt_io_error error;
     if (rank) return EXIT_DONE;
@@ -644,7 +662,7 @@ static int report(const settings *s, const part *p, const paradt_mpi_triangulati
 // ---------------------------------------------------------------------------------------------------------------------
 // >>main
 
-// Has an output the name of a piece of the .pvtu, which another rank may write?
+// Is the name that of a piece of the .pvtu?
 static int is_piece_of(const char *name, const char *pvtu) {
     size_t stem = strlen(pvtu) - 5, digits;
     if (strncmp(name, pvtu, stem) != 0 || name[stem] != '_') return 0;
@@ -652,7 +670,7 @@ static int is_piece_of(const char *name, const char *pvtu) {
     return digits && strcasecmp(name + stem + 1 + digits, ".vtu") == 0 && atol(name + stem + 1) < ranks;
 }
 
-// Can the outputs be written, and hold points of the dimension, if that is known (0: not yet)?
+// Checks on rank 0 that all outputs can be written. dim: of the points; 0: not known yet. Returns the exit status.
 static int check_outputs(const settings *s, int dim) {
     paradt_io_error error;
     const char *piece = NULL;
@@ -661,7 +679,7 @@ static int check_outputs(const settings *s, int dim) {
         int good = is_pvtu(s->outputs[i]) ? paradt_io_check_place(s->outputs[i], s->input, &error)
                                           : paradt_io_check_output(s->outputs[i], dim, s->input, &error);
         if (good && is_pvtu(s->outputs[i]) && dim > 3)
-            return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions", s->outputs[i]);
+            return fail(EXIT_USAGE, "%s: .pvtu files hold at most 3 dimensions, not %d", s->outputs[i], dim);
         if (!good) return fail(exit_status(error.status), "%s", error.text);
         if (!is_pvtu(s->outputs[i])) continue;
         for (j = 0; j < s->output_count; j++)
@@ -680,6 +698,7 @@ static int show_progress(void *user, double fraction) {
     return 0;
 }
 
+// Triangulates the points of all ranks; collective. Returns the exit status.
 static int triangulate(const settings *s, const part *p, paradt_mpi_triangulation *t) {
     paradt_mpi_options options;
     paradt_io_bar bar;

@@ -1,11 +1,11 @@
 // paradt_picture.h - draws a triangulation in two or three dimensions as an SVG or PNG picture
 //
-// In one file: #define PARADT_PICTURE_IMPLEMENTATION, then #include "paradt_picture.h". C99; needs sqrt and log of
+// In one file: #define PARADT_PICTURE_IMPLEMENTATION, then #include "paradt_picture.h". Needs C99, and sqrt and log of
 // libm.
 //
-// Triangles are drawn flat. Tetrahedra are cut open: those in front of a plane through the middle of the points are
-// left out, so that the picture shows the inside; small results are drawn whole, their cells pulled apart. Colour tells
-// the size of a cell, from small and bright to large and dark.
+// Triangles are drawn flat. A large set of tetrahedra is cut open: a plane through the centre of the points hides those
+// in front of it, so that the picture shows the inside. A small set is drawn whole, with its cells pulled apart. The
+// colour shows the size of a cell: small cells are bright, large ones dark.
 
 #ifndef PARADT_PICTURE_H
 #define PARADT_PICTURE_H
@@ -21,7 +21,8 @@ typedef struct paradt_picture {
     size_t size;
 } paradt_picture;
 
-// coordinates: [point_count][dim], dim 2 or 3. Returns 1; 0 when memory runs out.
+// Draw the triangulation. coordinates: [point_count][dim]; dim: 2 or 3. Neighbours are needed in three dimensions.
+// Return 1, or 0 if there is no memory.
 int paradt_picture_svg(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t);
 int paradt_picture_png(paradt_picture *picture, const double *coordinates, int dim, const paradt_triangulation *t);
 
@@ -45,40 +46,42 @@ int paradt_picture_png(paradt_picture *picture, const double *coordinates, int d
 // >>scene: the faces to draw, in pixels, from back to front
 
 enum { PARADT_PICTURE__WIDTH = 1200, PARADT_PICTURE__HEIGHT = 1000, PARADT_PICTURE__MARGIN = 40 };
-enum { PARADT_PICTURE__FEW = 150 }; // up to so many tetrahedra are pulled apart instead of cut open
+enum { PARADT_PICTURE__FEW = 150 }; // up to this number, tetrahedra are pulled apart instead of cut open
 
 typedef struct paradt_picture__face {
-    float x[3], y[3], z[3]; // z grows away from the viewer
+    float x[3], y[3], z[3]; // of the corners; z grows away from the viewer
     float depth;            // mean z
-    int corners;            // 1 to 3
+    int corners;            // 1: a point, 2: a segment, 3: a triangle
     unsigned char rgb[3];
 } paradt_picture__face;
 
 typedef struct paradt_picture__scene {
     const paradt_triangulation *t;
     int dim;
-    float *points;        // [point_count][3], the middle of the points at 0, all within the unit ball
+    float *points;        // [point_count][3], moved and scaled into the unit ball, with the centre at 0
     float *sizes;         // [cell_count] log of the longest edge
-    unsigned char *shown; // [cell_count]
-    float least;          // sizes of the brightest ...
-    float largest;        // ... and the darkest cells
-    float shrink;         // cells are drawn this size, pulled apart when it is below 1
+    unsigned char *shown; // [cell_count] 1: drawn, 0: cut off
+    float least;          // size of the brightest cells
+    float largest;        // size of the darkest cells
+    float shrink;         // size at which cells are drawn; below 1 they are pulled apart, too
     paradt_picture__face *faces;
     size_t count;
     size_t capacity;
 } paradt_picture__scene;
 
-// The viewer's axes: right, down and away; the object stands on its z axis and is seen from its front, left and above.
+// Directions in the object's axes. The viewer's axes point right, down and away. The object's z axis points up, and the
+// viewer stands in front of the object, to the left and above.
 static const float paradt_picture__view[3][3] = {
     {0.8660254f, 0.5f, 0.0f}, {0.1710101f, -0.2961981f, -0.9396926f}, {-0.4698463f, 0.8137977f, -0.3420201f}};
-static const float paradt_picture__light[3] = {-0.45f, -0.65f, 0.6123f}; // in the object's axes
-static const float paradt_picture__cut[3] = {-0.25f, -0.93f, 0.27f};     // what is on this side is left out
+static const float paradt_picture__light[3] = {-0.45f, -0.65f, 0.6123f}; // towards the light
+static const float paradt_picture__cut[3] = {-0.25f, -0.93f, 0.27f};     // normal of the cut, towards what is cut off
 
 static float paradt_picture__dot(const float *a, const float *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Halves and a division keep 1.7e308 from overflowing and subnormals from vanishing.
+// Finds the middle of the points and returns their largest distance from it along an axis, both for halved coordinates:
+// differences of coordinates up to 1.7e308 would overflow. Dividing by the result lets subnormals survive.
 static double paradt_picture__extent(const double *coordinates, size_t count, int dim, double *middle) {
     double extent = 0;
     size_t i;
@@ -102,6 +105,7 @@ static double paradt_picture__extent(const double *coordinates, size_t count, in
     return extent;
 }
 
+// Moves and scales the points into the unit ball. Returns 0 if there is no memory.
 static int paradt_picture__place(paradt_picture__scene *s, const double *coordinates) {
     size_t i, count = s->t->point_count;
     double middle[3] = {0, 0, 0}, extent = paradt_picture__extent(coordinates, count, s->dim, middle), reach = 0;
@@ -129,7 +133,8 @@ static int paradt_picture__compare_sizes(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-// Sizes of the cells, and the range of the middle nine tenths of a sample of them
+// Measures the cells. The colours range over the middle nine tenths of a sample of the sizes. Returns 0 if there is no
+// memory.
 static int paradt_picture__measure(paradt_picture__scene *s) {
     size_t corners = (size_t)(s->t->dim + 1), cells = s->t->cell_count, c, i, j, n = 0, step = cells / 5000 + 1;
     float *sample;
@@ -167,8 +172,8 @@ static void paradt_picture__centre(const paradt_picture__scene *s, const paradt_
             centre[k] += s->points[3 * (size_t)cell[i] + (size_t)k] / (float)corners;
 }
 
-// Is the cell behind the cut, its middle wholly and its corners almost? Flat cells of the hull would stick out
-// otherwise.
+// Is the cell behind the cut? Its centre has to be behind the plane, and its corners, so that flat cells of the hull
+// don't stick out, at least not far in front of the plane.
 static int paradt_picture__behind(const paradt_picture__scene *s, const paradt_index *cell) {
     float centre[3];
     int i;
@@ -181,7 +186,8 @@ static int paradt_picture__behind(const paradt_picture__scene *s, const paradt_i
     return 1;
 }
 
-static int paradt_picture__open(paradt_picture__scene *s) {
+// Chooses the cells to draw. Returns 0 if there is no memory.
+static int paradt_picture__choose(paradt_picture__scene *s) {
     size_t corners = (size_t)(s->t->dim + 1), c;
     s->shown = (unsigned char *)malloc(s->t->cell_count + 1);
     if (!s->shown)
@@ -192,7 +198,8 @@ static int paradt_picture__open(paradt_picture__scene *s) {
     return 1;
 }
 
-// Colours of small cells first; each step is about as far from the next to the eye.
+// Computes the colour of a face of the cell. light: brightness of the face. The steps, from small to large cells, look
+// about equally far apart.
 static void paradt_picture__colour(const paradt_picture__scene *s, size_t cell, float light, unsigned char *rgb) {
     static const float steps[][3] = {{255, 244, 214}, {255, 209, 120}, {247, 153, 84}, {221, 98, 96},
                                      {166, 76, 132},  {112, 76, 154},  {80, 82, 156}};
@@ -208,7 +215,8 @@ static void paradt_picture__colour(const paradt_picture__scene *s, size_t cell, 
     }
 }
 
-// How bright a face is, or below 0 when it looks away; p: its corners in the object's axes
+// Returns the brightness of a triangle; a number below 0 if it faces away from the viewer. p: corners in the object's
+// axes; solid: the triangle bounds a cell, so only its outer side is seen
 static float paradt_picture__brightness(float p[3][3], int solid) {
     float u[3], v[3], n[3], length, towards, lit;
     int k;
@@ -231,6 +239,7 @@ static float paradt_picture__brightness(float p[3][3], int solid) {
     return 0.68f + 0.34f * lit;
 }
 
+// Adds a face of the cell to the scene, unless the face can't be seen. Returns 0 if there is no memory.
 static int paradt_picture__add(paradt_picture__scene *s, size_t cell, const paradt_index *vertices, int corners,
                                int solid) {
     float p[3][3], centre[3], light = 1;
@@ -267,7 +276,8 @@ static int paradt_picture__add(paradt_picture__scene *s, size_t cell, const para
     return 1;
 }
 
-// The faces between what is shown and what is not, turned outward; below three dimensions the cells themselves
+// Collects the faces: of tetrahedra the facets, turned outward, that separate shown cells from the outside or from
+// cells that are cut off; otherwise the cells themselves. Returns 0 if there is no memory.
 static int paradt_picture__collect(paradt_picture__scene *s) {
     size_t corners = (size_t)(s->t->dim + 1), c, i;
     for (c = 0; c < s->t->cell_count; c++) {
@@ -290,7 +300,7 @@ static int paradt_picture__collect(paradt_picture__scene *s) {
     return 1;
 }
 
-// Moves and scales what is drawn into the picture.
+// Moves and scales the faces so that they fill the picture.
 static void paradt_picture__fit(paradt_picture__scene *s) {
     float low[2] = {0, 0}, high[2] = {0, 0}, scale, across, down;
     size_t i;
@@ -323,7 +333,7 @@ static int paradt_picture__compare_depths(const void *a, const void *b) {
     return (x < y) - (x > y);
 }
 
-// Leaves the faces in *faces (from malloc) and returns how many there are; -1 when memory runs out.
+// Makes the faces. *faces: from malloc. Returns their number; -1 if there is no memory.
 static long paradt_picture__faces(paradt_picture__face **faces, const double *coordinates, int dim,
                                   const paradt_triangulation *t) {
     paradt_picture__scene s;
@@ -331,7 +341,7 @@ static long paradt_picture__faces(paradt_picture__face **faces, const double *co
     memset(&s, 0, sizeof s);
     s.t = t;
     s.dim = dim;
-    good = paradt_picture__place(&s, coordinates) && paradt_picture__measure(&s) && paradt_picture__open(&s) &&
+    good = paradt_picture__place(&s, coordinates) && paradt_picture__measure(&s) && paradt_picture__choose(&s) &&
            paradt_picture__collect(&s);
     if (good)
         paradt_picture__fit(&s);
@@ -355,7 +365,7 @@ typedef struct paradt_picture__bytes {
     unsigned char *data;
     size_t size;
     size_t capacity;
-    int failed;
+    int failed; // there was no memory; `data` is incomplete
 } paradt_picture__bytes;
 
 static void paradt_picture__put(paradt_picture__bytes *out, const void *data, size_t size) {
@@ -373,6 +383,7 @@ static void paradt_picture__put(paradt_picture__bytes *out, const void *data, si
     out->size += size;
 }
 
+// Hands the file out. Returns 0 if there was no memory.
 static int paradt_picture__finish(paradt_picture__bytes *out, paradt_picture *picture) {
     if (out->failed) {
         free(out->data);
@@ -436,26 +447,27 @@ int paradt_picture_svg(paradt_picture *picture, const double *coordinates, int d
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>raster: faces into pixels, four samples each, with a depth buffer
+// >>raster: faces to pixels of 2 x 2 samples, with a depth buffer
 
-enum { PARADT_PICTURE__SAMPLES = 2 }; // a pixel is so many samples wide and high
+enum { PARADT_PICTURE__SAMPLES = 2 }; // width and height of a pixel in samples
 
 typedef struct paradt_picture__raster {
-    int width, height;
+    int width, height;  // in samples; after paradt_picture__average, in pixels
     float *depth;       // [height][width]
     unsigned char *rgb; // [height][width][3]
 } paradt_picture__raster;
 
-// Twice the area of (a, b, p), positive when p is right of the way from a to b
+// Returns twice the area of the triangle (a, b, p), positive if p is to the right of a -> b on the screen.
 static float paradt_picture__side(const float *x, const float *y, int a, int b, float px, float py) {
     return (x[b] - x[a]) * (py - y[a]) - (y[b] - y[a]) * (px - x[a]);
 }
 
+// Returns the value, rounded down, within 0..bound.
 static int paradt_picture__clamp(float value, int bound) {
     return value < 0 ? 0 : value > (float)bound ? bound : (int)value;
 }
 
-// Draws a triangle whose edges are darker; `lines`: width of that darker rim in samples, less on small triangles
+// Draws a triangle with dark edges. lines: width of the edges in samples; small triangles get thinner ones
 static void paradt_picture__triangle(paradt_picture__raster *raster, const float *x, const float *y, const float *z,
                                      const unsigned char *rgb, float lines) {
     float area = paradt_picture__side(x, y, 0, 1, x[2], y[2]), high[3], low = 0;
@@ -463,7 +475,7 @@ static void paradt_picture__triangle(paradt_picture__raster *raster, const float
     int i, px, py;
     if (!(area > 1e-12f || area < -1e-12f))
         return;
-    for (i = 0; i < 3; i++) { // high: the triangle's height over the edge opposite i
+    for (i = 0; i < 3; i++) { // high[i]: height of corner i over the opposite edge
         int b = (i + 1) % 3, c = (i + 2) % 3;
         float dx = x[c] - x[b], dy = y[c] - y[b];
         high[i] = (float)sqrt((double)(area * area / (dx * dx + dy * dy)));
@@ -501,7 +513,7 @@ static void paradt_picture__triangle(paradt_picture__raster *raster, const float
         }
 }
 
-// Points and segments become squares and bars of two triangles.
+// Draws a point as a square, or a segment as a bar, of two triangles.
 static void paradt_picture__bar(paradt_picture__raster *raster, const paradt_picture__face *face, const float *x,
                                 const float *y) {
     const float z[3] = {0, 0, 0}, half = face->corners == 1 ? 6.0f : 2.0f;
@@ -528,6 +540,7 @@ static void paradt_picture__background(paradt_picture__raster *raster) {
     }
 }
 
+// Draws all faces into a new raster. Returns 0 if there is no memory.
 static int paradt_picture__draw(paradt_picture__raster *raster, const paradt_picture__face *faces, long count) {
     size_t pixels = (size_t)raster->width * (size_t)raster->height;
     long i;
@@ -551,7 +564,7 @@ static int paradt_picture__draw(paradt_picture__raster *raster, const paradt_pic
     return 1;
 }
 
-// Averages the samples of each pixel, in place.
+// Replaces the samples of each pixel by their average, in place.
 static void paradt_picture__average(paradt_picture__raster *raster) {
     const int n = PARADT_PICTURE__SAMPLES, width = raster->width / n, height = raster->height / n;
     int x, y, i, j, k;
@@ -570,14 +583,15 @@ static void paradt_picture__average(paradt_picture__raster *raster) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>png: RFC 2083, with deflate's fixed codes (RFC 1951) and matches found through a small hash table
+// >>png: RFC 2083. Deflate (RFC 1951) with its fixed codes; a small hash table finds the matches.
 
 typedef struct paradt_picture__deflate {
     paradt_picture__bytes *out;
-    uint32_t bits; // not yet written, the first ones lowest
-    int held;      // how many
+    uint32_t bits; // bits not written yet, the first one lowest
+    int held;      // number of these bits, below 8
 } paradt_picture__deflate;
 
+// Writes up to 16 bits, the lowest first.
 static void paradt_picture__put_bits(paradt_picture__deflate *d, uint32_t bits, int count) {
     d->bits |= bits << d->held;
     for (d->held += count; d->held >= 8; d->held -= 8) {
@@ -587,7 +601,7 @@ static void paradt_picture__put_bits(paradt_picture__deflate *d, uint32_t bits, 
     }
 }
 
-// A Huffman code: its bits come highest first.
+// Writes a Huffman code, whose bits are stored highest first.
 static void paradt_picture__put_code(paradt_picture__deflate *d, uint32_t code, int count) {
     uint32_t turned = 0;
     int i;
@@ -596,6 +610,7 @@ static void paradt_picture__put_code(paradt_picture__deflate *d, uint32_t code, 
     paradt_picture__put_bits(d, turned, count);
 }
 
+// Writes a symbol of the fixed code: a byte, 256 for the end, or a length.
 static void paradt_picture__put_symbol(paradt_picture__deflate *d, unsigned symbol) {
     if (symbol < 144)
         paradt_picture__put_code(d, 0x30 + symbol, 8);
@@ -607,8 +622,9 @@ static void paradt_picture__put_symbol(paradt_picture__deflate *d, unsigned symb
         paradt_picture__put_code(d, 0xc0 + symbol - 280, 8);
 }
 
-// Lengths and distances share a scheme: codes of a few leading bits, and extra bits for the rest. bits: leading ones
-// after the first; value: counted from 0. Returns the code.
+// Lengths and distances are coded alike: the code stands for the position of the leading bit and a few bits after it,
+// and the remaining bits follow as extra bits. value: counted from 0; bits: number of the bits after the leading one;
+// *extra: receives the number of extra bits. Returns the code.
 static unsigned paradt_picture__class(unsigned value, int bits, int *extra) {
     int top = bits;
     while (value >> (top + 1))
@@ -617,6 +633,7 @@ static unsigned paradt_picture__class(unsigned value, int bits, int *extra) {
     return value >> bits ? ((unsigned)(top - bits) << bits) + (value >> (top - bits)) : value;
 }
 
+// Writes a match: copies `length` bytes from `distance` bytes before.
 static void paradt_picture__put_match(paradt_picture__deflate *d, unsigned length, unsigned distance) {
     int extra;
     unsigned code = paradt_picture__class(length - 3, 2, &extra);
@@ -627,16 +644,16 @@ static void paradt_picture__put_match(paradt_picture__deflate *d, unsigned lengt
     paradt_picture__put_bits(d, (distance - 1) & ((1u << extra) - 1), extra);
 }
 
-// The zlib stream of some data. Matches end at 257 bytes: the code of 258 is outside the scheme.
+// Appends the data as a zlib stream. Matches are at most 257 bytes long, because 258 has a code outside the scheme.
 static void paradt_picture__compress(paradt_picture__bytes *out, const unsigned char *data, size_t size) {
     static const unsigned char head[2] = {0x78, 0x01};
     paradt_picture__deflate d = {out, 0, 0};
-    size_t *heads = (size_t *)calloc(1 << 15, sizeof *heads), i = 0; // where + 1; 0: nowhere
+    size_t *heads = (size_t *)calloc(1 << 15, sizeof *heads), i = 0; // last place with a key, plus 1; 0: none
     uint32_t a = 1, b = 0, check;
     unsigned char tail[4];
     out->failed |= !heads;
     paradt_picture__put(out, head, 2);
-    paradt_picture__put_bits(&d, 3, 3); // the last block, of fixed codes
+    paradt_picture__put_bits(&d, 3, 3); // the last block, with fixed codes
     while (heads && i < size) {
         size_t length = 0, from = 0;
         if (i + 4 <= size) {
@@ -693,7 +710,8 @@ static void paradt_picture__put_chunk(paradt_picture__bytes *out, const char *ty
     paradt_picture__put(out, word, 4);
 }
 
-// Rows as differences to the row above, each begun by the number of that filter
+// Returns the rows as PNG wants them, from malloc: the filter's number, 2, and then the differences to the row above.
+// NULL if there is no memory.
 static unsigned char *paradt_picture__filter(const paradt_picture__raster *raster, size_t *size) {
     size_t row = 3 * (size_t)raster->width, i, y;
     unsigned char *bytes = (unsigned char *)malloc((row + 1) * (size_t)raster->height);

@@ -1,11 +1,10 @@
 // paradt_points.h - point sets by name: gen:KIND:N:SEED
 //
-// In one file: #define PARADT_POINTS_IMPLEMENTATION, then #include "paradt_points.h". C99, no dependency.
+// In one file: #define PARADT_POINTS_IMPLEMENTATION, then #include "paradt_points.h". Needs C99 and nothing else.
 //
-// The same name gives the same bits on every machine and under every compiler flag and rounding mode, because all
-// arithmetic is on 64-bit integers: a coordinate is an integer times a power of two, put together bit by bit at the
-// very end. Each point has a random stream of its own, so any share of a set can be made alone (by one rank of many,
-// say).
+// The same name gives the same bits on every machine, under every compiler flag and rounding mode: all arithmetic is on
+// 64-bit integers, and only the last step assembles a double, from an integer and a power of two. Each point has its
+// own random stream, so any part of a set can be generated without the rest, for instance by one MPI rank.
 
 #ifndef PARADT_POINTS_H
 #define PARADT_POINTS_H
@@ -22,20 +21,20 @@ enum { PARADT_GEN_MAX_DIM = 8 };
 typedef struct paradt_gen_spec {
     int kind;      // row of the table of kinds
     size_t count;  // points in the whole set
-    uint64_t seed; // 1 when the text names none
+    uint64_t seed; // 1 if the text has none
 } paradt_gen_spec;
 
 int paradt_gen_kinds(void);             // number of kinds
-const char *paradt_gen_name(int kind);  // its name in gen:KIND:N:SEED
-const char *paradt_gen_about(int kind); // one line that describes it
-int paradt_gen_find(const char *name);  // its row, or -1
+const char *paradt_gen_name(int kind);  // name of the kind in gen:KIND:N:SEED
+const char *paradt_gen_about(int kind); // description of the kind in one line
+int paradt_gen_find(const char *name);  // row of the kind with this name, or -1
 
 // Reads "gen:KIND:N:SEED" or "gen:KIND:N" (N as 1000000 or 1e6). Returns NULL, or what is wrong with the text.
 const char *paradt_gen_parse(paradt_gen_spec *spec, const char *text);
 
-// Points first .. first + count - 1 of the set in dim (2..8) dimensions; coordinates: [count][dim]
+// Generates points first .. first + count - 1 of the set. dim: 2..8; coordinates: [count][dim]
 void paradt_gen_points(const paradt_gen_spec *spec, int dim, size_t first, size_t count, double *coordinates);
-// Their weights, of the size of the squared distance between neighbouring points; weights: [count]
+// Generates the weights of these points, about as large as the squared distance of neighbours. weights: [count]
 void paradt_gen_weights(const paradt_gen_spec *spec, int dim, size_t first, size_t count, double *weights);
 
 #ifdef __cplusplus
@@ -52,9 +51,9 @@ void paradt_gen_weights(const paradt_gen_spec *spec, int dim, size_t first, size
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>numbers: random and fixed-point arithmetic in 64-bit integers
-// "Qn" says that an integer i stands for i * 2^-n.
+// "Qn" means that an integer i stands for i * 2^-n.
 
-// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection that leaves no pattern of its input visible.
+// The finaliser of SplitMix64 (Steele, Lea, Flood 2014), a bijection whose output shows no pattern of the input.
 static uint64_t paradt_gen__mix(uint64_t z) {
     z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
     z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
@@ -66,16 +65,17 @@ static uint64_t paradt_gen__next(uint64_t *state) {
     return paradt_gen__mix(*state);
 }
 
-// The stream of element `index` of the set `seed`; `use` keeps the streams of points, weights and centres apart.
+// Returns the stream of element `index` of the set `seed`. use: separates the streams of points, weights and centres
 static uint64_t paradt_gen__stream(uint64_t seed, uint64_t use, uint64_t index) {
     return paradt_gen__mix(paradt_gen__mix(seed * 8 + use) + index);
 }
 
+// Returns a random number from 0 to bound - 1.
 static uint64_t paradt_gen__below(uint64_t *state, uint64_t bound) {
     return paradt_gen__next(state) % bound;
 }
 
-// magnitude * 2^exponent with the sign, cut to 53 bits (and to the subnormal grid), made from bits.
+// Returns magnitude * 2^exponent with the sign, truncated to 53 bits, or to the multiples of 2^-1074.
 static double paradt_gen__real(int negative, uint64_t magnitude, int exponent) {
     uint64_t bits = magnitude;
     double value;
@@ -100,7 +100,7 @@ static double paradt_gen__signed(int64_t value, int exponent) {
     return paradt_gen__real(value < 0, value < 0 ? UINT64_C(0) - (uint64_t)value : (uint64_t)value, exponent);
 }
 
-// The upper 64 bits of the product.
+// Returns the upper 64 bits of the product.
 static uint64_t paradt_gen__high(uint64_t a, uint64_t b) {
     uint64_t low = (a & 0xffffffff) * (b & 0xffffffff);
     uint64_t left = (a >> 32) * (b & 0xffffffff) + (low >> 32);
@@ -108,12 +108,13 @@ static uint64_t paradt_gen__high(uint64_t a, uint64_t b) {
     return (a >> 32) * (b >> 32) + (left >> 32) + (right >> 32);
 }
 
-// The upper 64 bits of the product, rounded towards zero.
+// Returns the upper 64 bits of the product, rounded towards zero.
 static int64_t paradt_gen__times(int64_t a, uint64_t b) {
     return a < 0 ? -(int64_t)paradt_gen__high((uint64_t)-a, b) : (int64_t)paradt_gen__high((uint64_t)a, b);
 }
 
-// The largest root below 2^63 with root * root / 2^64 <= square: of a Qn the root in Q(n / 2 + 32).
+// Returns the square root: the largest root below 2^63 with root * root / 2^64 <= square. Of a number in Qn the root is
+// in Q(n / 2 + 32).
 static uint64_t paradt_gen__root(uint64_t square) {
     uint64_t root = 0, bit;
     for (bit = UINT64_C(1) << 62; bit; bit >>= 1)
@@ -122,7 +123,7 @@ static uint64_t paradt_gen__root(uint64_t square) {
     return root;
 }
 
-// a / b in Q60, for a <= b < 2^63
+// Returns a / b in Q60. a <= b < 2^63
 static uint64_t paradt_gen__ratio(uint64_t a, uint64_t b) {
     uint64_t quotient = a == b;
     int i;
@@ -137,7 +138,7 @@ static uint64_t paradt_gen__ratio(uint64_t a, uint64_t b) {
     return quotient;
 }
 
-// Is the length of a falling run of uniform numbers that starts below a half even? True with probability exp(-1/2).
+// Returns 1 with probability exp(-1/2): if a decreasing run of uniform numbers, begun below 1/2, has even length.
 static int paradt_gen__half(uint64_t *state) {
     uint64_t last = UINT64_C(1) << 63, u;
     int even = 1;
@@ -148,7 +149,7 @@ static int paradt_gen__half(uint64_t *state) {
     return even;
 }
 
-// True with probability exp(-x (2k + x) / (2k + 2)); x: Q64
+// Returns 1 with probability exp(-x (2k + x) / (2k + 2)). x: in Q64
 static int paradt_gen__fits(uint64_t *state, uint64_t k, uint64_t x) {
     uint64_t y = x, z, side;
     int even = 1;
@@ -162,8 +163,8 @@ static int paradt_gen__fits(uint64_t *state, uint64_t k, uint64_t x) {
     return even;
 }
 
-// A normal deviate in Q60 by Karney's algorithm N ("Sampling exactly from the normal distribution", TOMS 42, 2016),
-// which only compares random integers. Deviates of 8 and more (one in 10^15) are drawn again.
+// Returns a normal deviate in Q60. This is Karney's algorithm N ("Sampling exactly from the normal distribution", TOMS
+// 42, 2016), which only compares random integers. A deviate of 8 or more, one in 10^15, is rejected.
 static int64_t paradt_gen__gauss(uint64_t *state) {
     for (;;) {
         uint64_t k = 0, i, x;
@@ -183,11 +184,11 @@ static int64_t paradt_gen__gauss(uint64_t *state) {
     }
 }
 
-// A uniform direction: a normal vector over its length; unit: Q60
+// Generates a uniformly distributed unit vector, in Q60: a vector of normal deviates divided by its length.
 static void paradt_gen__direction(uint64_t *state, int dim, int64_t *unit) {
     uint64_t square, length;
     int k;
-    do { // too long overflows, too short (below 1/2) loses digits; the direction is independent of the length
+    do { // rejects long vectors, which overflow, and those below 1/2, which lose digits; the direction is independent
         for (square = 0, k = 0; k < dim; k++) {
             uint64_t part;
             unit[k] = paradt_gen__gauss(state);
@@ -197,7 +198,7 @@ static void paradt_gen__direction(uint64_t *state, int dim, int64_t *unit) {
                 break;
         }
     } while (square >> 62 || square < UINT64_C(1) << 54);
-    length = paradt_gen__root(square); // Q60, rounded down: a part that is the whole length may exceed it
+    length = paradt_gen__root(square); // Q60, rounded down, so a single part may be longer
     for (k = 0; k < dim; k++) {
         uint64_t part = (uint64_t)(unit[k] < 0 ? -unit[k] : unit[k]);
         int64_t ratio = (int64_t)paradt_gen__ratio(part < length ? part : length, length);
@@ -205,9 +206,9 @@ static void paradt_gen__direction(uint64_t *state, int dim, int64_t *unit) {
     }
 }
 
-// Sine of a quarter turn's fraction in Q61, by its Taylor series; fraction: Q64
+// Returns the sine in Q61 of a fraction of a quarter turn, by the Taylor series. fraction: in Q64
 static int64_t paradt_gen__sine(uint64_t fraction) {
-    uint64_t x = paradt_gen__high(fraction, UINT64_C(0xc90fdaa22168c234)) >> 2; // times pi / 2 (Q63): Q61
+    uint64_t x = paradt_gen__high(fraction, UINT64_C(0xc90fdaa22168c234)) >> 2; // times pi / 2, which is in Q63: Q61
     uint64_t square = paradt_gen__high(x, x) << 3;                              // Q61
     uint64_t term = x;
     int64_t sum = (int64_t)x;
@@ -219,7 +220,7 @@ static int64_t paradt_gen__sine(uint64_t fraction) {
     return sum;
 }
 
-// Cosine and sine in Q61 of an angle in turns; turn: Q64
+// Computes the cosine and sine, in Q61, of an angle. turn: the angle in turns, in Q64
 static void paradt_gen__circle(uint64_t turn, int64_t *cosine, int64_t *sine) {
     uint64_t fraction = turn << 2;
     int64_t rise = paradt_gen__sine(fraction), fall = paradt_gen__sine(~fraction);
@@ -240,19 +241,19 @@ static void paradt_gen__circle(uint64_t turn, int64_t *cosine, int64_t *sine) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>kinds: one function and one row each
+// >>kinds: one function and one row of the table each
 
 typedef struct paradt_gen__point {
     int dim;
     size_t count; // points in the whole set
-    size_t index; // which of them this is
+    size_t index; // of this point in the set
     uint64_t seed;
-    uint64_t state; // this point's stream
+    uint64_t state; // random stream of this point
 } paradt_gen__point;
 
 enum { PARADT_GEN__POINTS, PARADT_GEN__WEIGHTS, PARADT_GEN__CENTRES };
 
-// The smallest side with side^dim >= count
+// Returns the smallest side with side^dim >= count.
 static uint64_t paradt_gen__side(size_t count, int dim) {
     uint64_t side = 1, volume;
     for (;; side++) {
@@ -264,6 +265,7 @@ static uint64_t paradt_gen__side(size_t count, int dim) {
     }
 }
 
+// digits: [dim], lowest first
 static void paradt_gen__digits(uint64_t number, uint64_t base, int dim, uint64_t *digits) {
     int k;
     for (k = 0; k < dim; k++) {
@@ -272,6 +274,7 @@ static void paradt_gen__digits(uint64_t number, uint64_t base, int dim, uint64_t
     }
 }
 
+// Fills coordinates from .. to - 1 with uniform numbers of the unit interval.
 static void paradt_gen__fill(uint64_t *state, int from, int to, double *x) {
     for (; from < to; from++)
         x[from] = paradt_gen__real(0, paradt_gen__next(state) >> 11, -53);
@@ -295,7 +298,8 @@ static void paradt_gen__sphere(paradt_gen__point *p, double *x) {
         x[k] = paradt_gen__signed(unit[k], -60);
 }
 
-// The largest of d uniform numbers has the distribution of the radius in a d-ball.
+// Returns the radius, in Q64, of a uniform point of the unit ball. It is distributed as the largest of dim uniform
+// numbers.
 static uint64_t paradt_gen__radius(uint64_t *state, int dim) {
     uint64_t largest = 0, u;
     for (; dim > 0; dim--)
@@ -322,7 +326,7 @@ static void paradt_gen__clusters(paradt_gen__point *p, double *x) {
     }
 }
 
-// Plummer's star cluster (1911), cut at ten scale radii. A share y^3 of its mass lies within r = y / sqrt(1 - y^2).
+// Plummer's star cluster (1911), cut off at ten scale radii. A fraction y^3 of the mass is within y / sqrt(1 - y^2).
 static void paradt_gen__plummer(paradt_gen__point *p, double *x) {
     int64_t unit[PARADT_GEN_MAX_DIM];
     uint64_t y, square, rest, radius;
@@ -346,7 +350,7 @@ static void paradt_gen__lattice(paradt_gen__point *p, double *x) {
         x[k] = paradt_gen__real(0, digits[k], 0);
 }
 
-// The integer points with an even sum: in 3D the face-centred cubic lattice.
+// Integer points whose coordinates have an even sum; in 3D the face-centred cubic lattice.
 static void paradt_gen__fcc(paradt_gen__point *p, double *x) {
     uint64_t digits[PARADT_GEN_MAX_DIM], sum = 0;
     int k;
@@ -358,7 +362,7 @@ static void paradt_gen__fcc(paradt_gen__point *p, double *x) {
     x[k] = paradt_gen__real(0, 2 * digits[k] + sum % 2, 0);
 }
 
-// The integer points that are all even or all odd: in 3D the body-centred cubic lattice.
+// Integer points whose coordinates are all even or all odd; in 3D the body-centred cubic lattice.
 static void paradt_gen__bcc(paradt_gen__point *p, double *x) {
     uint64_t digits[PARADT_GEN_MAX_DIM];
     int k;
@@ -380,7 +384,7 @@ static void paradt_gen__plane(paradt_gen__point *p, double *x) {
     x[p->dim - 1] = paradt_gen__real(0, paradt_gen__next(&p->state) >> 11, -73);
 }
 
-// Fifty turns; in two dimensions a spiral, beyond three the further coordinates are uniform.
+// Fifty turns; in two dimensions a spiral. From the fourth on the coordinates are uniform.
 static void paradt_gen__helix(paradt_gen__point *p, double *x) {
     uint64_t t = paradt_gen__next(&p->state);
     int64_t cosine, sine;
@@ -410,8 +414,9 @@ static void paradt_gen__cylinder(paradt_gen__point *p, double *x) {
     paradt_gen__fill(&p->state, 2, p->dim, x);
 }
 
-// Turns (r, 0, ..., 0) by the angles of Pythagorean triples in random coordinate planes, multiplied by the hypotenuse
-// each time: integer points, all exactly as far from the origin as the product of the hypotenuses (below 2^38).
+// Rotates (1, 0, ..., 0) by the angles of Pythagorean triples in random coordinate planes, and multiplies by the
+// hypotenuse after each rotation. The points are integer and all have the same distance from the origin: the product of
+// the hypotenuses, which is below 2^38.
 static void paradt_gen__cospherical(paradt_gen__point *p, double *x) {
     static const int triples[8][3] = {{3, 4, 5},    {5, 12, 13}, {8, 15, 17},  {20, 21, 29},
                                       {12, 35, 37}, {9, 40, 41}, {28, 45, 53}, {11, 60, 61}};
@@ -509,7 +514,7 @@ static void paradt_gen__moment(paradt_gen__point *p, double *x) {
     }
 }
 
-// In 3D every segment of one line and every segment of the other are a cell.
+// In 3D any segment of one line and any segment of the other span a cell.
 static void paradt_gen__skew_lines(paradt_gen__point *p, double *x) {
     int k, odd = (int)(p->index % 2);
     for (k = 0; k < p->dim; k++)
@@ -523,7 +528,7 @@ static const struct {
     const char *name;
     const char *about;
     void (*make)(paradt_gen__point *point, double *x);
-    int weight; // weights are 0..15 times two to this power; or by the mean spacing of the points; or of all magnitudes
+    int weight; // weights are 0..15 times 2^weight; SPACING: times the squared spacing; WIDE: of all magnitudes
 } paradt_gen__table[] = {
     {"uniform", "uniform in the unit cube", paradt_gen__uniform, PARADT_GEN__SPACING},
     {"gauss", "normal, of deviation 1", paradt_gen__normal, PARADT_GEN__SPACING},
@@ -576,7 +581,7 @@ int paradt_gen_find(const char *name) {
     return paradt_gen__find(name, strlen(name));
 }
 
-// Reads digits; returns how many, or 0 when the number does not fit.
+// Reads a decimal integer. Returns the number of digits; 0 if there are none or the number does not fit.
 static size_t paradt_gen__natural(const char *text, uint64_t *value) {
     size_t n = 0;
     for (*value = 0; text[n] >= '0' && text[n] <= '9'; n++) {
@@ -604,7 +609,7 @@ const char *paradt_gen_parse(paradt_gen_spec *spec, const char *text) {
     if (n && (*at == 'e' || *at == 'E'))
         at += 1 + (n = paradt_gen__natural(at + 1, &power));
     if (!n)
-        return "the number of points is missing or too large";
+        return "the number of points is not a whole number, or is too large";
     for (; power && value; power--) {
         if (value > UINT64_MAX / 10)
             return "the number of points is too large";
@@ -631,7 +636,7 @@ void paradt_gen_points(const paradt_gen_spec *spec, int dim, size_t first, size_
     }
 }
 
-// Two to this power is about the square of the mean distance between `count` points in a unit cube, over 16.
+// Returns an exponent of 2: the power is about 1/16 of the squared mean distance of `count` points in a unit cube.
 static int paradt_gen__spacing(size_t count, int dim) {
     int log = 0;
     for (; count > 1; count /= 2)

@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
-"""Writes the seeds of fuzz_triangulate.c into fuzz/corpus: python3 fuzz/corpus.py"""
+"""Writes the seeds of fuzz_triangulate.c to fuzz/corpus: python3 fuzz/corpus.py"""
 import itertools
 import os
 import struct
 
 LATTICE, ULPS, SCALED, RAW = range(4)
-ONE, ZERO, SMALLEST_NORMAL, SUBNORMAL, LARGEST, _, _, INTEGERS_ONLY, TENTH, _ = range(10)  # bases of ULPS
-LARGE_STEPS = 3 << 5  # of LATTICE: multiples of 2^40
+ONE, ZERO, SMALLEST_NORMAL, SUBNORMAL, LARGEST, _, _, INTEGERS_ONLY, TENTH, _ = range(10)  # parameters of ULPS
+LARGE_STEPS = 3 << 5  # parameter of LATTICE: multiples of 2^40
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "corpus")
 
 
 def seed(name, dim, encoding, numbers, weighted=False, copies=False, keep=False, uniform=False, regions=3, parameter=0,
          spoil=5, copied_axis=None, constant_axis=None):
-    """numbers: signed bytes for LATTICE and ULPS, pairs of them for SCALED, doubles (or bit patterns) for RAW."""
+    """Writes one seed.
+
+    numbers: signed bytes for LATTICE and ULPS, pairs of signed bytes for SCALED, doubles or bit patterns for RAW.
+    """
     flags = dim - 2 | encoding << 2 | weighted << 4 | copies << 5 | keep << 6 | uniform << 7
     flat = 0
     if copied_axis is not None:
@@ -56,7 +59,7 @@ def signs_and_orders(*coordinates):
 
 
 def scattered(count, spread=251, start=7):
-    """Numbers with no pattern that matters, as signed bytes."""
+    """Returns pseudo-random signed bytes from -(spread // 2) on."""
     numbers, x = [], start
     for _ in range(count):
         x = (x * 1103515245 + 12345) & 0x7fffffff
@@ -66,7 +69,7 @@ def scattered(count, spread=251, start=7):
 
 def main():
     os.makedirs(FOLDER, exist_ok=True)
-    # nothing much
+    # few points
     seed("no_points_3d", 3, LATTICE, [])
     seed("one_point_4d", 4, LATTICE, [1, 2, 3, 4])
     seed("two_points_2d", 2, LATTICE, [1, 2, 3, 4])
@@ -85,7 +88,7 @@ def main():
     seed("ulps_in_a_hyperplane_4d", 4, ULPS, scattered(64, 5), parameter=ONE, constant_axis=1)
     seed("scaled_in_a_plane_3d", 3, SCALED, list(zip(scattered(60), scattered(60, 61, 3))), copied_axis=0)
     seed("large_lattice_in_a_hyperplane_4d", 4, LATTICE, scattered(80), parameter=LARGE_STEPS | 4, copied_axis=3)
-    # all ties
+    # ties
     seed("grid_2d", 2, LATTICE, listed(lattice(6, 2)), regions=4)
     seed("grid_3d", 3, LATTICE, listed(lattice(3, 3)), regions=5, uniform=True)
     seed("cube_with_centre_3d", 3, LATTICE,
@@ -108,7 +111,7 @@ def main():
     seed("weighted_grid_3d", 3, LATTICE, listed((x, y, z, (x * y + z) % 3) for x, y, z in lattice(3, 3)), weighted=True)
     seed("weighted_with_hidden_2d", 2, LATTICE, scattered(180, 61), weighted=True, regions=4)
     seed("weighted_with_copies_4d", 4, LATTICE, scattered(110, 9), weighted=True, copies=True)
-    # close together, far apart, the ends of the range
+    # points close together, far apart, at the ends of the range of doubles
     seed("ulps_at_one_3d", 3, ULPS, scattered(100, 7), parameter=ONE)
     seed("ulps_at_one_weighted_2d", 2, ULPS, scattered(100, 5), parameter=ONE, weighted=True)
     seed("ulps_at_a_tenth_4d", 4, ULPS, scattered(64, 5), parameter=TENTH)
@@ -118,7 +121,7 @@ def main():
     seed("scaled_2d", 2, SCALED, list(zip(scattered(60), scattered(60, 251, 3))))
     seed("scaled_3d", 3, SCALED, list(zip(scattered(60), scattered(60, 61, 3))))
     seed("scaled_weighted_3d", 3, SCALED, list(zip(scattered(64), scattered(64, 31, 3))), weighted=True)
-    # any double
+    # any doubles
     seed("raw_3d", 3, RAW, [x / 256 for x in scattered(60)])
     seed("raw_largest_2d", 2, RAW, [x * 1.4e306 for x in scattered(40)])
     seed("raw_negative_zero_2d", 2, RAW, [0.0, -0.0, -0.0, 0.0, 1.0, -0.0, 0.0, 1.0, -0.0, -1.0])

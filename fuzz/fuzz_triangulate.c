@@ -1,23 +1,24 @@
-// Any bytes are points in 2 to 5 dimensions. All methods, regions and the points in reverse order have to give the
-// same cells, each result has to pass the certificate, no allocation that fails may leak, and whatever bytes get into
-// the arrays of a result, the certificate has to end and may accept nothing else.
+// Any bytes are decoded to points in 2 to 5 dimensions. Then
+//     - all methods, with one region and with several, and the points in reverse order have to give the same cells
+//     - paradt_check has to certify each result
+//     - a failing allocation has to be reported, and may not leak memory
+//     - after an element of a result is overwritten, paradt_check has to return, and may only certify the same cells
 //
-//     mkdir -p build/corpus # for what is found
+//     mkdir -p build/corpus # receives the inputs that the fuzzer finds
 //     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. -o build/fuzz fuzz/fuzz_triangulate.c -lm
 //     build/fuzz build/corpus fuzz/corpus
 //
 //     cc -g -DPARADT_FUZZ_STANDALONE -I. -o build/replay fuzz/fuzz_triangulate.c -lm && build/replay fuzz/corpus/*
 //
-// The bytes: a header of five,
-//     0: bits 0-1 dimension - 2, bits 2-3 encoding, bit 4 weights, bit 5 each third point is a copy, bit 6 not finite
-//        is left as it is, bit 7 regions by the uniform partition
-//     1: regions - 1
-//     2: a parameter of the encoding
-//     3: which allocation fails, which element is spoiled
-//     4: 0, or what makes the points flat: bit 0: an axis equals the next one, else it is constant; bits 1-7: which
-//     axis
-// then points, each of its coordinates and the weight if there are weights. See the decoders for the encodings.
-#ifndef PARADT_FUZZ_LINKED // else the implementation is in another object
+// The first five bytes are a header:
+//     0  bits 0-1: dimension - 2; bits 2-3: encoding; bit 4: the points have weights; bit 5: every third point is a
+//        copy; bit 6: numbers that are not finite are kept; bit 7: uniform partition
+//     1  regions - 1
+//     2  parameter of the encoding
+//     3  number of the allocation that fails, and of the element that is overwritten
+//     4  0, or the points are flat: bit 0: 1: an axis equals the next one, 0: it is constant; bits 1-7: this axis
+// The points follow: the coordinates of each and, if there are weights, its weight. next_number has the encodings.
+#ifndef PARADT_FUZZ_LINKED // defined if another object has the implementation
 #define PARADT_IMPLEMENTATION
 #endif
 #include "paradt.h"
@@ -28,6 +29,7 @@
 
 enum { MAX_POINTS = 64, MAX_DIM = 5, MAX_REGIONS = 9 };
 
+// Prints an error and aborts, which fuzzers notice.
 static void fail(const char *what, const char *detail) {
     fprintf(stderr, "%s: %s\n", what, detail);
     abort();
@@ -40,7 +42,7 @@ typedef struct bytes {
     size_t left;
 } bytes;
 
-// 0 at the end
+// Returns the next byte; 0 at the end.
 static int next_byte(bytes *b) {
     if (!b->left)
         return 0;
@@ -69,7 +71,7 @@ static int is_finite(double x) {
     return (to_bits(x) >> 52 & 2047) != 2047;
 }
 
-// m * 2^e, |m| < 2^8; what is too large or too small becomes the nearest power that is not.
+// Returns m * 2^e, |m| < 2^8. Stops multiplying beyond 2^1000, and dividing below 2^-1000.
 static double scaled(int m, int e) {
     double x = m;
     for (; e > 0 && x < 0x1p1000 && x > -0x1p1000; e--)
@@ -81,8 +83,10 @@ static double scaled(int m, int e) {
 
 enum { LATTICE, ULPS, SCALED, RAW };
 
-// LATTICE: a signed byte, modulo (the parameter's bits 0-4) + 1 (0: as it is), times a power of two chosen by bits 5-7
-// ULPS:    a signed byte, so many representable numbers away from a base which the parameter chooses
+// Decodes a number. keep: 1: it may be a NaN or infinity
+// LATTICE: a signed byte, reduced modulo the parameter's bits 0-4 plus 1 (if these bits are 0, not reduced), times a
+//          power of two that bits 5-7 choose
+// ULPS:    a signed byte n: the nth representable number after a base that the parameter chooses
 // SCALED:  two signed bytes m, e: m * 2^(8 e)
 // RAW:     the eight bytes of the double, least significant first
 static double next_number(bytes *b, int encoding, int parameter, int keep) {
@@ -119,13 +123,13 @@ typedef struct input {
     paradt_points points;
     size_t regions;
     paradt_partition partition;
-    int spoil;
-    int first_bad; // the first point that is not finite, or -1
+    int spoil;     // byte 3 of the header
+    int first_bad; // index of the first point that is not finite, or -1
 } input;
 
 static void decode(input *in, const uint8_t *data, size_t size) {
-    // fewer in higher dimensions, where a point costs more: well below a tenth of a second an input, sanitizers
-    // included
+    // Fewer points in higher dimensions, where a point costs more: an input takes well below a tenth of a second, with
+    // sanitizers.
     static const int most[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
     bytes b = {data, size};
     int flags = next_byte(&b), regions = next_byte(&b), parameter = next_byte(&b), dim = 2 + (flags & 3), count = 0, i;
@@ -157,6 +161,7 @@ static void decode(input *in, const uint8_t *data, size_t size) {
     in->partition = flags >> 7 ? PARADT_UNIFORM : PARADT_BISECTION;
 }
 
+// Returns the input with the points in reverse order. The caller sets points.data and points.weights.
 static input reversed(const input *in) {
     input out = *in;
     size_t i, count = in->points.count, dim = (size_t)in->points.dim;
@@ -167,8 +172,9 @@ static input reversed(const input *in) {
     return out;
 }
 
-// --- what has to hold
+// --- the tests
 
+// The result has to be certified by paradt_check. what: the case, for an error
 static void certify(const paradt_triangulation *t, const paradt_points *points, const char *what) {
     paradt_fault fault;
     paradt_status status = paradt_check(t, points, NULL, &fault);
@@ -176,18 +182,20 @@ static void certify(const paradt_triangulation *t, const paradt_points *points, 
         fail(what, fault.reason ? fault.reason : paradt_status_string(status));
 }
 
+// The points have to be triangulated, with these options, to cells of this hash.
 static void expect_hash(const input *in, const paradt_options *options, uint64_t hash, const char *what) {
     paradt_triangulation t;
     paradt_status status = paradt_triangulate(&t, &in->points, options);
     if (status)
         fail(what, paradt_status_string(status));
     if (paradt_hash(&t) != hash)
-        fail(what, "another set of cells than InCoDe's");
+        fail(what, "the cells are not InCoDe's");
     certify(&t, &in->points, what);
     paradt_free(&t);
 }
 
-// The cells of the reversed points, each vertex under the index of the point that stands for it in the order given.
+// Triangulates the points in reverse order. The cells have to be those of t: each vertex is translated to the point
+// that stands for it in t.
 static void expect_same_reversed(const input *in, const paradt_triangulation *t) {
     input back = reversed(in);
     paradt_triangulation u;
@@ -210,13 +218,15 @@ static void expect_same_reversed(const input *in, const paradt_triangulation *t)
     for (c = 0; c < u.point_count; c++)
         hidden += (u.representative[c] < 0) != (t->representative[t->point_count - 1 - c] < 0);
     if (sum != paradt_hash(t) || hidden)
-        fail("reversed", "another set of cells or hidden points");
+        fail("reversed", "the cells or the hidden points are others");
     certify(&u, &back.points, "reversed");
     paradt_free(&u);
 }
 
 typedef struct blocks {
-    int held, calls, fail_at;
+    int held;    // blocks that were allocated and not freed
+    int calls;   // allocations so far
+    int fail_at; // number of the allocation that fails
 } blocks;
 
 static void *failing_alloc(void *user, size_t size) {
@@ -232,6 +242,7 @@ static void failing_free(void *user, void *memory) {
     free(memory);
 }
 
+// A failing allocation has to be reported, and no memory may be leaked.
 static void expect_clean_failure(const input *in, uint64_t hash) {
     blocks b = {0, 0, 0};
     paradt_options options;
@@ -247,26 +258,27 @@ static void expect_clean_failure(const input *in, uint64_t hash) {
     if (status != (b.calls > b.fail_at ? PARADT_ERROR_MEMORY : PARADT_OK))
         fail("failing allocation", paradt_status_string(status));
     if (!status && paradt_hash(&t) != hash)
-        fail("own allocator", "another set of cells");
+        fail("own allocator", "the cells are others");
     paradt_free(&t);
     if (b.held)
-        fail("failing allocation", "not all memory was given back");
+        fail("failing allocation", "memory was leaked");
 }
 
-// The array gets one wrong element; the certificate may accept it only when the cells are the same all the same.
+// Overwrites one element of an array of t, and restores it. paradt_check may certify the result only if the cells are
+// still the same.
 static void expect_no_false_certificate(const paradt_triangulation *t, const paradt_points *points, paradt_index *array,
                                         size_t count, int spoil) {
     size_t place;
     paradt_index right;
     uint64_t hash = paradt_hash(t);
-    if (!count)
+    if (!array || !count) // a single vertex has no neighbours
         return;
     place = (size_t)spoil * 7 % count;
     right = array[place];
     array[place] = (paradt_index)(spoil % 4 == 0 ? (uint32_t)spoil * 2654435761u : (uint32_t)(spoil % 67) - 2u);
     if (array[place] != right && paradt_check(t, points, NULL, NULL) == PARADT_OK &&
         (array != t->cells || paradt_hash(t) != hash))
-        fail("spoiled result", "was certified");
+        fail("spoiled result", "it was certified");
     array[place] = right;
 }
 
@@ -284,7 +296,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     status = paradt_triangulate(&t, &in.points, &options);
     if (in.first_bad >= 0) {
         if (status != PARADT_ERROR_NOT_FINITE || t.error_point != (size_t)in.first_bad)
-            fail("not finite", "was not refused with its point");
+            fail("not finite", "the point was not reported");
         return 0;
     }
     if (status)

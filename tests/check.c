@@ -1029,7 +1029,7 @@ static void bad_arguments_are_refused(void **state) {
     paradt_triangulation t = s->t;
     paradt_fault fault;
     assert_int_equal(paradt_check(NULL, &points, NULL, &fault), PARADT_ERROR_ARGUMENT);
-    assert_null(fault.reason);
+    assert_string_equal(fault.reason, "triangulation is NULL");
     assert_int_equal(paradt_check(&t, NULL, NULL, NULL), PARADT_ERROR_ARGUMENT);
     points.dim = 1;
     assert_int_equal(paradt_check(&t, &points, NULL, NULL), PARADT_ERROR_ARGUMENT);

@@ -27,7 +27,7 @@ static int keys_of_cube(const paradt__hilbert *hilbert, int dim, int levels, int
     for (int i = 0; i < count; i++) {
         double x[PARADT_MAX_DIM];
         lattice_point(i, dim, levels, x);
-        uint64_t key = paradt__curve_key(hilbert, &lattice, x);
+        uint64_t key = paradt__hilbert_key(hilbert, &lattice, x);
         if (key >= (uint64_t)count || order[key] >= 0) return -1;
         order[key] = i;
     }
@@ -79,8 +79,8 @@ static void the_corners_of_any_box_get_different_places(void **state) {
             }
             paradt__hilbert_begin(&hilbert, 3, 10);
             paradt__lattice_begin(&lattice, 3, levels, by_steps, low, high);
-            assert_true(paradt__curve_key(&hilbert, &lattice, low_corner) !=
-                        paradt__curve_key(&hilbert, &lattice, high_corner));
+            assert_true(paradt__hilbert_key(&hilbert, &lattice, low_corner) !=
+                        paradt__hilbert_key(&hilbert, &lattice, high_corner));
         }
 }
 
@@ -96,13 +96,13 @@ static void sorting_keeps_the_order_of_equal_keys(void **state) {
                 paradt__keyed *other = (paradt__keyed *)need(count + 1, sizeof *other);
                 for (size_t i = 0; i < count; i++) { // few different keys, up to the highest bit
                     keyed[i].key = paradt__mix(i) % 97 * 0x9e3779b97f4a7c15u >> (64 - bits[b]);
-                    keyed[i].point = (paradt_index)i;
+                    keyed[i].item = (paradt_index)i;
                 }
                 paradt__keyed_sort(keyed, other, count, bits[b], across);
                 const paradt__keyed *sorted = across ? other : keyed;
                 for (size_t i = 1; i < count; i++)
                     assert_true(sorted[i - 1].key < sorted[i].key ||
-                                (sorted[i - 1].key == sorted[i].key && sorted[i - 1].point < sorted[i].point));
+                                (sorted[i - 1].key == sorted[i].key && sorted[i - 1].item < sorted[i].item));
                 free(keyed);
                 free(other);
             }
@@ -131,7 +131,7 @@ static void equal_points_are_found_on_all_scales(void **state) {
     for (int dim = 2; dim <= 4; dim++)
         for (size_t tasks = 1; tasks <= PARADT__MOST_TASKS; tasks++) {
             paradt_points points = {0};
-            paradt__team team = {tasks_in_turn, NULL, tasks};
+            paradt__team team = {tasks_in_turn, NULL, tasks, {NULL, NULL, 0.0}};
             paradt__memory memory;
             paradt__set set;
             size_t bad = 0, distinct = 0, count = tasks % 2 ? SCALES : PARADT__MANY_KEYS - 1;
@@ -173,7 +173,7 @@ static void fill_spread(double *x, int kind) {
 static int is_crowded(const double *x, size_t count) {
     static paradt_index representative[SPREAD];
     static paradt__loader loader;
-    paradt_points points = {x, count, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, count, 3);
     paradt__source source = paradt__source_of(&points);
     paradt__memory memory;
     paradt__set set;
@@ -181,16 +181,12 @@ static int is_crowded(const double *x, size_t count) {
     int crowded;
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
-    paradt__loader_begin(&loader, &set, &paradt__alone);
-    loader.source = &source;
-    loader.representative = representative;
-    set.width = 3;
-    paradt__space_begin(&set.space, 3, 3, 0);
-    assert_int_equal(paradt__loader_room(&loader, &memory), PARADT_OK);
-    assert_int_equal(paradt__set_survey(&loader, &bad), PARADT_OK);
+    paradt__loader_begin(&loader, &set, &source, NULL, &paradt__alone, representative);
+    assert_int_equal(paradt__loader_allocate(&loader, &memory), PARADT_OK);
+    assert_int_equal(paradt__loader_survey(&loader, &bad), PARADT_OK);
     paradt__hilbert_begin(&loader.hilbert, 3, count);
     crowded = paradt__loader_crowded(&loader, paradt__levels_for(count, 3));
-    paradt__release(&memory, loader.keyed);
+    paradt__loader_free(&loader, &memory);
     paradt__set_free(&set, &memory);
     assert_int_equal(memory.held, 0);
     return crowded;
@@ -253,7 +249,7 @@ static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__mem
     paradt__grid grid;
     if (set->space.dim < 2 || cuts->boxes < 2) return;
     memset(&grid, 0, sizeof grid);
-    assert_int_equal(paradt__grid_build(&grid, set, memory), PARADT_OK);
+    assert_int_equal(paradt__grid_build(&grid, set, NULL, memory), PARADT_OK);
     paradt__grid_free(&grid, memory);
     paradt__regions_deal(set, cuts, 0, set->count, 0, cuts->boxes);
     expect_boxes(set, cuts, 0);
@@ -268,7 +264,7 @@ static void boxes_follow_each_other(void **state) {
         for (int kind = 0; kind < 4; kind++)
             for (size_t boxes = 1; boxes <= 700; boxes += boxes < 9 ? 1 : 230) {
                 paradt_points points = {0};
-                paradt__team team = {tasks_in_turn, NULL, 2};
+                paradt__team team = {tasks_in_turn, NULL, 2, {NULL, NULL, 0.0}};
                 paradt__cuts cuts = {0};
                 paradt__memory memory;
                 paradt__set set;
@@ -339,7 +335,7 @@ static void points_are_measured_while_they_are_read(void **state) {
             sample s = family_make(&families[f], &weightings[w], 2 + (f + w) % 4, 60, 5);
             paradt_points points = points_of(&s);
             paradt__source source = paradt__source_of(&points);
-            paradt__team team = {tasks_in_turn, NULL, 1 + (size_t)w % 3};
+            paradt__team team = {tasks_in_turn, NULL, 1 + (size_t)w % 3, {NULL, NULL, 0.0}};
             paradt__memory memory;
             paradt__set set = {0};
             paradt_index *representative = (paradt_index *)need((size_t)s.count, sizeof *representative);
@@ -388,14 +384,16 @@ static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, 
     static paradt_index merged[OWN + OTHERS];
     static size_t place[OWN + OTHERS];
     size_t all = set->count = own + OTHERS;
-    paradt__curve curve = {set->space.low, set->space.high, OWN};
+    paradt__curve curve;
     paradt__rounds one; // only one round
     memset(&one, 0, sizeof one);
+    paradt__curve_begin(&curve, 3, paradt__levels_for(OWN, 3), set->space.low, set->space.high, all);
+    paradt__curve_limit(&curve, low, high);
     one.order = merged;
     for (size_t i = 0; i < TWINS; i++)
         memcpy(set->records + 3 * (own + i), set->records + 3 * (own / TWINS * i), 3 * sizeof(double));
     for (size_t i = 3 * (own + TWINS); i < 3 * all; i++) set->records[i] = (double)(paradt__mix(i) >> 11) * 0x1p-50 - 4;
-    paradt__merge_others(set, own, &curve, low, high, sorted, other, &one);
+    paradt__merge_others(set, own, &curve, sorted, other, &one);
     assert_int_equal(one.next, all);
     for (size_t i = 0; i < all; i++) place[i] = all;
     for (size_t i = 0; i < all; i++) {
@@ -414,7 +412,7 @@ static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, 
 static void others_come_where_the_curve_passes_them(void **state) {
     static double x[(OWN + OTHERS) * 3];
     static paradt_index representative[OWN];
-    paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, OWN, 3);
     paradt__memory memory;
     paradt__set set;
     int64_t low[3];

@@ -10,7 +10,7 @@ enum { POINTS = 4000, MOST_POINTS = 30001 };
 typedef struct building {
     paradt__memory memory;
     paradt__set set;
-    paradt__bw bw;
+    paradt__insertion build;
     paradt_index *order, *representative;
 } building;
 
@@ -21,9 +21,15 @@ static int stops(void *user, double fraction) {
 
 // Inserts points in the given order: all of them, or those before the first report of progress.
 static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
-    paradt_points given = {x, points, dim, 0, PARADT_F64, NULL};
-    paradt__progress progress = {all ? NULL : stops, NULL, 0, 1};
+    paradt_points given = paradt_points_f64(x, points, dim);
+    paradt_options options = {0};
+    paradt__meter meter;
+    uint32_t told = 0;
+    paradt__progress progress;
     size_t bad;
+    options.progress = all ? NULL : stops;
+    paradt__meter_begin(&meter, &options);
+    progress = paradt__progress_of(&meter, &told, 1.0);
     memset(b, 0, sizeof *b);
     paradt__memory_begin(&b->memory, NULL);
     b->order = malloc(points * sizeof *b->order);
@@ -31,11 +37,11 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
     assert_int_equal(paradt__set_load(&b->set, &given, NULL, &paradt__alone, &b->memory, b->representative, &bad),
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
-    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
+    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, NULL, &b->memory), PARADT_OK);
     // The set is sorted along a curve; set.origin[i] is the caller's index of point i.
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
-    paradt__bw_begin(&b->bw, &b->set, b->order, &b->memory);
-    assert_int_equal(paradt__bw_build(&b->bw, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
+    paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
+    assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
 }
 
 static void begin(building *b, const double *x, size_t points, int all) {
@@ -43,8 +49,7 @@ static void begin(building *b, const double *x, size_t points, int all) {
 }
 
 static void end(building *b) {
-    paradt__bw_end(&b->bw);
-    paradt__cells_free(&b->bw.cells, &b->memory);
+    paradt__insertion_end(&b->build);
     paradt__set_free(&b->set, &b->memory);
     free(b->order);
     free(b->representative);
@@ -58,23 +63,23 @@ static double random_coordinate(uint64_t i) {
 static void numbers_of_vertices_begin_again(void **state) {
     static double x[3 * POINTS];
     building plain, again;
-    paradt__progress silent = {NULL, NULL, 0, 1};
+    paradt__progress silent = {NULL, NULL, 0};
     uint32_t before;
     (void)state;
     for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i);
     begin(&plain, x, POINTS, 1);
     begin(&again, x, POINTS, 0);
-    assert_in_range(again.bw.inserted, 1000, POINTS - 1000);
-    before = again.bw.spheres->next_number;
-    again.bw.spheres->next_number = PARADT__LAST_NUMBER - 40000;
-    assert_int_equal(paradt__bw_insert_rest(&again.bw, &silent), PARADT_OK);
-    assert_true(again.bw.spheres->next_number > before);
-    assert_true(again.bw.spheres->next_number < PARADT__LAST_NUMBER - 40000); // they began again after some 70 insertions
-    assert_int_equal(again.bw.cells.count, plain.bw.cells.count);
-    assert_memory_equal(again.bw.cells.vertices, plain.bw.cells.vertices,
-                        plain.bw.cells.count * 4 * sizeof(paradt_index));
-    assert_memory_equal(again.bw.cells.neighbors, plain.bw.cells.neighbors,
-                        plain.bw.cells.count * 4 * sizeof(paradt_index));
+    assert_in_range(again.build.inserted, 1000, POINTS - 1000);
+    before = again.build.kept->next_number;
+    again.build.kept->next_number = PARADT__LAST_NUMBER - 40000;
+    assert_int_equal(paradt__insertion_go(&again.build, &silent), PARADT_OK);
+    assert_true(again.build.kept->next_number > before);
+    assert_true(again.build.kept->next_number < PARADT__LAST_NUMBER - 40000); // they began again after some 70 insertions
+    assert_int_equal(again.build.scene.mesh.count, plain.build.scene.mesh.count);
+    assert_memory_equal(again.build.scene.mesh.vertices, plain.build.scene.mesh.vertices,
+                        plain.build.scene.mesh.count * 4 * sizeof(paradt_index));
+    assert_memory_equal(again.build.scene.mesh.links, plain.build.scene.mesh.links,
+                        plain.build.scene.mesh.count * 4 * sizeof(paradt_index));
     end(&plain);
     end(&again);
 }
@@ -93,15 +98,15 @@ static void on_sphere(double *p, uint64_t i) {
 }
 
 // Cells that share a facet must link to each other and share the facet's vertices.
-static void check_links(const paradt__bw *bw) {
-    for (size_t c = 0; c < bw->cells.count; c++) {
-        const paradt_index *vertices = bw->cells.vertices + 4 * c;
+static void check_links(const paradt__insertion *build) {
+    for (size_t c = 0; c < build->scene.mesh.count; c++) {
+        const paradt_index *vertices = build->scene.mesh.vertices + 4 * c;
         if (vertices[0] == PARADT__DEAD) continue;
         for (size_t i = 0; i < 4; i++) {
-            paradt_index across = bw->cells.neighbors[4 * c + i];
-            const paradt_index *other = bw->cells.vertices + (across & ~3);
+            paradt_index across = build->scene.mesh.links[4 * c + i];
+            const paradt_index *other = build->scene.mesh.vertices + (across & ~3);
             int shared = 0;
-            assert_int_equal(bw->cells.neighbors[across], 4 * c + i);
+            assert_int_equal(build->scene.mesh.links[across], 4 * c + i);
             for (int j = 0; j < 4; j++) {
                 for (size_t k = 0; k < 4 && j != (across & 3); k++) shared += k != i && vertices[k] == other[j];
             }
@@ -122,12 +127,11 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
     memset(x + 3 * 25000, 0, 3 * sizeof *x);
     building b;
     begin(&b, x, MOST_POINTS, 1);
-    paradt__bw_mark_free(&b.bw);
-    check_links(&b.bw);
+    check_links(&b.build);
     end(&b);
 }
 
-// Only the part of the table of ridges that a star needs is cleared, not the part that the largest star needed.
+// A large star makes the table of ridges large. The table is empty after every star, so nobody has to clear it.
 static void a_large_star_does_not_slow_what_follows(void **state) {
     (void)state;
     static double x[2 * POINTS];
@@ -137,8 +141,8 @@ static void a_large_star_does_not_slow_what_follows(void **state) {
         x[2 * i + 1] = i == POINTS / 2 ? 0.0 : sin(2e-3 * (double)i);
     }
     begin_in(2, &b, x, POINTS, 1);
-    assert_true(b.bw.ridge_capacity >= 3 * (POINTS / 2 - 2)); // the need of the middle's star
-    assert_true(b.bw.ridge_mask < 64);                        // the need of the last point's star
+    assert_true(b.build.ridges.mask >= POINTS / 2 - 2);
+    assert_int_equal(b.build.ridges.count, 0);
     end(&b);
 }
 
@@ -153,14 +157,13 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
         memset(x + 3 * n, 0, 3 * sizeof *x);
         building b;
         begin(&b, x, n + 1, 1);
-        paradt__bw_mark_free(&b.bw);
-        check_links(&b.bw);
+        check_links(&b.build);
         size_t facets = 2 * n - 4, cells = 0, ghosts = 0;
         paradt_index middle = b.order[n];
-        for (size_t c = 0; c < b.bw.cells.count; c++) {
-            const paradt_index *vertices = b.bw.cells.vertices + 4 * c;
+        for (size_t c = 0; c < b.build.scene.mesh.count; c++) {
+            const paradt_index *vertices = b.build.scene.mesh.vertices + 4 * c;
             if (vertices[0] == PARADT__DEAD) continue;
-            int is_ghost = paradt__bw_ghost(vertices, 4) >= 0, has = 0;
+            int is_ghost = paradt__ghost_place(vertices, 4) >= 0, has = 0;
             for (int i = 0; i < 4; i++) has += vertices[i] == middle;
             cells += (size_t)!is_ghost;
             ghosts += (size_t)is_ghost;
@@ -250,19 +253,19 @@ static double error_of_power(double power, const double *const *v, const double 
 static void check_powers(const building *b) {
     enum { EVERY = 23, OTHERS = 4 };
     size_t asked = 0, vague = 0;
-    for (size_t at = 0; at < b->bw.cells.count; at += EVERY) {
-        const paradt_index *vertices = b->bw.cells.vertices + 4 * at;
+    for (size_t at = 0; at < b->build.scene.mesh.count; at += EVERY) {
+        const paradt_index *vertices = b->build.scene.mesh.vertices + 4 * at;
         const double *v[4];
-        if (vertices[0] == PARADT__DEAD || paradt__bw_ghost(vertices, 4) >= 0) continue;
-        for (int i = 0; i < 4; i++) v[i] = paradt__bw_record(&b->bw, vertices[i]);
+        if (vertices[0] == PARADT__DEAD || paradt__ghost_place(vertices, 4) >= 0) continue;
+        for (int i = 0; i < 4; i++) v[i] = paradt__scene_record(&b->build.scene, vertices[i]);
         for (size_t k = 0; k < 4 + OTHERS; k++) { // the apexes of the neighbours, and some other points
             paradt_index other = (paradt_index)(paradt__mix(at + k) % b->set.count);
-            if (k < 4) other = b->bw.cells.vertices[b->bw.cells.neighbors[4 * at + k]];
+            if (k < 4) other = b->build.scene.mesh.vertices[b->build.scene.mesh.links[4 * at + k]];
             if (other < 0) continue;
-            const double *x = paradt__bw_record(&b->bw, other);
-            paradt__seen3 seen = paradt__seen3_of(b->bw.spheres, x);
-            const paradt__sphere3 *sphere = paradt__bw3_sphere_of(&b->bw, (paradt_index)at);
-            double power = paradt__sphere3_power(sphere, &seen);
+            const double *x = paradt__scene_record(&b->build.scene, other);
+            paradt__centred seen = paradt__centred_of(b->build.kept, x);
+            const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
+            double power = paradt__sphere_power(sphere, &seen);
             assert_true(error_of_power(power, v, x) <= sphere->error);
             asked++;
             vague += other != vertices[0] && other != vertices[1] && other != vertices[2] && other != vertices[3] &&
@@ -280,10 +283,10 @@ static void powers_are_as_exact_as_they_say(void **state) {
     for (int sharp = 0; sharp < 2; sharp++) {
         for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i) * (sharp && i % 3 == 2 ? 0x1p-10 : 1);
         begin(&b, x, POINTS, 1);
-        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_QUICKLY);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_QUICKLY);
         if (sharp) {
-            b.bw.spheres->making = PARADT__MAKE_SHARP;
-            for (size_t i = 0; i <= b.bw.spheres->mask; i++) b.bw.spheres->table[i].tag = PARADT__NO_SPHERE;
+            b.build.kept->making = PARADT__MAKE_SHARP;
+            for (size_t i = 0; i <= b.build.kept->mask; i++) b.build.kept->table[i].tag = PARADT__NO_SPHERE;
         }
         check_powers(&b);
         end(&b);
@@ -307,8 +310,8 @@ static void powers_by_sagittas_tell_more(void **state) {
         }
         building b;
         begin(&b, x, POINTS, 1);
-        assert_int_equal(b.bw.spheres->making, PARADT__MAKE_GRADED);
-        assert_in_range(b.bw.space.counters.insphere_calls, 0, POINTS / 20);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_GRADED);
+        assert_in_range(b.build.scene.space.counters.insphere_calls, 0, POINTS / 20);
         check_powers(&b);
         end(&b);
     }

@@ -103,7 +103,11 @@ static inline const char *verify_neighbors(const paradt_triangulation *t) {
         }
         f += same;
     }
-    if (!wrong && t->dim > 0 && t->stats.hull_facets != hull)
+    if (t->dim == 0) // a single vertex has no facets
+        hull = 0;
+    if (!wrong && t->dim == 0 && t->neighbors)
+        wrong = "a single vertex has neighbours";
+    if (!wrong && t->stats.hull_facets != hull)
         wrong = "stats.hull_facets is not the number of facets with one cell";
     free(facets);
     return wrong;

@@ -1,19 +1,18 @@
-// What every program of the benchmark shares: its arguments, the point file, the clocks, the peak of the resident set,
-// the way back from coordinates to point indices, and the line of JSON that it prints. Linux only, for the resident
-// set.
+// Shared by the programs of the benchmark: arguments, point files, clocks, the peak of the resident set, the way from
+// coordinates to point indices, and the line of JSON that each program prints. For Linux, because of the resident set.
 //
 //     PROGRAM [options] POINTS
-//         --name NAME      what the line calls the program
-//         --jobs J         threads (programs that have them)
-//         --calls K        cut the points into K sets of equal size and triangulate one after the other: the time of
-//         small
-//                          sets; cells and hash are the last set's
-//         --hash           add the hash of the cells; it costs time after the measurement
-//         --method NAME, --regions K, --no-neighbors (paradt alone)
-//         --copies C       C processes at once, each with a C-th of the points (paradt alone)
+//         --name NAME      name of the program in the line
+//         --jobs J         number of threads, in programs that have threads
+//         --calls K        cut the points into K sets of equal size and triangulate each, to time small sets; cells and
+//                          hash are those of the last set
+//         --hash           add the hash of the cells, which is computed after the measurement
+//         --method NAME, --regions K, --no-neighbors (paradt only)
+//         --copies C       run C processes concurrently, each with 1/C of the points (paradt only)
 //
-// A point file is a header of 32 bytes - "paradtp1", count and dimension and number of weights as little-endian 64-bit
-// integers - then the coordinates, point by point, then the weights, as little-endian doubles.
+// A point file has a header of 32 bytes: "paradtp1", then the number of points, the dimension and the number of weights
+// as little-endian 64-bit integers. The coordinates follow, point by point, and then the weights, as little-endian
+// doubles.
 #ifndef BENCH_H
 #define BENCH_H
 
@@ -62,10 +61,11 @@ typedef struct bench_arguments {
 typedef struct bench_clock {
     double seconds;
     double cpu_seconds;  // of all threads
-    uint64_t rss_before; // bytes resident just before the work, the input among them
-    uint64_t rss_peak;   // most bytes resident during the work
+    uint64_t rss_before; // resident bytes just before the work, including the input
+    uint64_t rss_peak;   // largest number of resident bytes during the work
 } bench_clock;
 
+// Prints an error and exits.
 static inline void bench_fail(const char *what, const char *detail) {
     fprintf(stderr, "%s: %s\n", what, detail);
     exit(1);
@@ -110,7 +110,7 @@ static inline bench_arguments bench_parse(int argc, char **argv) {
     return a;
 }
 
-// The file stays mapped for good, so it is no memory of the process that is measured.
+// Maps a point file. The file is never unmapped, so the input is in rss_before.
 static inline bench_points bench_read(const char *path) {
     int file = open(path, O_RDONLY);
     struct stat status;
@@ -135,7 +135,7 @@ static inline bench_points bench_read(const char *path) {
     return points;
 }
 
-// Set number i of the arguments' calls.
+// Returns the ith of `calls` sets of equal size.
 static inline bench_points bench_set(const bench_points *points, size_t calls, size_t i) {
     bench_points set = *points;
     set.count = points->count / calls;
@@ -151,15 +151,15 @@ static inline double bench_now(clockid_t clock) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-// What each thread of a program does before the clock starts, all at once. A system may put a new thread where its maker
-// runs, and leave it there for tens of milliseconds; that is nobody's work either.
+// Keeps a processor busy. All threads of a program do this concurrently before the clock starts: a system may start a
+// new thread on the processor of its creator, and leave it there for tens of milliseconds.
 static inline void bench_warm_up(void) {
     double end = bench_now(CLOCK_MONOTONIC) + 0.05;
     while (bench_now(CLOCK_MONOTONIC) < end)
         continue;
 }
 
-// A line of /proc/self/status, in bytes.
+// Returns the value of a line of /proc/self/status, in bytes. field: the name with its colon
 static inline uint64_t bench_memory(const char *field) {
     FILE *file = fopen("/proc/self/status", "r");
     char line[256];
@@ -172,8 +172,7 @@ static inline uint64_t bench_memory(const char *field) {
     return (uint64_t)kilobytes * 1024;
 }
 
-// The work is what stands between start and stop. Start touches the mapped points first: reading the file is nobody's
-// work.
+// Starts the clock. Touches the mapped points before, so that the time does not include reading the file.
 static inline bench_clock bench_start(const bench_points *points) {
     bench_clock clock;
     volatile double touched = 0;
@@ -181,7 +180,7 @@ static inline bench_clock bench_start(const bench_points *points) {
         touched = touched + points->coordinates[i];
     FILE *file = fopen("/proc/self/clear_refs", "w");
     if (file) {
-        fputs("5", file); // the peak begins anew
+        fputs("5", file); // resets VmHWM
         fclose(file);
     }
     clock.rss_before = bench_memory("VmRSS:");
@@ -198,15 +197,16 @@ static inline void bench_stop(bench_clock *clock) {
 }
 
 // --- from coordinates to point indices -------------------------------------------------------------------------------
-// Libraries that sort, merge or number points themselves are asked for coordinates alone. The index is the point that
-// stands for all with these coordinates: the largest weight, then the smallest index.
+// Libraries sort, merge and number points in their own ways, so each vertex is found by its coordinates. Of points with
+// equal coordinates the index is that of the largest weight, and of equal weights the smallest.
 
 typedef struct bench_index {
     const bench_points *points;
-    size_t *slots; // open addressing; point + 1, 0: empty
-    size_t mask;
+    size_t *slots; // hash table with open addressing: index of a point + 1; 0: empty
+    size_t mask;   // number of slots - 1
 } bench_index;
 
+// Returns a hash of the coordinates.
 static inline uint64_t bench_mix(const double *x, int dim) {
     uint64_t h = 0;
     for (int i = 0; i < dim; i++) {
@@ -219,6 +219,7 @@ static inline uint64_t bench_mix(const double *x, int dim) {
     return h;
 }
 
+// Returns the slot of the point with these coordinates, or the empty slot where it belongs.
 static inline size_t *bench_slot(const bench_index *index, const double *x) {
     int dim = index->points->dim;
     size_t slot = (size_t)bench_mix(x, dim) & index->mask;
@@ -250,6 +251,7 @@ static inline bench_index bench_index_make(const bench_points *points) {
     return index;
 }
 
+// Returns the index of the point with these coordinates.
 static inline uint64_t bench_index_of(const bench_index *index, const double *x) {
     size_t slot = *bench_slot(index, x);
     if (!slot)
@@ -263,7 +265,7 @@ static inline void bench_index_free(bench_index *index) {
 
 // --- the line --------------------------------------------------------------------------------------------------------
 
-// hash: NULL when it was not wanted; extra: "" or further fields, each after a comma.
+// Prints the line. hash: NULL: not wanted; extra: further fields, each after a comma
 static inline void bench_print(const bench_arguments *a, const bench_points *points, const bench_clock *clock,
                                uint64_t cells, const uint64_t *hash, const char *extra) {
     printf("{\"name\":\"%s\",\"n\":%zu,\"d\":%d,\"jobs\":%zu,\"calls\":%zu,\"cells\":%" PRIu64 ",\"seconds\":%.6f,"

@@ -1,15 +1,15 @@
-# Builds the benchmark's programs: make -f tests/bench/bench.mk -k programs PEERS="cgal tetgen ..." (run.sh calls it).
+# Builds the programs of the benchmark: make -f tests/bench/bench.mk -k programs PEERS="cgal tetgen ...", as run.sh does.
 
 B     := build/bench
 CC    ?= cc
 CXX   ?= c++
 PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull hxt
-# Not every compiler knows -march=native.
+# Some compilers don't know -march=native.
 NATIVE := $(shell echo 'int one;' | $(CC) -march=native -x c -c -o /dev/null - 2>/dev/null && echo yes)
 
 WARNINGS  := -Wall -Wextra -Wshadow
 FLAGS     := -O3 $(WARNINGS) -I. -Itests/bench
-# CGAL's interval arithmetic asks for -frounding-math; NDEBUG takes its assertions out.
+# CGAL's interval arithmetic needs -frounding-math; NDEBUG removes its assertions.
 CGALFLAGS := -std=c++17 $(FLAGS) -DNDEBUG -frounding-math
 DEPENDS    = -MMD -MP -MT $@ -MF $@.d
 SOURCES    = $(filter %.c %.cpp %.o,$^)

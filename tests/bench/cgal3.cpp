@@ -1,5 +1,5 @@
-// CGAL's Delaunay_triangulation_3, as its manual recommends it: exact predicates, range insertion, which sorts the
-// points in space first. With CGAL_LINKED_WITH_TBB the same with its parallel tag.
+// CGAL's Delaunay_triangulation_3, used as its manual recommends: exact predicates, and insertion of a range, which
+// sorts the points in space. With CGAL_LINKED_WITH_TBB: the same with the parallel tag.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -27,9 +27,10 @@ typedef CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<K
 typedef CGAL::Delaunay_triangulation_3<Kernel, Structure> Delaunay;
 typedef std::vector<Kernel::Point_3> Points;
 
+// Replaces the previous triangulation.
 static void build(std::optional<Delaunay> &delaunay, const Points &points) {
 #ifdef CGAL_LINKED_WITH_TBB
-    const int grid = 50; // lock cells an axis: the value of CGAL's own example
+    const int grid = 50; // lock cells per axis, as in CGAL's own example
     const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
     Delaunay::Lock_data_structure locks(box, grid);
     delaunay.emplace(points.begin(), points.end(), &locks);
@@ -72,7 +73,7 @@ int main(int argc, char **argv) {
             sets[i].emplace_back(x[0], x[1], x[2]);
         }
     }
-    std::optional<Delaunay> delaunay; // made anew for each set, clearing the one before: that is in the time too
+    std::optional<Delaunay> delaunay; // of the last set; destroying the previous one is part of the time
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::parallel_for(size_t(0), arguments.jobs, [](size_t) { bench_warm_up(); });
 #endif

@@ -1,5 +1,5 @@
-// CGAL beyond space: Delaunay_triangulation_2 in the plane, Delaunay_triangulation of the dD package from 4 to 6
-// dimensions; exact predicates, range insertion.
+// CGAL in other dimensions than three: Delaunay_triangulation_2 in the plane, Delaunay_triangulation of the dD package
+// in 4 to 6 dimensions. Exact predicates, insertion of a range.
 #include <vector>
 
 #include <CGAL/Delaunay_triangulation.h>

@@ -1,4 +1,4 @@
-// CGAL's Regular_triangulation_3, sequential, exact predicates, range insertion.
+// CGAL's Regular_triangulation_3, sequential. Exact predicates, insertion of a range.
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,6 +1,5 @@
-// HXT, the parallel Delaunay code inside Gmsh: its function is exported by libgmsh but no header of the package
-// declares it. The declarations below are the layout in libgmsh 4.8; another version must be looked at before it is
-// called this way.
+// HXT, the parallel Delaunay code inside Gmsh. libgmsh exports its function, but no header of the package declares it.
+// The declarations below are those of libgmsh 4.8. Compare them with the source before using another version.
 #include <gmshc.h>
 #include <omp.h>
 
@@ -13,7 +12,7 @@
 #define HXT_GHOST UINT32_MAX // the vertex at infinity
 
 typedef struct hxt_mesh {
-    double *coordinates; // [vertex_count][4], the fourth is HXT's own
+    double *coordinates; // [vertex_count][4], the fourth is for HXT's own use
     uint32_t vertex_count;
     uint32_t vertex_size;
     uint32_t *nodes; // [cell_count][4]
@@ -22,7 +21,7 @@ typedef struct hxt_mesh {
     uint16_t *flags;
     uint64_t cell_count;
     uint64_t cell_size;
-    uint64_t others[21]; // triangles, lines, points, boundary: none here
+    uint64_t others[21]; // triangles, lines, points, boundary: not used here
 } hxt_mesh;
 
 typedef struct hxt_delaunay_options {
@@ -40,6 +39,7 @@ typedef struct hxt_delaunay_options {
 int hxtMeshCreate(hxt_mesh **mesh);
 int hxtDelaunay(hxt_mesh *mesh, hxt_delaunay_options *options);
 
+// Is the ghost no vertex of the cell?
 static int is_finite(const uint32_t *nodes) {
     for (int i = 0; i < 4; i++)
         if (nodes[i] == HXT_GHOST)
@@ -78,7 +78,7 @@ int main(int argc, char **argv) {
         memcpy(mesh->coordinates + 4 * i, points.coordinates + 3 * i, 3 * sizeof(double));
         mesh->coordinates[4 * i + 3] = 0;
     }
-    omp_set_num_threads((int)arguments.jobs); // its helpers take what OpenMP would give, whatever the options say
+    omp_set_num_threads((int)arguments.jobs); // HXT's helper functions ignore options.threads
     hxt_delaunay_options options = {0};
     options.perfect_delaunay = 1;
     options.threads = (int)arguments.jobs;

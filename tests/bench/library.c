@@ -1,4 +1,3 @@
-// The library as a program of its own object file: what the benchmark's programs link, for the hash if for nothing
-// else.
+// The library in an object file of its own. The programs of the benchmark link it; those of peers use its hash only.
 #define PARADT_IMPLEMENTATION
 #include "paradt.h"

@@ -1,27 +1,29 @@
-// ParaDT: --method NAME, --regions K, --jobs J threads of a parallel_for, --no-neighbors; the statistics are in the
-// line. --copies C: what so many processors give where nobody waits for another.
+// ParaDT: --method NAME, --regions K, --jobs J (threads of the parallel_for), --no-neighbors. The line has the
+// statistics. --copies C shows what C processors achieve if no process waits for another.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <sys/wait.h>
 
 #include "bench.h"
 
-// --- a parallel_for over standing threads, as host programs have them ------------------------------------------------
+// --- a parallel_for over permanent threads, as host programs have them -----------------------------------------------
 //
-// They are made by the first call. Between calls they look for work as often as those of GNU's OpenMP do, on which HXT
-// runs beside this, and then sleep.
+// The first call creates the threads. Between calls a thread polls for work, as often as a thread of GNU's OpenMP,
+// which HXT uses, and then sleeps.
 
-enum { MAX_JOBS = 256, LOOKS = 300000 };
+enum { MAX_JOBS = 256, LOOKS = 300000 }; // LOOKS: polls before a thread sleeps
 
 static struct {
     pthread_mutex_t lock;
     pthread_cond_t wake;
     pthread_t thread[MAX_JOBS];
-    size_t workers, count;
+    size_t workers; // threads created
+    size_t count;   // number of tasks
     void (*task)(void *context, size_t index);
     void *context;
-    atomic_size_t next, busy; // the next task; workers that have not ended theirs
-    atomic_uint call;         // goes up with each call
+    atomic_size_t next; // first task that has not begun
+    atomic_size_t busy; // workers that have not finished the call
+    atomic_uint call;   // number of calls so far
 } team = {.lock = PTHREAD_MUTEX_INITIALIZER, .wake = PTHREAD_COND_INITIALIZER};
 
 static void relax(void) {
@@ -35,6 +37,7 @@ static void team_work(void) {
         team.task(team.context, index);
 }
 
+// Waits for the call after number `call`.
 static void team_await(unsigned call) {
     for (int look = 0; look < LOOKS; look++) {
         if (atomic_load(&team.call) != call)
@@ -47,7 +50,7 @@ static void team_await(unsigned call) {
     pthread_mutex_unlock(&team.lock);
 }
 
-// seen: the call that was the last when the thread was made
+// The function of each thread. seen: number of calls when the thread was created
 static void *team_member(void *seen) {
     for (unsigned call = (unsigned)(uintptr_t)seen;; call++) {
         team_await(call);
@@ -57,6 +60,7 @@ static void *team_member(void *seen) {
     return NULL;
 }
 
+// A paradt_parallel_for. user: number of jobs, the calling thread's among them
 static void team_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     size_t jobs = *(const size_t *)user;
     void *seen = (void *)(uintptr_t)atomic_load(&team.call);
@@ -108,13 +112,15 @@ static void describe(char *text, size_t size, const paradt_triangulation *t, con
 
 static void triangulate(paradt_triangulation *result, const bench_arguments *a, const bench_points *set,
                         const paradt_options *options) {
-    paradt_points input = {set->coordinates, set->count, set->dim, 0, PARADT_F64, set->weights};
-    paradt_status status = paradt_triangulate(result, &input, options);
+    paradt_points input = paradt_points_f64(set->coordinates, set->count, set->dim);
+    paradt_status status;
+    input.weights = set->weights;
+    status = paradt_triangulate(result, &input, options);
     if (status != PARADT_OK)
         bench_fail(a->path, paradt_status_string(status));
 }
 
-// Processes that do nothing but this; the result is nobody's.
+// Triangulates each part of the points in a process of its own. The results are dropped.
 static void run_copies(const bench_arguments *a, const bench_points *points, const paradt_options *options) {
     for (size_t i = 0; i < a->copies; i++) {
         pid_t child = fork();
@@ -150,14 +156,14 @@ int main(int argc, char **argv) {
     }
     paradt_triangulation result;
     memset(&result, 0, sizeof result);
-    if (arguments.jobs > 1 && arguments.copies == 1) // copies would have the team, but not its threads
+    if (arguments.jobs > 1 && arguments.copies == 1) // a copy would inherit the team without its threads
         team_for(&arguments.jobs, arguments.jobs, team_warm_up, NULL);
     bench_clock clock = bench_start(&points);
     if (arguments.copies > 1)
         run_copies(&arguments, &points, &options);
     for (size_t i = 0; i < arguments.calls && arguments.copies == 1; i++) {
         bench_points set = bench_set(&points, arguments.calls, i);
-        paradt_free(&result); // of the set before; that is in the time too
+        paradt_free(&result); // the result of the previous set; freeing it is part of the time
         triangulate(&result, &arguments, &set, &options);
     }
     bench_stop(&clock);

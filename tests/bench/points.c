@@ -1,5 +1,5 @@
-// points gen:KIND:N:SEED DIM WEIGHTED FILE: a set of points as a point file (see bench.h); WEIGHTED: 0 or 1. Instead of
-// gen:... a file that paradt reads, of DIM coordinates or more.
+// points gen:KIND:N:SEED|INPUT DIM WEIGHTED FILE: writes a set of points as a point file (see bench.h). INPUT: a file
+// that paradt reads, with DIM coordinates or more; WEIGHTED: 0 or 1
 #define PARADT_IO_IMPLEMENTATION
 #include "examples/paradt_io.h"
 
@@ -12,7 +12,7 @@ static void write_or_fail(const void *data, size_t size, size_t count, FILE *fil
         bench_fail(path, "can't be written");
 }
 
-// Made block by block, so that the largest sets need no memory.
+// Generates the points block by block, so that large sets need little memory.
 static void write_generated(const paradt_gen_spec *spec, int dim, int weighted, FILE *file, const char *path) {
     static double block[BLOCK * PARADT_GEN_MAX_DIM];
     bench_header header = {BENCH_MAGIC_BYTES, spec->count, (uint64_t)dim, weighted ? spec->count : 0};
@@ -46,7 +46,7 @@ static void write_read(const char *input, int dim, int weighted, FILE *file, con
 
 int main(int argc, char **argv) {
     if (argc != 5)
-        bench_fail("usage", "points gen:KIND:N:SEED|FILE DIM WEIGHTED FILE");
+        bench_fail("usage", "points gen:KIND:N:SEED|INPUT DIM WEIGHTED FILE");
     const char *path = argv[4];
     int dim = atoi(argv[2]), weighted = atoi(argv[3]), generated = !strncmp(argv[1], "gen:", 4);
     paradt_gen_spec spec;

@@ -1,4 +1,4 @@
-// Nanoseconds a call of every stage of the predicates, on inputs that end in it.
+// Prints the nanoseconds a call of each stage of the predicates, on inputs that this stage decides.
 
 #define PARADT_IMPLEMENTATION
 #define PARADT_STATIC
@@ -41,12 +41,12 @@ static double make_lattice(int size) {
     return (double)(random_bits() % (uint64_t)size);
 }
 
-// Full mantissas at exponents so far apart
+// Returns a number with a full mantissa and one of `size` exponents.
 static double make_spread(int size) {
     return (1 + uniform()) * paradt__power(-(int)(random_bits() % (uint64_t)size));
 }
 
-// The vectors of a point and its mirror images are on one sphere.
+// The points of each tuple are mirror images of one point, so they are on a sphere.
 static void make_cospherical(int d, int size) {
     for (int n = 0; n < TUPLES; n++)
         for (int j = 0; j < d; j++) {
@@ -56,6 +56,7 @@ static void make_cospherical(int d, int size) {
         }
 }
 
+// Lets the space measure the coordinates of the tuples.
 static void measure_tuples(int d, int weighted) {
     paradt__space_begin(&space, d, d, weighted);
     for (int n = 0; n < TUPLES; n++)
@@ -97,6 +98,7 @@ static int ask(question what, const double *const *p) {
     }
 }
 
+// Prints one line: the least time of several repeats, and the share of each exact stage.
 static void run(const char *name, int d, question what) {
     static const char *const names[] = {"orient", "in-sphere", "conflict", "orient, exact", "in-sphere, exact"};
     double best = 1e9;

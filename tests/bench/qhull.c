@@ -1,7 +1,7 @@
-// Qhull, reentrant library, any dimension, with the options that its users take for Delaunay triangulations:
-// triangulated output, last coordinate scaled, points not in the hull kept, a point at infinity for cospherical input
-// up to 4 dimensions (Qx, its default, beyond). It computes in floating point and merges facets; its cells are not
-// exact.
+// Qhull's reentrant library, for any dimension, with the options that are usual for Delaunay triangulations:
+// triangulated output, scaled last coordinate, coplanar points kept and, up to 4 dimensions, a point at infinity for
+// cospherical input (in more dimensions Qx, the default). Qhull computes in floating point and merges facets, so its
+// cells are not exact.
 #include <libqhull_r/qhull_ra.h>
 
 #include "bench.h"
@@ -38,7 +38,7 @@ int main(int argc, char **argv) {
         bench_fail(arguments.path, "no memory");
     memcpy(input, points.coordinates, bytes);
     char command[] = "qhull d Qt Qbb Qc Q12 Pp Qz";
-    char *last = strrchr(command, ' ');
+    char *last = strrchr(command, ' '); // Qz, the point at infinity
     if (points.dim > 4)
         *last = 0;
     qhT memory;

@@ -1,16 +1,18 @@
 #!/bin/sh
-# The benchmark: builds ParaDT and its peers, runs them by turns on the same points, and writes build/bench/table.md,
-# also to standard output, from the raw lines in build/bench/runs.json. Run it from the top folder, as `make bench` does.
+# The benchmark: builds ParaDT and its peers and runs them in turn on the same points. Writes the raw lines to
+# build/bench/runs.json, makes build/bench/table.md from them and prints it. Run the script from the top folder, as
+# `make bench` does.
 #
 #   BENCH=full|quick          everything (an hour or more), or small sets of a few families (a few minutes)
-#   BENCH_SECTIONS="..."      of families sizes scans dimensions weighted threads speedup small predicates; all by default
+#   BENCH_SECTIONS="..."      any of families sizes scans dimensions weighted threads speedup small predicates; all by
+#                             default
 #   BENCH_SCANS="..."         files of points in space for the section scans; none by default
 #   BENCH_METHODS="..."       methods of ParaDT; auto incode dewall by default
-#   BENCH_PEERS="..."         peers; all that can be built by default
-#   BENCH_LIMIT=SECONDS       after which a run is stopped; 120 by default, 20 for quick
-#   BENCH_CLOCK=wall|cpu      what programs of one thread are compared by; cpu when others use the machine
-#   BENCH_KEEP=1              append to the raw lines of earlier runs
-# Lists of words are split where they are used, on purpose:
+#   BENCH_PEERS="..."         peers; by default all that can be built
+#   BENCH_LIMIT=SECONDS       stop a run after this time; 120 by default, 20 for quick
+#   BENCH_CLOCK=wall|cpu      compare programs of one thread by this time; cpu is for a machine that others use, too
+#   BENCH_KEEP=1              keep the raw lines of earlier runs and append to them
+# Lists of words are split on purpose where they are used:
 # shellcheck disable=SC2046,SC2086
 BENCH=${BENCH:-full}
 METHODS=${BENCH_METHODS:-auto incode dewall}
@@ -19,12 +21,12 @@ B=build/bench
 RUNS=$B/runs.json
 POINTS=$B/points.bin
 mkdir -p "$B" || exit 1
-# Points of an earlier case must not stand for a case whose points could not be made.
+# A later run must not find the points of this one.
 trap 'rm -f "$POINTS"' EXIT
 trap 'exit 130' INT TERM
 
 # --- the peers --------------------------------------------------------------------------------------------------------
-# peer, header that shows it is there, Debian packages
+# Prints a line for each peer: name, a header that is found if the peer is installed, Debian packages.
 peers() {
     cat <<'END'
 cgal CGAL/Delaunay_triangulation_3.h libcgal-dev
@@ -39,12 +41,14 @@ END
 
 has_header() { echo "#include <$1>" | ${CXX:-c++} -std=c++17 -isystem /usr/include/eigen3 -E -x c++ - >/dev/null 2>&1; }
 
+# Prints the lines of the peers that BENCH_PEERS names.
 wanted_peers() {
     peers | while read -r peer header packages; do
         case " ${BENCH_PEERS-$peer} " in *" $peer "*) echo "$peer $header $packages" ;; esac
     done
 }
 
+# Prints the packages of peers that are not installed.
 lacking() {
     wanted_peers | while read -r peer header packages; do
         has_header "$header" || printf '%s\n' $packages
@@ -68,7 +72,7 @@ install_peers() {
         done
         packages=$(lacking)
     fi
-    [ -z "$packages" ] || echo "Peers that need these are left out; to have them:  apt-get install $packages"
+    [ -z "$packages" ] || echo "Some peers are left out. To install them:  apt-get install $packages"
 }
 
 build() {
@@ -77,14 +81,14 @@ build() {
     make --no-print-directory -k -j"$(getconf _NPROCESSORS_ONLN)" -f tests/bench/bench.mk programs PEERS="$wanted" \
         >"$B/build.log" 2>&1 && return
     grep -E 'rror|undefined' "$B/build.log" | head -10
-    echo "What was not built is left out (see $B/build.log)."
+    echo "Programs that could not be built are left out (see $B/build.log)."
 }
 
 # --- one run ----------------------------------------------------------------------------------------------------------
-# A program is written NAME[/kREGIONS][/jJOBS][/nn][/xCOPIES], NAME a peer, or a method of ParaDT, with -native where it
-# is compiled for this processor; nn: without neighbours; so many copies at once have a part of the points each.
+# A program is written NAME[/kREGIONS][/jJOBS][/nn][/xCOPIES]. NAME: a peer, or a method of ParaDT, with -native if it
+# is compiled for this processor; nn: without neighbours; x: concurrent copies, each with a part of the points.
 
-# Whether it was built, and is no peer that was not asked for.
+# available PROGRAM: succeeds if the program is built and, if it is a peer, wanted.
 available() {
     name=${1%%/*}
     case " $(peers | cut -d' ' -f1 | tr '\n' ' ') " in
@@ -93,6 +97,7 @@ available() {
     [ -x "$(command_of "$1" | cut -d' ' -f1)" ]
 }
 
+# command_of PROGRAM: prints the command and its arguments.
 command_of() {
     command=
     arguments="--name $1"
@@ -115,8 +120,8 @@ command_of() {
     echo "$command $arguments"
 }
 
-# Runs the program on the points, adds its line to the raw ones, and leaves its milliseconds in $spent (empty: it
-# failed) and its exit status in $status.
+# run PROGRAM: runs the program on the points and adds its line to the raw lines. Leaves its milliseconds in $spent
+# (empty: it failed) and its exit status in $status.
 run() {
     line=$(timeout -k 5 "$LIMIT" $(command_of "$1") --calls "$calls" $hash "$POINTS" 2>"$B/errors.log")
     status=$?
@@ -135,12 +140,12 @@ run() {
 
 # --- one case ---------------------------------------------------------------------------------------------------------
 # measure SECTION KIND N D WEIGHTED CALLS REFERENCE PROGRAMS...
-# KIND may be a file, whose number of points is found out.
-# Programs run by turns, each right after the reference or after others that together took no longer than it does, so
-# that the two times of a ratio are near each other. Rounds are repeated three times or more. A slow or failing program
-# is not repeated; one that was stopped is not tried on larger sets.
-SLOW=20000 # milliseconds of one run
-LONG=90    # seconds of a case: three rounds have to do then, but for threads, of which the differences count
+# KIND: a kind of points, or a file; N of a file is read from it.
+# Programs run in turn. Since the last run of the reference, other programs may have taken no longer than the reference
+# itself; otherwise the reference runs again. So the two times of a ratio are near each other. There are three rounds or
+# more. A slow or failing program is not repeated, and a program that was stopped is not tried on larger sets.
+SLOW=20000 # milliseconds of a run: a program that takes longer is slow
+LONG=90    # seconds of a case, after which three rounds suffice; threads get more, because small differences matter
 stopped=
 measure() {
     section=$1 kind=$2 n=$3 d=$4 weighted=$5 calls=$6 reference=$7
@@ -191,7 +196,7 @@ measure() {
 SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted threads speedup small predicates}
 wants() { case " $SECTIONS " in *" $1 "*) ;; *) false ;; esac; }
 
-# The first word of a list, for the method that stands for ParaDT where one is enough.
+# Prints the first word of a list: the method that represents ParaDT where one is enough.
 first() { echo "$1"; }
 
 measure_all() {
@@ -209,7 +214,7 @@ measure_all() {
             done
         done
     fi
-    if wants sizes; then # sets of special sizes or degeneracy
+    if wants sizes; then # sets of a special size or degeneracy
         measure sizes sphere $((large / 5)) 3 0 1 cgal $METHODS tetgen hxt
         measure sizes clusters $((large / 2)) 3 0 1 cgal $METHODS tetgen hxt
         if [ "$BENCH" = full ]; then measure sizes lattice 262144 3 0 1 cgal $METHODS tetgen hxt; fi
@@ -242,7 +247,7 @@ measure_all() {
             done) "$main/x2" cgal-tbb/j1 cgal-tbb/j2 hxt/j1 hxt/j2
         done
     fi
-    if wants speedup; then # one thread and two by turns, without a peer between, which takes much longer
+    if wants speedup; then # one thread and two in turn; a peer in between would take much longer
         for kind in uniform clusters; do
             measure speedup "$kind" "$large" 3 0 1 "$main" "$main/k2/j2" "$main/x2"
         done
@@ -263,7 +268,7 @@ conditions() {
     done)
     echo "- $(date -u '+%Y-%m-%d %H:%M') UTC, BENCH=$BENCH, seed 1, at most $LIMIT s a run, clock: ${BENCH_CLOCK:-wall}"
     echo "- $processor, $(getconf _NPROCESSORS_ONLN) processors, cache $cache, memory $memory, $(uname -sr)"
-    echo "- $compilers; -O3, no -march but in the columns named native"
+    echo "- $compilers; -O3; -march=native in the columns named native only"
     echo "- ${packages%, }"
     echo "- load average at the start: $load"
 }

@@ -1,10 +1,10 @@
 #!/bin/sh
-# How paradt_mpi.h would scale past this machine: the work of each of up to 256 ranks measured alone, one after another
-# (study.c, alone/mpi.h), and a model of their messages. Run it from the top folder, as `make study` does, with nothing
-# else running. Writes build/bench/study.md, also to standard output.
+# How paradt_mpi.h would scale on a larger machine: measures the work of each of up to 256 ranks, one rank at a time,
+# and models their messages (study.c, alone/mpi.h). Run the script from the top folder, as `make study` does, with
+# nothing else running. Writes build/bench/study.md and prints it.
 #
-#   STUDY_POINTS=N   8,000,000 by default, which take 6 GB
-#   STUDY_RUNS=N     3 by default, of which the least times count; a quarter of an hour
+#   STUDY_POINTS=N   number of points; 8,000,000 by default, which need 6 GB of memory
+#   STUDY_RUNS=N     number of runs, of which the least times count; 3 by default, which take a quarter of an hour
 points=${STUDY_POINTS:-8000000}
 runs=${STUDY_RUNS:-3}
 work=build/bench

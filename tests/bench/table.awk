@@ -1,5 +1,7 @@
-# Raw lines of the benchmark to tables in Markdown. -v clock=cpu: programs of one thread are compared by CPU time.
+# Turns the raw lines of the benchmark into tables in Markdown. -v clock=cpu: programs of one thread are compared by CPU
+# time.
 
+# The value of a field of the line; "" if there is none.
 function field(name,    at, rest, end) {
     at = index($0, "\"" name "\":")
     if (!at)
@@ -27,7 +29,7 @@ function median(list,    count, numbers, i, k, x) {
     return (numbers[count / 2] + numbers[count / 2 + 1]) / 2
 }
 
-# The least of them.
+# The least of the numbers in a space-separated list.
 function least(list,    count, numbers, i, x) {
     count = split(list, numbers, " ")
     x = numbers[1]
@@ -36,7 +38,7 @@ function least(list,    count, numbers, i, x) {
     return x
 }
 
-# Two or three digits that count.
+# A number with two or three significant digits.
 function short(x) {
     return sprintf(x >= 99.95 ? "%.0f" : x >= 9.995 ? "%.1f" : x >= 0.0995 ? "%.2f" : "%.2g", x)
 }
@@ -92,7 +94,7 @@ function remember_order(section, row, program) {
         memory[key] = memory[key] " " (field("peak_rss_bytes") - field("rss_before_bytes")) / field("n")
 }
 
-# --- a table is filled cell by cell, then printed with its columns aligned --------------------------------------------
+# --- a table is filled cell by cell and then printed with aligned columns ---------------------------------------------
 
 function clear_table(    i) {
     for (i in cell)
@@ -125,7 +127,7 @@ function print_table(columns,    line, column, text) {
     }
 }
 
-# What a table says of a program in a row; what: ratio, time, memory.
+# The text for a program in a row of a table. what: ratio, relative, time, memory
 function value(what, section, row, program,    key, reference_key) {
     key = section SUBSEP row SUBSEP program
     reference_key = section SUBSEP row SUBSEP row_reference[section, row]
@@ -147,7 +149,7 @@ function value(what, section, row, program,    key, reference_key) {
     return key in memory ? short(median(memory[key])) : "-"
 }
 
-# Nanoseconds per cell on the largest uniform set among the families; 0: it did not run there.
+# Nanoseconds per cell on the largest uniform set of the families; 0: the program did not run there.
 function uniform_time(program,    key) {
     key = "families" SUBSEP "uniform|" largest_uniform "|3" SUBSEP program
     return (key in times) && cells[key] > 0 ? 1e9 * median(times[key]) / cells[key] : 0
@@ -180,7 +182,7 @@ function print_section(section, what,    r, p, parts, row, columns, reference_ke
     print_table(columns)
 }
 
-# The median, over the rounds, of one run's time over that of another of the same round.
+# The median over the rounds of the ratio of two times. alone, other: lists of times, one a round
 function paired(alone, other,    a, b, rounds, i, quotients) {
     rounds = split(alone, a, " ")
     if (split(other, b, " ") < rounds)
@@ -190,9 +192,9 @@ function paired(alone, other,    a, b, rounds, i, quotients) {
     return median(quotients)
 }
 
-# Wall time of one job of the same code over wall time; one job: ParaDT undivided, a peer with one thread. Guests of the
-# host slow one processor down for tenths of a second, and one of two threads then waits: the least times are
-# nearest to what a program takes where nobody interferes.
+# The chart of speed-ups: the wall time of one job over the wall time of several jobs of the same code. One job: ParaDT
+# undivided, or a peer with one thread. Other guests of a host slow a processor down for tenths of a second, and then
+# one of two threads waits. So the least times are nearest to those of an undisturbed program.
 function print_chart(section,    r, p, row, parts, program, alone, key, speedup, marks, shown) {
     for (r = 1; r <= section_rows[section]; r++)
         for (p = 1; p <= section_programs[section]; p++) {
@@ -206,7 +208,7 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
             if (program !~ /\/[kjx][0-9]/ || key == alone || !(key in walls) || !(alone in walls))
                 continue
             if (!shown++)
-                print "\nSpeed-up over one job, undivided: median over rounds (a mark: a twentieth), by least times:\n\n```"
+                print "\nSpeed-up over one job, undivided: median over rounds (# is 0.05), ratio of the least times:\n\n```"
             speedup = paired(walls[alone], walls[key])
             marks = ""
             while (length(marks) < int(20 * speedup + 0.5))
@@ -220,23 +222,23 @@ function print_chart(section,    r, p, row, parts, program, alone, key, speedup,
 }
 
 END {
-    printf "- one-thread runs whose wall time was over 5 %% above their CPU time (a busy machine): %d of %d\n", \
+    printf "- one-thread runs whose wall time exceeded their CPU time by more than 5 %% (a busy machine): %d of %d\n", \
         delayed, single
-    print "- !: other cells than the reference's; -: not run; nn: without neighbours; kK: K regions; jJ: J threads;"
-    print "  xC: C processes at once, each with a C-th of the points: what the processors give where nobody waits"
+    print "- !: the cells differ from the reference's; -: not run; nn: without neighbours; kK: K regions; jJ: J threads;"
+    print "  xC: C concurrent processes, each with 1/C of the points: what C processors achieve if no process waits"
     for (s = 1; s <= sections; s++) {
         section = section_list[s]
         print "\n## " section
-        print "\nTime as a ratio to the reference's, medians over pairs:\n"
+        print "\nTime divided by the reference's, median over pairs:\n"
         print_section(section, "ratio")
         print "\nNanoseconds per cell:\n"
         print_section(section, "time")
         if (largest_uniform && (section == "families" || section == "sizes")) {
-            printf "\nTime per cell over the same program's on %d uniform points:\n\n", largest_uniform
+            printf "\nTime per cell divided by the same program's on %d uniform points:\n\n", largest_uniform
             print_section(section, "relative")
         }
         if (section != "small") {
-            print "\nBytes per point, result included, input excluded:\n"
+            print "\nBytes per point, including the result, without the input:\n"
             print_section(section, "memory")
         }
         print_chart(section)

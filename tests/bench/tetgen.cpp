@@ -1,4 +1,5 @@
-// TetGen 1.5 by a call of its library: Delaunay alone, its default ordering (BRIO and Hilbert), exact arithmetic on.
+// TetGen 1.5, called as a library: Delaunay triangulation only, default order of insertion (BRIO and Hilbert), exact
+// arithmetic.
 #include <tetgen.h>
 
 #include "bench.h"
@@ -13,7 +14,7 @@ int main(int argc, char **argv) {
     in.numberofpoints = (int)points.count;
     in.pointlist = new double[3 * points.count];
     memcpy(in.pointlist, points.coordinates, 3 * points.count * sizeof(double));
-    // Q: prints nothing; N, F, B: of the result only the cells are handed out.
+    // Q: print nothing; N, F, B: return the cells only.
     char switches[] = "QNFB";
     bench_clock clock = bench_start(&points);
     try {

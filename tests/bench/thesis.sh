@@ -1,14 +1,15 @@
 #!/bin/sh
-# The experiment of the thesis again: ParaInCoDe on uniform points, 2 and 4 ranks against serial InCoDe, beside the
-# figures of its tables 5.1 to 5.6; then the same on larger sets and on clusters, with replicated and distributed points.
-# Run it from the top folder after `make`, as `make thesis` does. Writes build/bench/thesis.md, also to standard output.
+# Repeats the experiment of the thesis: ParaInCoDe on uniform points, on 2 and 4 ranks, compared with serial InCoDe,
+# beside the figures of tables 5.1 to 5.6. Then measures larger sets and clusters, with replicated and with distributed
+# points. Run the script from the top folder after `make`, as `make thesis` does. Writes build/bench/thesis.md and
+# prints it.
 #
-#   THESIS=full|quick   all sizes, or those of the thesis only
-#   THESIS_RUNS=N       each case is run N times and the fastest is taken; 3 by default
+#   THESIS=full|quick   all sizes, or only those of the thesis
+#   THESIS_RUNS=N       run each case N times and take the fastest run; 3 by default
 #
-# The thesis does not name its seed, so the counts are those of other points of the same kind. Its parallel output kept
-# the cells at the border twice; here every cell is kept once, and the count is that of one rank. Dropped are what ranks
-# have made of others' cells, and by insertion also what is no cell of the whole.
+# The thesis does not name its seed, so the points here are others of the same kind. Its parallel output has the cells
+# at the border twice. Here each cell is kept once, and the number of cells is that of one rank. The column "dropped"
+# counts the cells that a rank made and does not own; with insertion, also cells that are not in the result.
 THESIS=${THESIS:-full}
 RUNS=${THESIS_RUNS:-3}
 work=build/bench
@@ -17,10 +18,10 @@ mkdir -p "$work" || exit 1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 processors=$(getconf _NPROCESSORS_ONLN)
 
-# field NAME FILE: a number of the statistics
+# field NAME FILE: prints a number of the statistics
 field() { sed -n "s/^ *\"$1\": \([0-9.]*\),*$/\1/p" "$2"; }
 
-# measure RANKS ARGUMENTS...: the fastest of RUNS runs leaves its statistics in $work/thesis.json
+# measure RANKS ARGUMENTS...: leaves the statistics of the fastest run in $work/thesis.json
 measure() {
     ranks=$1
     shift
@@ -37,7 +38,7 @@ measure() {
     done
 }
 
-# row NAME INPUT "RANKS..." OPTIONS...: a line for each number of ranks; the thesis' figures follow where there are any
+# row NAME INPUT "RANKS..." OPTIONS...: prints a line for each number of ranks, with the thesis' figures if it has any
 row() {
     name=$1 input=$2 list=$3
     shift 3
@@ -56,7 +57,7 @@ row() {
     done
 }
 
-# What the thesis says of a case: speed-up, duplication. It gives ranges over 1,000 to 8,000 points, and two counts.
+# thesis NAME RANKS: prints the thesis' figures for a case. The thesis gives ranges over 1,000 to 8,000 points.
 thesis() {
     case "$1 $2" in
     "1000 1") echo "6,140 cells" ;;
@@ -77,8 +78,8 @@ head_of() {
 {
     echo "# The thesis' experiment, on $processors processors"
     echo
-    echo "Seconds are wall time of the call on the slowest rank, the fastest of $RUNS runs. More ranks than processors"
-    echo "share them: their speed-up says little, the other columns remain."
+    echo "Seconds are the wall time of the call on the slowest rank, in the fastest of $RUNS runs. If there are more ranks"
+    echo "than processors, the speed-up means little; the other columns are still valid."
     head_of "ParaInCoDe: every rank has all points and builds its region by InCoDe (tables 5.1 to 5.6)"
     for n in 1000 2000 4000 8000; do
         row $n gen:uniform:$n:1 "1 2 4" --replicated --method incode

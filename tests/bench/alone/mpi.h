@@ -1,19 +1,22 @@
-// An MPI of one process, for measuring: ranks are threads that run one at a time, each until it has to wait for others.
-// So what a rank does between two calls is timed alone, whatever the number of ranks, and what its calls would send is
-// counted. It has just what paradt_mpi.h and the programs that include it call.
+// An MPI of one process, for measurements. Ranks are threads that run one at a time, each until it has to wait for
+// another. So the work of a rank between two calls is timed undisturbed, whatever the number of ranks, and the bytes
+// that its calls would send are counted. The header has only the functions that paradt_mpi.h and the including programs
+// call.
 //
-// The clock of the ranks. A collective call ends a step: the time of the whole grows by that of the step's slowest rank
-// (in CPU time of its thread), and by what the step's messages cost: for the rank that sends and gets the most,
-// LATENCY for each message and 1 / BANDWIDTH for each byte, both ways counted; for the collective call itself LATENCY
-// for each of the log2(ranks) rounds that it takes at least, and the bytes that a rank gets in it. The program runs
-// several times, in the same steps. A step of a rank consists of stretches from one of its calls to the next, to MPI or
-// to alone_progress, which comes after every thousand insertions; of each stretch the least time counts, so that what
-// else the machine does is not taken for the rank's work. A step as a whole would be no measure: one rank's insertion
-// takes so long that its least time still holds the machine's average, and beside it many ranks would look fast.
+// Modelled time. A collective call ends a step. A step takes as long as its slowest rank (CPU time of the thread) plus
+// its messages. These are modelled: the rank that sends and receives most pays LATENCY for each message and
+// 1 / BANDWIDTH for each byte, in both directions. The collective call takes LATENCY for each of log2(ranks) rounds,
+// the least number there can be, and 1 / BANDWIDTH for each byte that a rank receives.
 //
-// Ranks wait for seconds here where those of a cluster wait for milliseconds, and the host of a virtual machine takes
-// back pages that have been idle so long. What a rank has from alone_alloc is touched before its turn and where it is
-// allocated, in no rank's time.
+// Several runs. The program runs several times, and all runs have the same steps. A step of a rank is divided into
+// stretches, which end with each call of the rank to MPI or to alone_progress. (The library reports progress after
+// every thousand insertions.) Of each stretch the least time of all runs counts, which leaves out what else the machine
+// did meanwhile. Whole steps would not do: the least time of one rank's long step still holds an average of these
+// disturbances, while the least times of many ranks' short steps do not, so many ranks would look too fast.
+//
+// Touched pages. A rank waits for seconds here, while a rank of a cluster waits for milliseconds, and the host of a
+// virtual machine takes back pages that are idle so long. Therefore the memory of a rank from alone_alloc is touched
+// when it is allocated, and after each long wait of the rank. Touching is not timed.
 #ifndef ALONE_MPI_H
 #define ALONE_MPI_H
 
@@ -41,112 +44,118 @@ typedef struct alone_message {
     char *data;
 } alone_message;
 
-// What stands before a block of memory
+// The head of a block of memory
 typedef struct alone_block {
-    struct alone_block *next, *previous;
+    struct alone_block *next, *previous; // in the ring of the rank's blocks
     size_t bytes;
-    void *unused; // so that what follows is aligned as malloc aligns it
+    void *unused; // pads the head, so that the block is aligned as malloc aligns it
 } alone_block;
 
 typedef struct alone_rank {
     pthread_t thread;
     pthread_cond_t turn;
-    const void *in; // of the collective call that it waits in
+    const void *in; // arguments of the current collective call
     void *out;
-    double began;           // the thread's time when the last call ended
-    double messages, bytes; // of this step
-    size_t stretch;         // the number of the one at hand
-    int ended;
-    alone_block blocks;  // a ring of those that it has; NULL at first
-    double waits;        // since when, by the clock on the wall
-    alone_message *mail; // sent to it, first come first
-    alone_message **last;
+    double began;           // CPU time of the thread when the current stretch began
+    double messages, bytes; // sent and received in this step
+    size_t stretch;         // number of the current stretch
+    int ended;              // the program has returned
+    alone_block blocks;     // head of the ring of the rank's blocks; its links are NULL before the first block
+    double waiting_since;   // wall time when the rank gave its turn away
+    alone_message *mail;    // messages to the rank that it has not received, oldest first
+    alone_message **last;   // where to append the next message
 } alone_rank;
 
 static struct {
-    int ranks, runs; // runs: whose turn it is
+    int ranks;
+    int running; // the rank whose turn it is
     pthread_mutex_t lock;
     alone_rank rank[ALONE_MOST_RANKS];
-    int arrived;         // at the collective call at hand
-    unsigned long calls; // that have ended, so many steps
+    int arrived;         // ranks that have arrived at the current collective call
+    unsigned long calls; // collective calls that have ended: the number of the current step
     void (*program)(int rank);
 } alone;
 
-// Seconds of a rank's stretches, the least of the runs so far
+// The stretches of a rank
 typedef struct alone_stretches {
-    double *least;
-    size_t room;
+    double *least; // [capacity] seconds, the least of the runs so far
+    size_t capacity;
 } alone_stretches;
 
-// What is known of the steps of all runs with a number of ranks; messages are the same in all. All zero at first.
+// The steps of all runs with the same number of ranks. Has to be all zero before the first run.
 typedef struct alone_record {
     int ranks, runs;
-    unsigned long steps, room;
+    unsigned long steps, capacity; // of `ends` and `messaging`, in steps
     alone_stretches rank[ALONE_MOST_RANKS];
-    size_t *ends; // [steps][ranks]: the first stretch after the step
-    double *talk; // [steps]
+    size_t *ends;      // [steps][ranks] first stretch after the step
+    double *messaging; // [steps] seconds of the messages, which are the same in all runs
 } alone_record;
 
-static alone_record *alone_times; // of the run at hand
+static alone_record *alone_current; // record of the current run
 
 static _Thread_local int alone_me;
 static _Thread_local struct {
     char *data;
-    int from; // negative: a send, done already
+    int from; // -1: a send, which has ended
 } alone_requests[2 * ALONE_MOST_RANKS + 64];
 static _Thread_local int alone_request_count;
 
+// Returns the CPU time of the thread in seconds.
 static double alone_now(void) {
     struct timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void *alone_room(void *block, size_t count, size_t bytes) {
+// realloc, for count * bytes bytes
+static void *alone_grow(void *block, size_t count, size_t bytes) {
     void *larger = realloc(block, count * bytes);
     if (!larger) abort();
     return larger;
 }
 
-// Ends a stretch.
+// Ends a stretch: each call begins with this. Returns this rank.
 static alone_rank *alone_enter(void) {
     alone_rank *me = &alone.rank[alone_me];
-    alone_stretches *mine = &alone_times->rank[alone_me];
+    alone_stretches *mine = &alone_current->rank[alone_me];
     double seconds = alone_now() - me->began, *least;
-    if (me->stretch == mine->room) {
-        mine->room = 2 * mine->room + 64;
-        mine->least = (double *)alone_room(mine->least, mine->room, sizeof *mine->least);
+    if (me->stretch == mine->capacity) {
+        mine->capacity = 2 * mine->capacity + 64;
+        mine->least = (double *)alone_grow(mine->least, mine->capacity, sizeof *mine->least);
     }
     least = &mine->least[me->stretch++];
-    *least = alone_times->runs && *least < seconds ? *least : seconds;
+    *least = alone_current->runs && *least < seconds ? *least : seconds;
     return me;
 }
 
+// Begins a stretch: each call ends with this.
 static int alone_leave(void) {
     alone.rank[alone_me].began = alone_now();
     return MPI_SUCCESS;
 }
 
-// A paradt_progress
+// A paradt_progress that ends a stretch and begins the next
 static int alone_progress(void *user, double fraction) {
     (void)user, (void)fraction;
     alone_enter();
     return alone_leave();
 }
 
-// Gives the turn to the next rank that has not ended.
+// Gives the turn to the next rank that has not ended. The caller holds the lock.
 static void alone_pass(void) {
     int next = alone_me;
     do next = (next + 1) % alone.ranks;
     while (alone.rank[next].ended && next != alone_me);
-    alone.runs = next;
+    alone.running = next;
     pthread_cond_signal(&alone.rank[next].turn);
 }
 
+// The caller holds the lock.
 static void alone_await_turn(void) {
-    while (alone.runs != alone_me) pthread_cond_wait(&alone.rank[alone_me].turn, &alone.lock);
+    while (alone.running != alone_me) pthread_cond_wait(&alone.rank[alone_me].turn, &alone.lock);
 }
 
+// Touches each page of a block.
 static void alone_touch(alone_block *block) {
     enum { PAGE = 4096 };
     for (size_t at = 0; at < block->bytes; at += PAGE) {
@@ -155,7 +164,7 @@ static void alone_touch(alone_block *block) {
     }
 }
 
-// A paradt_allocator's two functions; a block goes back on the rank that it came from.
+// The functions of a paradt_allocator. A block has to be freed by the rank that allocated it.
 static void *alone_alloc(void *user, size_t bytes) {
     alone_rank *me = &alone.rank[alone_me];
     alone_block *block = (alone_block *)malloc(sizeof *block + bytes);
@@ -180,55 +189,59 @@ static void alone_free(void *user, void *memory) {
     free(block);
 }
 
+// Returns the wall time in seconds.
 static double alone_wall(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-// Lets the others run until it is this one's turn again.
+// Lets the other ranks run until it is this rank's turn again.
 static void alone_yield(void) {
     const double LONG = 0.5; // seconds
     alone_rank *me = &alone.rank[alone_me];
-    me->waits = alone_wall();
+    me->waiting_since = alone_wall();
     pthread_mutex_lock(&alone.lock);
     alone_pass();
     alone_await_turn();
     pthread_mutex_unlock(&alone.lock);
-    if (alone_wall() - me->waits < LONG || !me->blocks.next) return;
+    if (alone_wall() - me->waiting_since < LONG || !me->blocks.next) return;
     for (alone_block *block = me->blocks.next; block != &me->blocks; block = block->next) alone_touch(block);
 }
 
-// received: bytes that each rank gets in the call that ends the step
+// Records the step that the current call ends. received: bytes that each rank receives in the call
 static void alone_end_step(double received) {
+    alone_record *record = alone_current;
     double longest = 0, rounds = 0;
     size_t *ends, ranks = (size_t)alone.ranks;
-    if (alone.calls == alone_times->room) {
-        alone_times->room = 2 * alone_times->room + 64;
-        alone_times->ends = (size_t *)alone_room(alone_times->ends, alone_times->room * ranks, sizeof *alone_times->ends);
-        alone_times->talk = (double *)alone_room(alone_times->talk, alone_times->room, sizeof *alone_times->talk);
+    if (alone.calls == record->capacity) {
+        record->capacity = 2 * record->capacity + 64;
+        record->ends = (size_t *)alone_grow(record->ends, record->capacity * ranks, sizeof *record->ends);
+        record->messaging = (double *)alone_grow(record->messaging, record->capacity, sizeof *record->messaging);
     }
-    ends = alone_times->ends + alone.calls * ranks;
+    ends = record->ends + alone.calls * ranks;
     for (int r = 0; r < alone.ranks; r++) {
         alone_rank *rank = &alone.rank[r];
-        double talk = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
-        longest = talk > longest ? talk : longest;
-        if (alone_times->runs && ends[r] != rank->stretch) abort(); // the runs did not do the same
+        double seconds = rank->messages * ALONE_LATENCY + rank->bytes / ALONE_BANDWIDTH;
+        longest = seconds > longest ? seconds : longest;
+        if (record->runs && ends[r] != rank->stretch) abort(); // this run differs from the first
         ends[r] = rank->stretch;
         rank->messages = rank->bytes = 0;
     }
     for (int reached = 1; reached < alone.ranks; reached *= 2) rounds++;
-    alone_times->talk[alone.calls] =
+    record->messaging[alone.calls] =
         longest + rounds * ALONE_LATENCY + (alone.ranks > 1 ? received / ALONE_BANDWIDTH : 0);
 }
 
-// What the first `steps` steps of a record took
+// The seconds of the first steps of a record
 typedef struct alone_sum {
-    double all_work, most_work; // seconds of all ranks, of the one with most
-    double computing, talking;  // of each step the slowest rank; the messages
+    double all_work;  // of all ranks together
+    double most_work; // of the rank with the most work
+    double computing; // of the slowest rank of each step, summed over the steps
+    double messaging; // of the messages
 } alone_sum;
 
-// Seconds of a rank in a step
+// Returns the seconds of a rank in a step.
 static double alone_work(const alone_record *record, unsigned long step, int rank) {
     const size_t *end = record->ends + step * (size_t)record->ranks + (size_t)rank;
     double sum = 0;
@@ -236,6 +249,7 @@ static double alone_work(const alone_record *record, unsigned long step, int ran
     return sum;
 }
 
+// Sums up the first `steps` steps of a record.
 static alone_sum alone_add_up(const alone_record *record, unsigned long steps) {
     alone_sum sum = {0, 0, 0, 0};
     for (unsigned long step = 0; step < steps; step++) {
@@ -245,7 +259,7 @@ static alone_sum alone_add_up(const alone_record *record, unsigned long steps) {
             slowest = work > slowest ? work : slowest;
         }
         sum.computing += slowest;
-        sum.talking += record->talk[step];
+        sum.messaging += record->messaging[step];
     }
     for (int r = 0; r < record->ranks; r++) {
         double work = 0;
@@ -256,7 +270,8 @@ static alone_sum alone_add_up(const alone_record *record, unsigned long steps) {
     return sum;
 }
 
-// All ranks come here with their `in` and `out`; the last one lets `finish` move the data of all of them.
+// A collective call. Each rank arrives with its `in` and `out`. The last one calls `finish`, which moves the data of
+// all ranks, and ends the step. received: bytes that each rank receives
 static int alone_collective(const void *in, void *out, double received, void (*finish)(void *facts), void *facts) {
     alone_rank *me = alone_enter();
     unsigned long call = alone.calls;
@@ -272,13 +287,14 @@ static int alone_collective(const void *in, void *out, double received, void (*f
     return alone_leave();
 }
 
-// --- the calls
+// --- the functions of MPI
 
 static size_t alone_size(MPI_Datatype type) {
     static const size_t sizes[] = {1, 1, sizeof(int), 8, 8, 8};
     return sizes[type];
 }
 
+// The arguments of a collective call that `finish` needs; they are the same on all ranks
 typedef struct alone_facts {
     size_t count;
     MPI_Datatype type;
@@ -307,6 +323,8 @@ static void alone_combine(void *sum, const void *x, const alone_facts *f) {
     case MPI_DOUBLE: alone_combine_doubles((double *)sum, (const double *)x, f->count, f->op); break;
     }
 }
+
+// Each alone_finish_... moves the data of one kind of collective call.
 
 static void alone_finish_allreduce(void *context) {
     const alone_facts *f = (const alone_facts *)context;
@@ -366,7 +384,7 @@ static int MPI_Exscan(const void *in, void *out, int count, MPI_Datatype type, M
     return alone_collective(in, out, (double)(f.count * alone_size(type)), alone_finish_exscan, &f);
 }
 
-// Each rank gets `count` values from each of the others.
+// A collective call in which each rank receives `count` values from each other rank
 static int alone_from_all(const void *in, int count, MPI_Datatype type, void *out, void (*finish)(void *facts)) {
     alone_facts f = {(size_t)count, type, MPI_SUM, 0};
     return alone_collective(in, out, (double)f.count * (double)alone_size(type) * (alone.ranks - 1), finish, &f);
@@ -395,7 +413,7 @@ static void alone_count_message(int rank, size_t bytes) {
     alone.rank[rank].bytes += (double)bytes;
 }
 
-// The message is copied, so that a send never waits.
+// Copies the message, so that no send ever waits.
 static int MPI_Isend(const void *data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm,
                      MPI_Request *request) {
     size_t bytes = (size_t)count * alone_size(type);
@@ -426,8 +444,9 @@ static int MPI_Irecv(void *data, int count, MPI_Datatype type, int from, int tag
     return alone_leave();
 }
 
-// The first message from a rank, or NULL. There is one at a time between two ranks, unless it is longer than
-// paradt_mpi.h's pieces, which are waited for in the wrong order here.
+// Removes the first message from a rank and returns it; NULL if there is none. Between two ranks there may be only one
+// at a time. So a message must not be longer than the pieces of paradt_mpi.h: pieces would be received in the wrong
+// order.
 static alone_message *alone_take_message(int from) {
     alone_rank *me = &alone.rank[alone_me];
     for (alone_message **at = &me->mail; *at; at = &(*at)->next) {
@@ -479,6 +498,7 @@ static int MPI_Comm_size(MPI_Comm comm, int *size) {
 
 // --- running
 
+// The thread of a rank
 static void *alone_thread(void *context) {
     alone_me = (int)(intptr_t)context;
     pthread_mutex_lock(&alone.lock);
@@ -493,20 +513,20 @@ static void *alone_thread(void *context) {
     return NULL;
 }
 
-// Makes a record all zero again.
+// Frees what a record holds and makes it all zero.
 static void alone_forget(alone_record *record) {
     for (int r = 0; r < record->ranks; r++) free(record->rank[r].least);
     free(record->ends);
-    free(record->talk);
+    free(record->messaging);
     memset(record, 0, sizeof *record);
 }
 
-// Runs the program once more as so many ranks, always the same number for a record.
+// Runs the program as `ranks` ranks, which is the same number for all runs of a record, and adds the run to the record.
 static void alone_run(alone_record *record, int ranks, void (*program)(int rank)) {
     memset(&alone, 0, sizeof alone);
     alone.ranks = record->ranks = ranks;
     alone.program = program;
-    alone_times = record;
+    alone_current = record;
     pthread_mutex_init(&alone.lock, NULL);
     for (int r = 0; r < ranks; r++) {
         pthread_cond_init(&alone.rank[r].turn, NULL);
@@ -515,7 +535,7 @@ static void alone_run(alone_record *record, int ranks, void (*program)(int rank)
     for (int r = 0; r < ranks; r++)
         if (pthread_create(&alone.rank[r].thread, NULL, alone_thread, (void *)(intptr_t)r)) abort();
     for (int r = 0; r < ranks; r++) pthread_join(alone.rank[r].thread, NULL);
-    if (record->runs++ && alone.calls != record->steps) abort(); // the runs did not do the same
+    if (record->runs++ && alone.calls != record->steps) abort(); // this run differs from the first
     record->steps = alone.calls;
 }
 
