@@ -61,8 +61,8 @@ NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
 RACES        := tests/methods_agree.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
-QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/definition.c tests/resources.c,$(C_TESTS))
-QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh,$(SHELL_TESTS))
+QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/resources.c,$(C_TESTS))
+QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))

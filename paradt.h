@@ -373,7 +373,7 @@
 // its parts are:
 //
 //     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
-//                                        neighbour by smallest spheres, descent makes it sure
+//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
 //                 active face list       struct paradt__facets, a hash table: paradt__facets_match
 //                 update of the AFL      paradt__front_add
@@ -819,11 +819,22 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
-// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+// Unrolls the loop that follows. Short loops of constant length are only fast unrolled, and GCC does it below -O3 on
+// request alone. Loops of variable length are unrolled four times: ten copies are much code for little speed.
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
+#else
+#define PARADT__UNROLL
+#define PARADT__UNROLL_4
+#endif
+
+// Is dim, which is at most PARADT_MAX_DIM, equal to the constant k? A constant 0 if k is more than PARADT_MAX_DIM, so
+// that the compiler drops the code for k.
 #define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
 
-// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
-// function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
+// Prefetches an element of an array. The element need not exist: the address is just a number. A function that only
+// prefetches must be PARADT__INLINE: otherwise GCC takes it for one without effect and drops the calls.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
@@ -849,25 +860,27 @@ extern "C" {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
 //
-// Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
-// needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
-// its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
-// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
-// paradt__make_pages, paradt__alloc_filled.
+// Allocates from the caller's allocator and accounts for every byte. A block is preceded by its size, so that a release
+// needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
+// of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
+// paradt__grow, paradt__release, paradt__make_pages.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
-    uint64_t limit; // bytes; UINT64_MAX: none
-    uint64_t held;
-    uint64_t peak;
+    uint64_t limit;  // bytes; UINT64_MAX: none
+    uint64_t held;   // bytes. Wraps below zero while the task has released more than it allocated
+    uint64_t peak;   // the most bytes held so far
     uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
     uint64_t base;   // of a share: what the parent held,
     uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
-enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
+// Bytes in front of the payload: the block's size and padding, which keeps the payload as aligned as the allocator's
+// memory, up to a cache line.
+enum { PARADT__BLOCK_HEADER = 64 };
 
-// The address sanitizer is told that the rest of the header is nobody's: an index just before an array is seen then.
+// Tells the address sanitizer that the padding is nobody's, so that it detects an index just below an array's start.
 #if defined(__SANITIZE_ADDRESS__)
 #define PARADT__ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -894,6 +907,7 @@ static void paradt__default_free(void *user, void *memory) {
     free(memory);
 }
 
+// Opens an account by the allocator and the limit of the options, which may be NULL.
 static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
     memset(memory, 0, sizeof *memory);
     memory->limit = UINT64_MAX;
@@ -907,9 +921,10 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
     }
 }
 
-// The account of one of `shares` tasks that may run at once.
+// Returns the account of one of `shares` tasks that may run concurrently.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
+    PARADT_ASSERT(shares > 0);
     memory.held = memory.peak = memory.needed = 0;
     memory.base = parent->held;
     memory.shares = shares;
@@ -917,7 +932,8 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
     return memory;
 }
 
-// Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
+// Adds what the child holds to the parent's account, and the child's peak to *sum_of_peaks. The tasks may have run
+// concurrently, so that the sum of their peaks is an upper bound of the true peak.
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
@@ -934,8 +950,8 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
     return NULL;
 }
 
-// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
-// account is below zero, so that it wraps, while its task has given back more than it took.
+// Returns `count` elements of `size` bytes, not cleared; NULL if the limit, the allocator or size_t does not admit so
+// many. Even zero elements get a block.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     size_t bytes;
     uint64_t held;
@@ -954,6 +970,7 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     return block + PARADT__BLOCK_HEADER;
 }
 
+// Returns a block to the allocator. payload: NULL or a block of this account or of one joined with it
 static void paradt__release(paradt__memory *memory, void *payload) {
     size_t bytes;
     char *block;
@@ -965,18 +982,19 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
-enum { PARADT__PAGE = 4096 }; // bytes of the pages that most systems have
+enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
 
-// The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
-// are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
-// be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
-// it is, and where pages are larger than is thought here the system refuses.
+// Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
+// Otherwise it provides them one at a time, at the first write to each, which takes longer. The call never changes
+// memory that has its pages already, whatever the caller's allocator returned; where pages are larger than
+// PARADT__PAGE, the system refuses the call, and nothing is lost.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
     enum { FEWEST = 8, POPULATE_WRITE = 23 /* not in all headers */ };
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PARADT__PAGE * PARADT__PAGE;
     uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
     int before = errno;
+    PARADT_ASSERT(first <= end);
     if (from < begin) from += PARADT__PAGE;
     if (to > from && (to - from) / PARADT__PAGE >= FEWEST && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
         errno = before;
@@ -985,9 +1003,11 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #endif
 }
 
-// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+// Replaces *array by a block of `count` elements of `size` bytes and copies its first `used` elements. Returns 0, with
+// *array as it was, if there is no memory.
 static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
     void *larger = paradt__alloc(memory, count, size);
+    PARADT_ASSERT(used <= count);
     if (!larger) return 0;
     paradt__make_pages(larger, 0, used * size);
     if (used) memcpy(larger, *array, used * size);
@@ -996,7 +1016,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
     return 1;
 }
 
-// paradt__alloc for a block that one thread is about to fill.
+// Does the same as paradt__alloc for a block that one thread is about to fill.
 static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t size) {
     void *block = paradt__alloc(memory, count, size);
     if (block) paradt__make_pages(block, 0, count * size);
@@ -1006,9 +1026,14 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // ---------------------------------------------------------------------------------------------------------------------
 // >>numbers
 //
-// Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
-// the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
-// shifts of negative integers are taken to be arithmetic, as all compilers have them.
+// Doubles as bit patterns, small helpers for integers and doubles, and a hash. Every decision in this file comes down
+// to bit patterns and integers, or to floating-point values beyond a bound on their error: so neither the rounding mode
+// nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right shifts of negative
+// integers are assumed to be arithmetic, as they are with all compilers.
+// Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
+// paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
+// paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
+// paradt__largest.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -1027,14 +1052,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 #define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
 #endif
 
-// The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL   _Pragma("GCC unroll 10")
-#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
-#else
-#define PARADT__UNROLL
-#define PARADT__UNROLL_4
-#endif
+// --- bit patterns
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
     uint64_t bits;
@@ -1056,7 +1074,7 @@ PARADT__INLINE int paradt__is_finite(double x) {
     return paradt__biased_exponent(x) < 2047;
 }
 
-// A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
+// Maps finite doubles to integers in the same order; both -0.0 and 0.0 become 0.
 PARADT__INLINE int64_t paradt__ordered_bits(double x) {
     uint64_t bits = paradt__bits(x), negative = 0 - (bits >> 63);
     return (int64_t)((bits ^ negative >> 1) - negative);
@@ -1067,12 +1085,14 @@ PARADT__INLINE double paradt__from_ordered_bits(int64_t x) {
     return paradt__from_bits(x < 0 ? (0 - (uint64_t)x) | (uint64_t)1 << 63 : (uint64_t)x);
 }
 
-// 2^exponent, exponent in -1022..1023
+// Returns 2^exponent. exponent: -1022..1023
 PARADT__INLINE double paradt__power(int exponent) {
+    PARADT_ASSERT(exponent >= -1022 && exponent <= 1023);
     return paradt__from_bits((uint64_t)(exponent + 1023) << 52);
 }
 
-PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
+PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x: not 0
+    PARADT_ASSERT(x);
 #if defined(__GNUC__) || defined(__clang__)
     return __builtin_ctzll(x);
 #else
@@ -1083,7 +1103,8 @@ PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
 #endif
 }
 
-PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
+// The number of bits from the highest one set; 0 for 0
+PARADT__INLINE int paradt__bit_length(uint64_t x) {
 #if defined(__GNUC__) || defined(__clang__)
     return x ? 64 - __builtin_clzll(x) : 0;
 #else
@@ -1094,7 +1115,7 @@ PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
 #endif
 }
 
-// |x| = mantissa * 2^exponent, mantissa < 2^53, exponent in -1074..971
+// Returns the mantissa of |x| = mantissa * 2^*exponent, mantissa < 2^53, *exponent in -1074..971.
 PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), normal = biased != 0;
@@ -1102,140 +1123,65 @@ PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     return (bits & 0xfffffffffffffu) | (uint64_t)normal << 52;
 }
 
-// x * 2^exponent. *exact is cleared when bits are lost (they are cut off) or it overflows (to the largest double).
+// Returns x * 2^exponent. Clears *exact if bits are lost, which are cut off, or if the product overflows: then it
+// becomes the largest double of its sign.
 static double paradt__scale(double x, int exponent, int *exact) {
     int e, drop;
     uint64_t sign = paradt__bits(x) & (uint64_t)1 << 63, mantissa = paradt__split(x, &e);
     if (!mantissa) return x;
     int normalize = 53 - paradt__bit_length(mantissa);
     mantissa <<= normalize;
-    // by more than 4200 all of it is gone either way
+    // beyond 4200 everything is shifted out in either direction
     e += (exponent < -4200 ? -4200 : exponent > 4200 ? 4200 : exponent) - normalize;
     if (e > 971) {
         *exact = 0;
         return paradt__from_bits(sign | 0x7fefffffffffffffu);
     }
     if (e >= -1074) return paradt__from_bits(sign | (uint64_t)(e + 1075) << 52 | (mantissa & 0xfffffffffffffu));
-    drop = -1074 - e < 53 ? -1074 - e : 53; // a subnormal result
+    drop = -1074 - e < 53 ? -1074 - e : 53; // the result is subnormal
     if (mantissa & (((uint64_t)1 << drop) - 1)) *exact = 0;
     return paradt__from_bits(sign | mantissa >> drop);
 }
 
-// Wide integers are the widest that the compiler computes with. Longer ones are rows of digits in base 2^PARADT__RADIX,
-// least significant first, balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1) (the last may be larger where stated). So
-// there is no carry and no sign to care for while products are summed in wide integers, digit by digit; the sign of a
-// number is that of its highest digit other than 0; and the difference of two doubles has few nonzero digits, however
-// far apart their exponents are.
-#ifdef __SIZEOF_INT128__
-__extension__ typedef __int128 paradt__wide;
-typedef int64_t paradt__digit;
-#define PARADT__WIDE_BITS 127 // without the sign
-#define PARADT__RADIX     60
-#else
-typedef int64_t paradt__wide;
-typedef int32_t paradt__digit;
-#define PARADT__WIDE_BITS 63
-#define PARADT__RADIX     28
-#endif
-
-// So many products of two balanced digits fit into a wide integer, and a carry besides: 508.
-#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
-
-// Digits of a number below 2^bits in size, the last one balanced too
-PARADT__INLINE int paradt__digit_count(int bits) {
-    return bits / PARADT__RADIX + 1;
-}
-
-// x = digit + 2^PARADT__RADIX * carry, the digit balanced
-PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
-    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
-    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
-}
-
-PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
-    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
-}
-
-// digits[count] = the number whose digits are summed up in sum; the last digit takes all that remains.
-PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    PARADT__UNROLL
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// Balances sum[count] in place.
-PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
-    for (int i = 0; i + 1 < count; i++) {
-        sum[i + 1] += paradt__carry(sum[i]);
-        sum[i] = paradt__low_digit(sum[i]);
-    }
-}
-
-// The sign of a number
-PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
-    while (count > 1 && !digits[count - 1]) count--;
-    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
-}
-
-// sum[] += sign * a[an] * b[bn]. Every element of sum grows by at most min(an, bn) products of digits.
-PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                         const paradt__digit *b, int bn) {
-    PARADT__UNROLL
-    for (int i = 0; i < an; i++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (bn <= 6 || x) // long differences have few digits other than 0
-            PARADT__UNROLL
-        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
-    }
-}
-
-// The same with numbers of any length
-PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                             const paradt__digit *b, int bn) {
-    for (int i = 0; i < an; i++, sum++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (!x) continue; // long differences have few digits other than 0
-        PARADT__UNROLL_4
-        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
-    }
-}
-
-PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
-PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
-    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
-    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
-        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
-        *sum++ += sign < 0 ? -part : part;
-    }
-}
-
-// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
-#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+// --- integers and doubles
 
 PARADT__INLINE int paradt__max(int a, int b) {
     return a > b ? a : b;
 }
+
 PARADT__INLINE int paradt__min(int a, int b) {
     return a < b ? a : b;
 }
 
-PARADT__INLINE double paradt__larger(double a, double b) {
-    return a > b ? a : b;
+// Returns a hash of h.
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+// Unit roundoff: no operation on doubles errs by more, relative to its result. It is 2^-52, that of directed rounding,
+// for the FPU's mode is the host's; double rounding by x87 registers stays below it, too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+// Does arithmetic have at least that precision? x87 registers can be set to round to single precision, and some hosts
+// set them so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// Rounds x to a double where arithmetic may keep more digits in a register. Needed for a value that is used or compared
+// in several places, which must all see the same number.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
 }
 
 PARADT__INLINE double paradt__abs(double x) {
@@ -1246,29 +1192,15 @@ PARADT__INLINE double paradt__abs(double x) {
 #endif
 }
 
-// The largest size among count values
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+// Returns the largest |x[i]| of count > 0 values.
 PARADT__INLINE double paradt__largest(const double *x, int count) {
     double m = paradt__abs(x[0]);
     for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
     return m;
-}
-
-// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
-// and hosts have done so.
-static int paradt__precise(void) {
-#if defined(__i386__) || defined(_M_IX86)
-    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
-    return above > one;
-#else
-    return 1;
-#endif
-}
-
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
-// in several places: all must see the same.
-PARADT__INLINE double paradt__rounded(double x) {
-    volatile double rounded = x;
-    return rounded;
 }
 
 // Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
@@ -1289,14 +1221,6 @@ static double paradt__widen(uint32_t bits) {
     }
     memcpy(&x, &wide, sizeof x);
     return x;
-}
-
-static uint64_t paradt__mix(uint64_t h) {
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    return h ^ h >> 32;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1481,24 +1405,31 @@ static double paradt__now(void) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>predicates
+// >>space
 //
-// Signs of determinants of doubles, exact for all finite ones. Doors: paradt__space_begin, _add, _end, paradt__orient,
-// paradt__insphere, paradt__conflict, paradt__compare.
+// What the predicates know of a set of points: the exponents of its numbers, its extents, and bounds for the filters.
+// This section and the next four give the signs of determinants of doubles, exactly for all finite ones.
 //
-// The determinants are those of the differences to one of the points: of k columns for the orientation, and for the
-// in-sphere test of one more, the lift |x - base|^2 - (w - w_base), which differs from |x|^2 - w by a linear function
-// of x only, so that the determinant is the same. Stages, each giving up only when it can not be sure:
-//   filter   in doubles, with a bound on its error for whatever order, contraction and rounding the compiler and the
-//            FPU choose. A determinant is a multiple of its quantum, the product of its columns' units: when the
-//            quantum exceeds value and error together, it is 0. So lattices hardly ever leave the filter.
-//   small    in wide integers (128 bits, or 64 where there are none), by minors
-//   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
-//   general  any exponents, any dimension: as many digits as it takes.
-// No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
-// more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
+// The determinants are those of the differences between some points and one of them, the base: k columns of
+// coordinates for the orientation, and one more for the in-sphere test, the lift |x - base|^2 - (w - w_base). The lift
+// differs from |x|^2 - w by a linear function of x, so that the determinant is the same. A determinant is a multiple of
+// its quantum, the product of its columns' units. There are four stages; each passes on what it cannot decide:
+//   filter   in doubles (>>filters), with an error bound that holds for every order, contraction and rounding that the
+//            compiler and the FPU may choose. If the quantum exceeds value and error together, the determinant is 0: so
+//            lattices hardly ever need another stage.
+//   small    by minors in wide integers (>>exact): 128 bits, or 64 where there are no such integers
+//   fixed    for 2 and 3 columns, differences of at most 60 or 117 bits (one or two digits): loops of constant length
+//   general  for any exponents and any dimension, with as many digits as it takes
+// No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
+// dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
+// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
+// more; the other stages take 9 KB.
+// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
+// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
+// paradt__space_end, paradt__compare.
 
-// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+// Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
 #define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
@@ -1506,48 +1437,45 @@ typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
 
-// The exponents found in some doubles. All of them 0: unit > top.
+// The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
-    int unit;   // every one is a multiple of 2^unit
-    int bottom; // every one that is not 0 is at least 2^bottom in size
-    int top;    // every one is less than 2^top in size
+    int unit;   // each is a multiple of 2^unit
+    int bottom; // each is 0 or at least 2^bottom in size
+    int top;    // each is less than 2^top in size
 } paradt__range;
 
-// A filter's error for determinants of one kind
+// A filter's bounds for determinants of one kind
 typedef struct paradt__bounds {
-    double factor;  // error by rounding: this times the product of the columns' largest entries
+    double factor;  // the error by rounding is at most this times the product of the columns' largest entries
     double certain; // an error bound for all points of the set
-    double quantum; // every determinant is a multiple of more than this
+    double quantum; // a bit less than the quantum, of which each determinant is a multiple
 } paradt__bounds;
 
-// What the predicates know about a set of points: all that they are asked about must have been measured. One per
-// thread, for they count into it. Once measured, dim and ambient may be lowered and the axes of the points be permuted.
+// The predicates may only be asked about points that were measured. Each thread needs a space of its own, as the
+// predicates count their calls in it. After measuring, dim and ambient may be lowered and the axes of all points be
+// permuted.
 typedef struct paradt__space {
-    int dim;      // k: the first k coordinates of a point orient
-    int ambient;  // d >= k: all d coordinates enter the lift |x|^2 (points in a k-flat that is a graph over those k)
-    int weighted; // 1: a point's weight follows its d coordinates, and is taken from its lift
-    int filtered; // 1: every coordinate is 0 or 2^-120..2^120 in size, every weight 0 or 2^-240..2^240
-    int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
+    int dim;      // k: orientations are those of the first k coordinates
+    int ambient;  // d >= k: all d coordinates enter the lift (the points lie in a k-flat, a graph over the first k)
+    int weighted; // 1: a point's weight follows its d coordinates and is subtracted from its lift
+    int filtered; // 1: each coordinate is 0 or 2^-120..2^120 in size, each weight 0 or 2^-240..2^240
+    int bounded;  // 1: the filters cannot overflow. They need no lower bound of sizes: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];              // ... largest coordinate of each axis, as measured
-    double per_unit;                           // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                               // no filter's error by underflow exceeds it
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest ...
+    int64_t high[PARADT_MAX_DIM];              // ... and the largest coordinate on each axis, as measured
+    double per_unit;                           // 2^-unit if all coordinates are below 2^59 units in size, else 0
+    double tiny;                               // no filter errs by more than this by underflow
     paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
     paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
-    double orient_certain;                     // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                     // the smallest of orient's
+    double orient_certain;                     // the largest `certain` of all orientations, k = 1..d
+    double orient_quantum;                     // the smallest `quantum` of all orientations
     paradt__counters counters;
 } paradt__space;
 
-#define PARADT__UNDECIDED 2
-
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
-// ceil(log2(n!))
-static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
-
+// Extends the range to x, whatever x is.
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1558,7 +1486,8 @@ PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
-// Most numbers change nothing, which their exponents and last bits tell. Those that are not finite count as 2^1024.
+// Extends the range to x. Most numbers do not extend it, which their exponents and last bits show. Numbers that are not
+// finite count as 2^1024.
 PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
@@ -1567,7 +1496,7 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
         paradt__measure_anew(range, x);
 }
 
-// Are all points that were measured numbers?
+// Are all coordinates and weights that were measured finite?
 static int paradt__space_is_finite(const paradt__space *s) {
     return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
@@ -1578,8 +1507,9 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
+    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
@@ -1591,6 +1521,7 @@ static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weig
     }
 }
 
+// Measures a point: its coordinates and, in a weighted space, its weight.
 PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     for (int j = 0; j < s->ambient; j++) {
         int64_t x = paradt__ordered_bits(p[j]);
@@ -1601,38 +1532,40 @@ PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     if (s->weighted) paradt__measure(&s->weights, p[s->ambient]);
 }
 
-// A bit less than 2^exponent, for comparisons with rounded values; 0 when it is too small to be told apart
+// Returns a bit less than 2^exponent, for comparisons with rounded values; 0 if that is too small for the filters.
 static double paradt__quantum(int exponent) {
     return exponent < -900 ? 0 : paradt__power(paradt__min(exponent, 1000)) * (1 - 8 * PARADT__ROUNDOFF);
 }
 
-// The filters' error by rounding, to be multiplied with P, the product of the largest sizes m_j in the n columns. Let u
-// be the roundoff.
+// Returns the factor of a filter's error by rounding: the error is at most the factor times P, the product of the m_j,
+// where m_j is the largest size in column j of n columns. Let u be the roundoff.
 //
-// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials (an entry of the lift counts as one value). A computed
-// monomial has gone through at most c roundings, whichever way sums are ordered and products contracted: one a product,
-// and for a sum one less than the number of its terms.
-//   k = 2  2 differences, 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, product and
+// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
+// computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
+// product, and by a sum once less than the sum has terms.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
 //          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
-// so the error is at most c u S to first order, S the sum of the monomials' sizes, and S <= n! P. Twice that is taken,
-// for the higher orders, for m_j being computed values and for the roundings of the bound itself.
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
+// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
 //
-// Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
-// 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
-// an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most 2^(n-1) u m_j, and so do, three
-// times, the multipliers: the computed pivots are exactly those of a matrix with entries perturbed by at most e m_j,
-// e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound its determinant differs by at most n e h P to first order,
-// h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
+// Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
+// most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
+// reciprocal, errs by 3 u. Each of an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most
+// 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
+// matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
+// that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
+// Again the factor is twice as large.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
-// Adds what another has measured.
+// Adds what another space has measured.
 static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     for (int j = 0; j < s->ambient; j++) {
         if (other->low[j] < s->low[j]) s->low[j] = other->low[j];
@@ -1642,11 +1575,14 @@ static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     paradt__range_join(&s->weights, &other->weights);
 }
 
-// Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
-// of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
-// n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
-// column without a pivot above 1e-300 makes the determinant less than 2^36 1e-300 Q: all below 2^-959 Q. No value
-// exceeds 2^36 Q, so that nothing overflows while 2^36 Q < 2^1023.
+// Ends measuring: derives the bounds.
+//
+// Underflow, or flushing results and operands to zero, adds an error of at most 2^-1022 for each operation. Let Q be
+// the product of the max(1, m_j). With minors there are less than 2^13 operations, and each error is multiplied by
+// other entries, at most Q in size together, in at most n! < 2^19 monomials. With elimination an error is multiplied by
+// pivots, in at most n h 2^n < 2^36 ways (2^n because pivots grow) of 2^3 operations each. A column without a pivot
+// above 1e-300 makes the determinant less than 2^36 1e-300 Q. All of that is below 2^-959 Q. No value exceeds 2^36 Q,
+// so that nothing overflows if 2^36 Q < 2^1023.
 static void paradt__space_end(paradt__space *s) {
     const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
     const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
@@ -1657,12 +1593,12 @@ static void paradt__space_end(paradt__space *s) {
                   s->weights.bottom >= -240;
     s->bounded = precise && growth <= 940;
     s->tiny = s->bounded ? paradt__power(growth - 950) : 0;
-    // such products and conversions are exact in any rounding mode, and there is nothing to flush to zero
+    // these products and conversions are exact in any rounding mode, and none of them can be flushed to zero
     s->per_unit = 0;
     if (precise && unit >= -900 && unit < s->coordinates.top && s->coordinates.top <= paradt__min(unit + 59, 900))
         s->per_unit = paradt__power(-unit);
     if (!s->bounded) return;
-    for (int j = 0; j < d; j++) { // extents in descending order: the product of the first k is that of any k at most
+    for (int j = 0; j < d; j++) { // extents in descending order: no k of them have a larger product than the first k
         double extent = 0;
         int i = j;
         if (s->low[j] < s->high[j])
@@ -1688,10 +1624,10 @@ static void paradt__space_end(paradt__space *s) {
     }
 }
 
-// -1, 0, 1: the lexicographic order by the first dim coordinates
+// Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
 PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
     for (int j = 0; j < s->dim; j++) {
-        if (s->filtered) { // nothing that could be flushed to zero
+        if (s->filtered) { // no number is so small that it could be flushed to zero
             if (a[j] != b[j]) return a[j] < b[j] ? -1 : 1;
         } else {
             int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
@@ -1704,9 +1640,16 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filters
 //
-// Doors: to be listed.
+// Determinants in doubles. A filter returns the determinant's sign, or PARADT__UNDECIDED if rounding may have changed
+// it. The space must be bounded, so that nothing overflows, and its points measured. A filter first compares with the
+// error bound for all points of the set, which costs nothing; only where that does not decide, it computes the bound
+// for its points. The bounds are derived in >>space.
+// Doors: paradt__filter_orient2, paradt__filter_orient3, paradt__filter_insphere2, paradt__filter_insphere3,
+// paradt__filter4, paradt__filter_any.
 
-// The filters' last step. largest: the product of the columns' largest entries
+#define PARADT__UNDECIDED 2
+
+// The last step of each filter. largest: the product of the columns' largest entries
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
     double error = b->factor * largest + s->tiny;
     if (value > error) return 1;
@@ -1716,6 +1659,7 @@ PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest
     return 0;
 }
 
+// The orientation of p[0..2]
 PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
@@ -1725,6 +1669,7 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
+// The orientation of p[0..3]
 PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2], *c = p[3];
     double x[3] = {a[0] - o[0], b[0] - o[0], c[0] - o[0]};
@@ -1736,7 +1681,8 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
 }
 
-// The rest of a lift whose first k squares are summed already: further coordinates and weights. *size bounds all of it.
+// Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
+// first k squares, and subtracts the weights' difference. *size: a bound of the lift's size, for the error
 PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d, int weighted, const double *a,
                                         const double *o) {
     for (int j = k; j < d; j++) lift += (a[j] - o[j]) * (a[j] - o[j]);
@@ -1744,6 +1690,7 @@ PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d,
     return weighted ? lift - (a[d] - o[d]) : lift;
 }
 
+// Is p[3] inside the circle of p[0..2]? d >= 2: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[3];
     double x[3], y[3], lift[3], size[3], det;
@@ -1759,8 +1706,8 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
                           &s->insphere[2]);
 }
 
-// The sum of the sizes of all monomials of four rows: never larger than 24 times the product of the columns' largest
-// entries, and much smaller where some rows are, as among points on a curve.
+// The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
+// entries, and much less if some rows are small, as those of points on a curve are.
 static double paradt__monomials4(const double *x, const double *y, const double *z, const double *lift) {
     double a[4], b[4], c[4], sum = 0;
     for (int i = 0; i < 4; i++) {
@@ -1776,6 +1723,7 @@ static double paradt__monomials4(const double *x, const double *y, const double 
     return sum;
 }
 
+// Is p[4] inside the sphere of p[0..3]? d >= 3: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[4];
     double x[4], y[4], z[4], lift[4], size[4], det;
@@ -1789,7 +1737,7 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xy30 = x[3] * y[0] - x[0] * y[3], xy02 = x[0] * y[2] - x[2] * y[0], xy13 = x[1] * y[3] - x[3] * y[1];
     double xyz012 = xy01 * z[2] + xy12 * z[0] - xy02 * z[1], xyz123 = xy12 * z[3] + xy23 * z[1] - xy13 * z[2];
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
-    // minus the determinant of the rows (x, y, z, lift), as it takes in odd dimensions
+    // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
@@ -1798,15 +1746,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
 }
 
-// Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
-// out, by the pairs of the first two columns and those of the next two.
+// The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
+// first two and in the last two columns
 PARADT__INLINE double paradt__without(double (*xy)[5], double (*zw)[5], int out) {
     const int a = out == 0, b = 1 + (out <= 1), c = 2 + (out <= 2), d = 3 + (out <= 3);
     return (xy[a][b] * zw[c][d] - xy[a][c] * zw[b][d]) + (xy[a][d] * zw[b][c] + xy[b][c] * zw[a][d]) +
            (xy[c][d] * zw[a][b] - xy[b][d] * zw[a][c]);
 }
 
-// Four dimensions: n = 4 for the orientation (base p[0]), 5 for the in-sphere test (base p[5])
+// Either determinant in 4 dimensions, of rows p[0..n-1] - base: n = 4 for the orientation, 5 for the in-sphere test
 PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, const double *base, int n, int d) {
     double x[4][5], xy[5][5], zw[5][5], lift[5], size[5], det, largest = 1;
     const paradt__bounds *b = n == 4 ? &s->orient[4] : &s->insphere[4];
@@ -1836,14 +1784,14 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
     return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
 }
 
-// Determinant of n rows by elimination with pivots; 0 also when there is no pivot
+// Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     double det = 1;
     for (int t = 0; t < n; t++) {
         int pivot = t;
         for (int i = t + 1; i < n; i++)
             if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot this small is noise of underflow; its reciprocal would overflow
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
         if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
         if (pivot != t) {
             det = -det;
@@ -1862,10 +1810,12 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     return det;
 }
 
-// Rows p[0..n-1] - base: k coordinates and, when n > k, the lift
+// Either determinant in any dimension, of rows p[0..n-1] - base: k coordinates and, if n > k, the lift over d
+// coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
     double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
         double lift = 0, size;
         for (int j = 0; j < k; j++) {
@@ -1884,18 +1834,158 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>exact stages
+// >>digits
 //
-// Doors: to be listed.
+// Integers of any length, for determinants that no machine integer holds. paradt__wide is the widest integer that the
+// compiler computes with. A longer number is an array of digits in base 2^PARADT__RADIX, least significant first, and
+// balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1), where the last digit may be larger if that is stated. Products
+// are summed digit by digit in an array of wide integers, a sum; PARADT__SUMMANDS products fit before carries must be
+// taken. So a sum has neither a carry nor a sign to care for, the sign of a number is that of its highest digit other
+// than 0, and the difference of two doubles has few digits other than 0, however far apart their exponents are.
+// Functions whose names end in _any are for numbers of any length; the others are unrolled, for constant lengths.
+// Doors: paradt__digit_count, paradt__low_digit, paradt__carry, paradt__sign, paradt__clear, paradt__clear_any,
+// paradt__multiply_add, paradt__multiply_add_any, paradt__add_shifted, paradt__make_room, paradt__store,
+// paradt__store_any.
 
-// What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
-// n > k, the lift over d coordinates.
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 paradt__wide;
+typedef int64_t paradt__digit;
+#define PARADT__WIDE_BITS 127 // without the sign
+#define PARADT__RADIX     60
+#else
+typedef int64_t paradt__wide;
+typedef int32_t paradt__digit;
+#define PARADT__WIDE_BITS 63
+#define PARADT__RADIX     28
+#endif
+
+// The number of products of two balanced digits that fit into a wide integer beside a carry: 508
+#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
+
+// The number of digits, the last one balanced too, of an integer below 2^bits in size
+PARADT__INLINE int paradt__digit_count(int bits) {
+    return bits / PARADT__RADIX + 1;
+}
+
+// Returns the balanced digit of x = digit + 2^PARADT__RADIX * carry.
+PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
+    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
+    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
+}
+
+// Returns the carry of the same sum.
+PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
+    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
+}
+
+// The sign of a number, -1, 0 or 1
+PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
+    PARADT_ASSERT(count > 0);
+    while (count > 1 && !digits[count - 1]) count--;
+    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
+}
+
+PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
+    PARADT__UNROLL
+    for (int i = 0; i < count; i++) sum[i] = 0;
+}
+
+PARADT__INLINE void paradt__clear_any(paradt__wide *sum, int count) {
+    memset(sum, 0, (size_t)count * sizeof *sum);
+}
+
+// Adds sign * a[an] * b[bn] to the sum. Each of its elements receives at most min(an, bn) products of digits.
+PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                         const paradt__digit *b, int bn) {
+    PARADT__UNROLL
+    for (int i = 0; i < an; i++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        PARADT__UNROLL
+        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+// Adds sign * mantissa * 2^shift to the sum; mantissa < 2^53, shift >= 0. A summand of an element is below
+// 2^(2 RADIX - 1).
+PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
+    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
+    PARADT_ASSERT(shift >= 0);
+    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
+        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
+        *sum++ += sign < 0 ? -part : part;
+    }
+}
+
+// Takes the carries of sum[count] in place.
+PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
+    for (int i = 0; i + 1 < count; i++) {
+        sum[i + 1] += paradt__carry(sum[i]);
+        sum[i] = paradt__low_digit(sum[i]);
+    }
+}
+
+// Prepares sum[count] for another `products` products an element. *used counts those since the last carries.
+PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
+    PARADT_ASSERT(products <= PARADT__SUMMANDS);
+    *used += products;
+    if (*used <= PARADT__SUMMANDS) return;
+    paradt__balance(sum, count);
+    *used = products;
+}
+
+// Takes the carries of sum[count] and writes the digits of the number. The last digit is what remains, balanced or not.
+PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    PARADT__UNROLL
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>exact
+//
+// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
+// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
+// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+
+// ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+
+// The determinant of the n rows row[i] - base: k columns of coordinates and, if n > k, the lift over d coordinates
 typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
 } paradt__determinant;
 
+// The range of the coordinates (or weights) first..end - 1 of all rows and the base
 static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
@@ -1905,7 +1995,7 @@ static paradt__range paradt__measure_columns(const paradt__determinant *q, int f
     return range;
 }
 
-// |x| / 2^unit = mantissa * 2^*shift for a multiple of 2^unit
+// Returns the mantissa of |x| / 2^unit = mantissa * 2^*shift. x: a multiple of 2^unit
 PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1913,16 +2003,18 @@ PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     return mantissa ? mantissa >> paradt__max(unit - e, 0) : 0;
 }
 
-// The numbers of a task as integers: differences of at most 60 bits and a sign
+// --- numbers that fit: the small stage
+
+// The entries of a determinant as integers: differences of at most 60 bits and a sign
 typedef struct paradt__fixed {
-    int unit;      // of the coordinates; 2 * unit is the lifts'
-    int bits;      // differences are below 2^bits
-    int lift_bits; // lifts are below 2^lift_bits
+    int unit;      // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits;      // differences are below 2^bits in size
+    int lift_bits; // lifts are below 2^lift_bits in size
     int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
-// x / 2^unit for |x| < 2^(unit + 59); *lost collects the bits below the unit
+// Returns x / 2^unit, for |x| < 2^(unit + 59), and adds the bits below the unit to *lost.
 PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     int e, drop;
     uint64_t mantissa = paradt__split(x, &e) << 10;
@@ -1931,7 +2023,7 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     return paradt__bits(x) >> 63 ? -(int64_t)(mantissa >> drop) : (int64_t)(mantissa >> drop);
 }
 
-// Fills f->x in the unit of the set.
+// Fills f->x in the unit of the set, which s->per_unit must allow.
 PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
                                        int columns) {
     f->unit = s->coordinates.unit;
@@ -1944,7 +2036,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
     }
 }
 
-// Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
+// Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
+// weight needs a smaller unit.
 PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
@@ -1977,19 +2070,19 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determina
     return 1;
 }
 
-// Fills f but for the lifts. 0: differences or weights do not fit.
+// Fills f without the lifts. Returns 0 if differences or weights do not fit.
 PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
     if (s->per_unit > 0 && 2 * s->coordinates.unit <= weights.unit) paradt__fix_by_set(f, s, q, columns);
     else if (!paradt__fix_by_bits(f, q, columns, &weights)) return 0;
-    // the sum of up to 8 squares, and a difference of weights
+    // a sum of up to 8 squares, and the difference of two weights
     f->lift_bits = paradt__max(2 * f->bits + 3, weights.top + 1 - 2 * f->unit) + (weights.top > weights.bottom);
     return 1;
 }
 
-// Fills f->lift, which must fit in wide integers.
+// Fills f->lift. f->lift_bits must be at most PARADT__WIDE_BITS - 5.
 PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
@@ -2005,11 +2098,12 @@ PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinan
     }
 }
 
-// Determinants of the rows in wide integers. pair(i, j): of their first two columns
+// The determinant of rows i and j in the first two columns
 PARADT__INLINE paradt__wide paradt__wide_pair(const paradt__fixed *f, int i, int j) {
     return (paradt__wide)f->x[i][0] * f->x[j][1] - (paradt__wide)f->x[j][0] * f->x[i][1];
 }
 
+// The determinant of all rows, which must fit in a wide integer, for k = 2 or 3
 PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, int k) {
     paradt__wide p01 = paradt__wide_pair(f, 0, 1), p02, p12, p03, p13, p23, z0, z1, z2, z3;
     if (n == 2) return p01;
@@ -2022,7 +2116,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
            f->lift[1] * (z0 * p23 - z2 * p03 + z3 * p02) - f->lift[0] * (z1 * p23 - z2 * p13 + z3 * p12);
 }
 
-// The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
+// The same for any k. minor[mask] is the determinant of the rows in the mask and of as many first columns.
 PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
@@ -2033,34 +2127,40 @@ PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, in
         for (unsigned rest = mask; rest; rest &= rest - 1) {
             int i = paradt__trailing_zeros(rest);
             paradt__wide x = column < k ? f->x[i][column] : f->lift[i];
-            sum = x * minor[mask ^ 1u << i] - sum; // along the last column, whose last row counts positive
+            sum = x * minor[mask ^ 1u << i] - sum; // along the last column: the sign of its last row is positive
         }
         minor[mask] = sum;
     }
     return minor[(1 << n) - 1];
 }
 
-// few: k is 2 or 3
+// few: is k 2 or 3?
 PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k, int few) {
     paradt__wide det = few ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
     return (det > 0) - (det < 0);
 }
 
-// --- general
+// --- numbers of any length: the general stage
 
-// The lengths of a task's numbers
+// The lengths of a determinant's entries. Units are exponents.
 typedef struct paradt__layout {
     int unit, bits, digits;                // of the coordinates' differences
     int lift_unit, lift_bits, lift_digits; // of the lifts; 2 unit - lift_unit is a multiple of PARADT__RADIX
 } paradt__layout;
 
-// Places on the stack for all numbers of a task, and for sums. The largest task, 8 columns of differences of 2099 bits,
-// takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
+// Two sizes of room on the stack, each for all numbers of a determinant and for sums. Differences have at most 2099
+// bits (from 2^-1074 to 2^1025), lifts 4202 (from 2^-2148 to 2^2054): 35 and 71 digits of 60 bits, or 75 and 151 of 28.
+//   small  Every determinant of up to 3 columns of coordinates fits. The largest is the weighted in-sphere test with
+//          k = 3: rows take 4 (3 35 + 71) = 704 digits, minors of 1 or 3 columns 4 106 = 424, of 2 columns 6 70 = 420,
+//          together 1548, and sums 177 elements. With digits of 28 bits: 1504 + 904 + 900 = 3308, and 377.
+//   large  Every determinant fits. The largest, with k = 8, takes 5768 digits of 60 bits and sums of 562 elements, or
+//          12328 and 1202 of 28 bits, when it is made from halves (paradt__general_halves).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
 #define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
 #define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
+// Finds the lengths: from the set's range or, if that is long, from the points'.
 static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
@@ -2078,20 +2178,7 @@ static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__dete
     return y;
 }
 
-// Room for more products in the sums of count elements: *used of PARADT__SUMMANDS are taken
-PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
-    *used += products;
-    if (*used <= PARADT__SUMMANDS) return;
-    paradt__balance(sum, count);
-    *used = products;
-}
-
-PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
-    PARADT__UNROLL
-    for (int i = 0; i < count; i++) sum[i] = 0;
-}
-
-// sum += sign * (a - b) / 2^unit
+// Adds sign * (a - b) / 2^unit to the sum.
 PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a, double b, int unit) {
     int shift;
     uint64_t mantissa = paradt__mantissa(a, unit, &shift);
@@ -2100,7 +2187,7 @@ PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a
     paradt__add_shifted(sum, paradt__bits(b) >> 63 ? sign : -sign, mantissa, shift);
 }
 
-// digits = a - b; a wide integer holds it
+// Writes the digits of (a - b) / 2^unit, which must fit in a wide integer.
 PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, double a, double b, int unit) {
     int shift;
     paradt__wide x, y;
@@ -2113,22 +2200,22 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
     digits[count - 1] = (paradt__digit)x;
 }
 
-// Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
-// it uses as much as y->digits; sum has place for all of a lift and y->digits more.
+// Writes the rows one after another: each k numbers of y->digits and, with the lift, one of y->lift_digits. Uses
+// another y->digits behind the rows. sum: room for a lift and y->digits more
 PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
                                         const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
-        int used = 8; // weights add less than so many products
-        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
+        int used = 8; // the weights add less than 8 products
+        if (lifted) paradt__clear_any(lift, y->lift_digits);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                memset(sum, 0, (size_t)y->digits * sizeof *sum);
+                paradt__clear_any(sum, y->digits);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
                 paradt__store_any(x, sum, y->digits);
             }
@@ -2144,22 +2231,23 @@ PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, c
     }
 }
 
-// Where the minors of the columns first, first + 1, ... of a task are made
+// The minors of a determinant that consist of columns first, first + 1, ...
 typedef struct paradt__minors {
-    const paradt__determinant *task;
+    const paradt__determinant *whole;
     const paradt__layout *layout;
-    const paradt__digit *rows;
+    const paradt__digit *rows; // as paradt__load_rows writes them
     int first;
 } paradt__minors;
 
-// Digits of a minor of so many columns
+// The number of digits of a minor of so many columns
 PARADT__INLINE int paradt__minor_digits(const paradt__minors *m, int columns) {
-    int lifted = m->first + columns > m->task->k;
+    int lifted = m->first + columns > m->whole->k;
     return paradt__digit_count((columns - lifted) * m->layout->bits + lifted * m->layout->lift_bits +
                                paradt__log_factorial[columns]);
 }
 
-// Digits that the minors of so many rows need at most, of an odd (parity 1) or even number of columns
+// The most digits that all minors of one size take together, among sizes of odd (parity 1) or even parity, if they are
+// made of so many rows
 static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     int most = 0;
     for (int columns = 1, binomial = rows; columns <= rows; columns++) {
@@ -2169,18 +2257,19 @@ static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     return most;
 }
 
-// The next larger number with as many bits set (Gosper's hack)
+// Returns the next larger number with as many bits set (Gosper's hack).
 PARADT__INLINE unsigned paradt__next_subset(unsigned set) {
     unsigned low = set & (0 - set), ripple = set + low;
     return ripple | ((set ^ ripple) >> 2) / low;
 }
 
-// The determinant of the rows in the set, as many columns from m->first on: its digits, in work, and their number. Of
-// every size all minors are made from those one column smaller, in two places that take turns.
+// Computes the minor of the rows in the set and of as many columns from m->first. Returns its digits, in work, and
+// their number in *digits. All minors of each size are made from those that are one column smaller, in two areas of
+// work that take turns.
 static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set, paradt__digit *work, paradt__wide *sum,
                                           int *digits) {
     const paradt__layout *y = m->layout;
-    int k = m->task->k, row_digits = k * y->digits + (m->task->n > k ? y->lift_digits : 0);
+    int k = m->whole->k, row_digits = k * y->digits + (m->whole->n > k ? y->lift_digits : 0);
     int row[PARADT__MAX_ROWS], rows = 0, previous = 0;
     uint16_t place[1 << PARADT__MAX_ROWS];
     paradt__digit *places[2], *from = NULL;
@@ -2193,7 +2282,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            memset(sum, 0, (size_t)length * sizeof *sum);
+            paradt__clear_any(sum, length);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2215,14 +2304,14 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The determinant of all rows is the sum over sets of half the rows: minors of the first columns in these times minors
-// of the other columns in the others (Laplace). For 9 rows that takes six times as long and a sixth of the
-// space.
+// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
+// a sixth of the room and six times as long.
 static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
-    int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
+    int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    memset(sum, 0, (size_t)digits * sizeof *sum);
+    paradt__clear_any(sum, digits);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2237,7 +2326,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     return paradt__sign(work, digits);
 }
 
-// 1: so many digits, and sums of so many, are room for all minors at once
+// Do all minors fit together into so many digits, and the sums into so many elements?
 static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
@@ -2246,6 +2335,7 @@ static int paradt__general_fits(const paradt__determinant *q, const paradt__layo
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
+// whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
 PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
                                      paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
@@ -2272,15 +2362,16 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
     return paradt__general(q, y, work, sum, whole);
 }
 
-// --- fixed
+// --- one or two digits: the fixed stage
 
 #ifdef __SIZEOF_INT128__
-// Rows as paradt__load_rows makes them, w digits a coordinate and 2 w a lift: every product of numbers has just as many
-// digits as they have together, for
-//   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
-//          (below 2^122) 2^62, sums of four products of them below 2^126.7
-//   w = 2  numbers of 117 bits, all digits balanced
-// p[2 w] = the determinant of the first two columns of two rows
+// The rows are as paradt__load_rows writes them, with w digits a coordinate and 2 w a lift, and every product of
+// numbers gets as many digits as its factors have together. That suffices for
+//   w = 1  differences of 60 bits. Last digits may exceed the radix: they are at most 2^61 for pairs, 2^62.6 for
+//          triples and 2^62 for lifts (which are below 2^122), so that a sum of four of their products is below 2^126.7
+//   w = 2  differences of 117 bits, with all digits balanced
+
+// Computes p[2 w], the determinant of the rows a and b in the first two columns.
 PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
@@ -2289,7 +2380,8 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
-// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+// Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
+// third: digits of an entry in the third column
 PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
                                          const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
                                          const paradt__digit *ab, int w) {
@@ -2301,7 +2393,7 @@ PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const para
     paradt__store(t, sum, 2 * w + third);
 }
 
-// w: a constant
+// The sign of the determinant. w: a constant, 1 or 2
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
     const int stride = k * w + (n > k ? 2 * w : 0);
     const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
@@ -2345,13 +2437,13 @@ PARADT__INLINE int paradt__fixed_one(const paradt__fixed *f, int n, int k) {
     return paradt__fixed_sign(rows, n, k, 1);
 }
 
-// 1: two digits do for the coordinates, four for the lifts
+// Do two digits suffice for the differences, and four for the lifts?
 PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     if ((k != 2 && k != 3) || y->bits > 117) return 0;
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-// Rows of two digits a coordinate and four a lift
+// Writes rows of two digits a coordinate and four a lift.
 PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
     const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
     for (int i = 0; i < q->n; i++) {
@@ -2376,11 +2468,14 @@ PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const parad
 }
 #endif
 
-// The sign of the task's determinant. few: k is 2 or 3, and n, k and d are constants, for only then the loops of the
-// ways for few columns are unrolled into code that is short and fast.
+// --- which stage
+
+// The sign of the determinant. few: k is 2 or 3, and n, k and d are constants, so that the compiler unrolls the loops
+// of the small stage and of the fixed stage with one digit.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
     const paradt__determinant q = {n, k, d, s->weighted, row, base};
+    PARADT_ASSERT((n == k || n == k + 1) && k >= 1 && k <= d && d <= PARADT_MAX_DIM);
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2428,7 +2523,7 @@ PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *con
     return -paradt__exact_inline(s, p, p[4], 4, 3, 3, 1);
 }
 
-// Points of a plane in space
+// The in-sphere test for points of a plane in space
 PARADT__NOINLINE int paradt__exact_flat3(paradt__space *s, const double *const *p) {
     return paradt__exact_inline(s, p, p[3], 3, 2, 3, 1);
 }
@@ -2437,12 +2532,14 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
     return paradt__exact_inline(s, row, base, n, s->dim, s->ambient, 0);
 }
 
+// The orientation of p[0..k], k = s->dim
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
+// The in-sphere test of p[k + 1] with p[0..k]
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
     if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
@@ -2455,10 +2552,23 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>signs
 //
-// Doors: to be listed.
+// The predicates: orientation, in-sphere test, and the test for conflict, which is the in-sphere test with its ties
+// broken. Each asks a filter first and the exact stages if the filter is undecided. All points must have been measured
+// into the space, and the cell of an in-sphere test must be positively oriented.
+// The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
+// CGTA 44, 2011. The public predicates measure the points of each call.
+// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
 
+// Was the set measured, up to the end, and are the dimensions among those measured?
+PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
+    return s->dim >= 1 && s->dim <= s->ambient && s->ambient <= PARADT_MAX_DIM &&
+           (!s->bounded || s->insphere[s->dim].factor > 0);
+}
+
+// The orientation by the first k coordinates. k: s->dim, as a constant where code for it alone is wanted
 PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
@@ -2476,8 +2586,10 @@ static int paradt__orient(paradt__space *s, const double *const *p) {
     return paradt__orient_any(s, p, s->dim);
 }
 
+// The in-sphere test. k, d: s->dim and s->ambient, as constants where code for them alone is wanted
 PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p, int k, int d) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.insphere_calls++;
     if (s->bounded)
         sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
@@ -2487,15 +2599,15 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
-// Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
+// Returns 1 if p[k + 1] is inside the sphere of the cell p[0..k], 0 if it is on the sphere, -1 if it is outside.
 static int paradt__insphere(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
-// The lexicographically largest of p[0..query], but for those in the mask `done`. In three dimensions without branches,
-// for in lattices they can't be foreseen.
+// Returns the place of the lexicographically largest of p[0..query] that is not in the mask `done`. In 3 dimensions it
+// does not branch on comparisons, as the processor could not predict the branches in lattices.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
     if (PARADT__IS(s->dim, 3) && s->filtered) {
@@ -2515,14 +2627,15 @@ PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *c
     return largest;
 }
 
-// What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
-// going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
-// raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
-// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, CGTA 44, 2011).
+// Decides an in-sphere test of sign 0: 1 in conflict, 0 not. The query is p[k + 1]. The perturbation raises the lifts
+// of all points, those of lexicographically larger points overwhelmingly more: going down from the largest point, the
+// first one whose lift matters decides. Raising the query's lift moves the query outside. Raising the lift of p[i]
+// moves the query inside if the cell stays positively oriented when the query takes the place of p[i].
 PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p) {
     const int query = s->dim + 1;
     const double *other[PARADT__MAX_ROWS];
     unsigned done = 0;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.perturbed++;
     for (;;) {
         int largest = paradt__largest_point(s, p, query, done), sign;
@@ -2534,7 +2647,7 @@ PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p)
     }
 }
 
-// Of k + 2 points: 1 when p[k + 1] is in conflict with the cell of the positively oriented p[0..k], else 0
+// Is p[k + 1] in conflict with the cell p[0..k]? 1 or 0; there are no ties.
 static int paradt__conflict(paradt__space *s, const double *const *p) {
     int sign = paradt__insphere(s, p);
     return sign ? sign > 0 : paradt__perturbed(s, p);
@@ -2548,12 +2661,15 @@ PARADT_DEF int paradt_orient(int dim, const double *const *points) {
     return paradt__orient(&s, points);
 }
 
-// Copies of the points with their weights behind them
+// --- the public predicates
+
+// Copies of points, each with its weight behind it
 typedef struct paradt__joined {
     double memory[PARADT_MAX_DIM + 2][PARADT_MAX_DIM + 1];
     const double *points[PARADT_MAX_DIM + 2];
 } paradt__joined;
 
+// Copies dim + 2 points and their weights, and measures them. weights: NULL: none
 static void paradt__join(paradt__joined *joined, paradt__space *s, int dim, const double *const *points,
                          const double *weights) {
     paradt__space_begin(s, dim, dim, weights != NULL);
@@ -3099,8 +3215,12 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t i
     return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
+enum {
+    // Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a
+    // page.
+    PARADT__POINTS_AHEAD = 64,
+    PARADT__PACE = 1 << 15 // points between two looks at whether the call is cancelled
+};
 
 // Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
 // lines.
@@ -3257,8 +3377,7 @@ static int paradt__is_among(int number, const int *numbers, int count) {
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
-                                   const paradt__team *team) {
-    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
+                                   paradt__meter *meter) {
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -3266,7 +3385,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
+        if (meter && step % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -3281,9 +3400,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
-//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
+//   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters, const paradt__team *team) {
+                             int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3299,7 +3418,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, meter);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3490,9 +3609,10 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
-static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
-                                   int axis, const double *low, const double *high) {
+// Returns the coordinate at which to cut a box, above for the first half of `boxes`, one of which is to have `extra`
+// points more.
+static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                        int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
@@ -3514,7 +3634,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
     cut->axis = paradt__longest_axis(below, above, c->dim, 0);
-    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    cut->at = paradt__cutter_coordinate(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index position = c->order[i];
         c->order[i] = c->order[middle];
@@ -3544,9 +3664,6 @@ enum {
     PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-// Points between two looks at whether the call is cancelled
-enum { PARADT__LOADER_PACE = 1 << 15 };
-
 // The passes over the points, and where each begins in the progress of them all
 enum {
     PARADT__SURVEY = 0,
@@ -3566,13 +3683,14 @@ typedef struct paradt__loader {
     size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
     size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
-    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;               // bits of a key's first digit, at most
-    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;                // values that the first digit may have
+    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;   // [points.count]
+    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;         // bits of a key's first digit, at most
+    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;          // values that the first digit may have
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
@@ -3590,9 +3708,9 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
     paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
-// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
-// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+// Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
+// the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
+// its pages are touched only once.
 static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
@@ -3612,9 +3730,9 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
+    // that fill the records has as many new pages to touch.
+    loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
@@ -3761,7 +3879,7 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3776,25 +3894,25 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) {
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
-// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
-// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
-// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
-// 64 / levels passes.
+// Ends the sorting: points with equal keys are sorted again, until they differ or are known to be equal. On return a
+// key is 1 if the point equals the one before, else 0. The longest run is left to the loop, so that the recursion is no
+// deeper than the logarithm of count. If most points stay together pass after pass, the reason is a few distant points,
+// with others behind them, on scale after scale. After many such passes the lattice goes by steps from one double to
+// the next, which leaves at most 64 / levels passes.
 static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
                            size_t count) {
     enum { PASSES = 20 };
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
+        if (count > PARADT__PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3856,9 +3974,9 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
-// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
-// all: measured on uniform points.
+// Returns how many points of the sample box 0 is to get more than other boxes. By insertion its region takes no points
+// of others and asks about no cell, which saves the work for some 2.2 times the points in a margin beside a cut through
+// all, as measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
     int64_t *keys = (int64_t *)(void *)loader->keyed;
@@ -3901,9 +4019,9 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
-// places if they lie on surfaces. Where they fill space they share more, but still few.
+// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
+// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
+// large a part of them share places. Where points fill space a larger part does, but still a small one.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -3935,7 +4053,7 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int d
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
             return;
         paradt__coordinates(&points, i, x);
@@ -3954,7 +4072,7 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task.
 static void paradt__place_digits(const paradt__loader *loader) {
     size_t digit, task, before = 0;
     for (digit = 0; digit < loader->digits; digit++) {
@@ -3967,19 +4085,20 @@ static void paradt__place_digits(const paradt__loader *loader) {
     PARADT_ASSERT(before == loader->source->points.count);
 }
 
+// Scatters the keys of a task by their first digits, into the scratch buffer.
 static void paradt__scatter_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__keyed *keyed = loader->keyed;
-    paradt__keyed *other = loader->other;
+    paradt__keyed *scratch = loader->scratch;
     size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
     for (; i < end; i++) {
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
-        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+        scratch[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
     }
 }
 
@@ -3994,8 +4113,8 @@ static void paradt__sort_task(void *context, size_t task) {
         if (!count || ends[digit] <= first || ends[digit] > last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+        paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->scratch + begin, count);
     }
 }
 
@@ -4022,6 +4141,7 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
+// Reads the records of a task's positions, and counts those that repeat the one before.
 static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
@@ -4030,7 +4150,7 @@ static void paradt__gather_task(void *context, size_t task) {
               first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
             return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
@@ -4192,7 +4312,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4334,10 +4454,11 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
 }
 
 // Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
+// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
+// the set remains as it is. On return set->grade_limit
 // is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
-                                          paradt__memory *memory, int *nearby) {
+                                          paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
@@ -4354,6 +4475,10 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
+        if (meter && i % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) {
+            paradt__release(memory, records);
+            return PARADT_ERROR_CANCELLED;
+        }
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
@@ -4378,13 +4503,14 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
 }
 
 // Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                       paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
     if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
     if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
-    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, meter, memory, &nearby);
     if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
     return status;
 }
@@ -4421,8 +4547,8 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
 // Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
 // paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row, PARADT__VERIFY,
-// PARADT__VERIFY_SMALL.
+// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
+// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4513,6 +4639,23 @@ PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t use
 PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
                                                paradt__memory *memory) {
     return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
+}
+
+typedef struct paradt__list {
+    paradt_index *items; // [capacity]
+    size_t count, capacity;
+} paradt__list;
+
+// Appends an item.
+PARADT__INLINE paradt_status paradt__list_append(paradt__list *list, paradt_index item, paradt__memory *memory) {
+    paradt_status status = paradt__list_room(&list->items, list->count, &list->capacity, list->count + 1, memory);
+    if (!status) list->items[list->count++] = item;
+    return status;
+}
+
+static void paradt__list_free(paradt__list *list, paradt__memory *memory) {
+    paradt__release(memory, list->items);
+    memset(list, 0, sizeof *list);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -5517,8 +5660,10 @@ static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set,
     }
 }
 
-// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range. Returns 1 when
+// the meter cancels, else 0.
+static int paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around,
+                             paradt__meter *meter) {
     double bounds[2 * PARADT_MAX_DIM];
     memcpy(bounds, around, sizeof bounds);
     for (;;) {
@@ -5527,7 +5672,8 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
             paradt__grid_keep_bounds(grid, set, begin, end, bounds);
-        if (end - begin <= PARADT__LANES) return;
+        if (end - begin <= PARADT__LANES) return 0;
+        if (meter && end - begin > PARADT__PACE / 4 && paradt__meter_cancels(meter)) return 1;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
         switch (set->width) { // the same code with the width known
@@ -5537,7 +5683,7 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         }
         high = bounds[2 * axis + 1];
         bounds[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, bounds);
+        if (paradt__grid_sort(grid, set, begin, cut, bounds, meter)) return 1;
         bounds[2 * axis + 1] = high;
         bounds[2 * axis] = at;
         begin = cut;
@@ -5651,15 +5797,17 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+// Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
+// error the caller frees the grid.
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                                  paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
     PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
     for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, bounds);
+    if (paradt__grid_sort(grid, set, 0, set->count, bounds, meter)) return PARADT_ERROR_CANCELLED;
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
@@ -6193,8 +6341,8 @@ static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count
 // Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
 // Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
 // first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
-static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                                   int dim) {
+PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                             double dual[][PARADT_MAX_DIM], int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -6214,7 +6362,7 @@ static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_
     // Dual vector i is y Q with L y = unit i.
     for (i = 0; i < dim - 1; i++) {
         double y[PARADT_MAX_DIM];
-        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        memset(dual[i], 0, sizeof dual[i]);
         for (k = i; k < dim - 1; k++) {
             double rest = k == i ? 1.0 : 0.0;
             for (j = i; j < k; j++) rest -= l[k][j] * y[j];
@@ -6456,15 +6604,16 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
     return paradt__orient(&p->space, points) * p->outside > 0;
 }
 
-// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
-// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
-// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
-// ruled out.
-static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
-    for (lane = 0; lane < PARADT__LANES; lane++) {
+// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u)
+// and its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in
+// u_j. Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a
+// flat hull are ruled out.
+PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
+    unsigned left, beyond = 0;
+    int j;
+    if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
+    for (left = mask; left; left &= left - 1) {
+        int lane = paradt__trailing_zeros(left);
         double most = 0.0;
         for (j = 0; j < p->space.dim; j++) {
             double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
@@ -6473,9 +6622,9 @@ static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const doubl
             double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
             most += a > b ? a : b;
         }
-        mask |= (unsigned)(most > 0.0) << lane;
+        beyond |= (unsigned)(most > 0.0) << lane;
     }
-    return mask;
+    return beyond;
 }
 
 // Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
@@ -6703,7 +6852,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
-    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
+    if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -6912,7 +7061,7 @@ PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const do
     unsigned mask;
     if (!s->pencil.space.filtered) return 255u;
     mask = s->kernels.group(&s->pencil.q, group, &bounds);
-    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+    return s->aim == PARADT__AIM_BEYOND ? paradt__pencil_boxes_beyond(&s->pencil, group, mask) : mask;
 }
 
 // Is the point an answer?
@@ -7072,42 +7221,45 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // ---------------------------------------------------------------------------------------------------------------------
 // >>reach
 //
-// Which cells a region of InCoDe or DeWall makes, and which of them it owns. (Insertion has another rule, see
-// >>patches.)
+// Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
+// rule, see the section of patches.)
 //
-// The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if equally
-// far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the region's
-// points; the facets that it needs are those in which one does. All these cells are found from one around each vertex:
-// the neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex
-// figure of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others
-// are reached around their ends, and all cells around them. A facet that is not needed is entered, so that two cells
-// that both were made get linked, but not worked on. A vertex of the region that no edge led away from gets a cell of
-// its own to start from.
+// Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
+// axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
+// leads away from one of the region's points, and needs a facet if an edge of the facet does. A needed facet is worked
+// on. Any other facet is only entered, so that two cells get linked when both have been made.
 //
-// The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
-// points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
-// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then the cut
-// is nearest to v too, and one of two points is always the farther. So a region reaches every cell with two vertices in
-// it, and few cells are made by several regions: those across a cut with two vertices on either side, and some in which
-// the cut nearest to a vertex is not the one that the cell crosses.
+// Why a region finds every cell that it reaches: consider the neighbours w of v to which edges lead away. In the vertex
+// figure of the lifted hull at v they are the vertices on one side of a plane, so edges among themselves connect them
+// (Balinski's argument). From one such edge (v, w) the work on needed facets therefore gets around the ends of all the
+// others, and to all cells around these edges. A vertex of the region from which no edge of a cell has led away gets a
+// cell of its own to start from, a seed.
 //
-// A few cells nobody reaches, where boxes meet at an edge or corner. They form clusters, connected by facets in which
-// no edge leads away. A region that owns a cell with such a facet looks behind the facet, its gate; if a cell of a
-// cluster is there, the region goes on to all of the cluster and the cells next to it. So whoever owns a cell next to a
-// cluster knows all of these cells, and the first of them owns the cluster. If there is none, the cluster is all of
-// T(P): then every region has it, since all begin with a cell, and the first that has points owns it.
+// Ownership. Of the regions that reach a cell the one with most of its vertices owns the cell; of several the first
+// does. A region reaches every cell in which it has two vertices u and v, for one of the edges between them leads away:
+// let u be nearer to its nearest cut than v to its own, or equally near and the cut of u not the later one. Then v is
+// farther from the cut of u than u is. If the rounded distances are equal, that cut is nearest to v, too, and of two
+// points one is always the farther from a cut. So few cells are made by several regions: those across a cut with two
+// vertices on either side, and some cells that cross another cut than the one nearest to a vertex.
+//
+// Cells that no region reaches. There are a few, where boxes meet at an edge or a corner. They form clusters, whose
+// cells are connected by facets in which no edge leads away. If a cell has such a facet, the region that owns the cell
+// looks behind the facet, its gate. If a cluster is there, the region makes all of the cluster and the cells next to
+// it. So every owner of a cell next to a cluster knows all cells next to it, and the first of these owners owns the
+// cluster. If a cluster has no cell next to it, it is all of T(P): every region makes it, as each begins with a cell,
+// and the first region that has points owns it.
 //
 // Vertices are positions in the set.
-// Doors: paradt__region_view, paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
+// Doors: paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
 
-// A region, as its front sees it
+// What a front knows of its region and of the others
 typedef struct paradt__region_view {
     const uint32_t *owner; // [set.count] region of each point; NULL: space is undivided
     const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
-// Does the edge from a point to another lead away from the cut nearest to the point (NULL: there is none)?
+// Does the edge from one point to another lead away? cut: the one nearest to `from`; NULL: there is none
 static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
                                    const double *to) {
     if (cut) {
@@ -7117,7 +7269,7 @@ static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut
     return paradt__compare(space, to, from) > 0;
 }
 
-// Does an edge of the simplex lead away from its vertex `place`?
+// Does any edge of the simplex lead away from its vertex `place`? count: vertices of the simplex
 static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
                               int count, int place) {
     const double *x = paradt__record(set, simplex[place]);
@@ -7130,8 +7282,7 @@ static int paradt__leads_away(const paradt__region_view *view, const paradt__set
     return 0;
 }
 
-// Does the region need the facet: has it an edge that leads away from a point of the region? Two points of the region
-// have one.
+// Does the region need the facet? Two points of the region always have an edge that leads away.
 static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
                          int count) {
     int i, inside = 0, only = 0;
@@ -7143,12 +7294,13 @@ static int paradt__needs(const paradt__region_view *view, const paradt__set *set
     return paradt__leads_away(view, set, facet, count, only);
 }
 
-// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
-// PARADT__OPEN: nobody reaches it.
+// Returns the owner of a cell or facet: of the regions that reach it, the one with most of its vertices, of several the
+// first; or PARADT__OPEN if no region reaches it.
 static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
                                        const paradt_index *simplex, int count) {
     paradt_index owner = PARADT__OPEN;
     int most = 0, i, j;
+    PARADT_ASSERT(view->owner);
     for (i = 0; i < count; i++) {
         paradt_index region = (paradt_index)view->owner[simplex[i]];
         int inside = 0;
@@ -7165,29 +7317,33 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>front
 //
-// What builds facet by facet has in common: a mesh that is not closed, the facets whose other cell is not known yet
-// (the active face list of the thesis, AFL), the search for the cell across such a facet, and the region for which the
-// cells are made. A cell once made is never changed. Vertices are positions in the set.
+// What InCoDe and DeWall, which build facet by facet, have in common: a mesh that is not closed; its active facets,
+// those whose other cell is not known yet (the thesis' active face list, AFL); the search for the cell across an active
+// facet; and the region for which cells are made. A cell is never changed once it is made. Vertices are positions in
+// the set.
 //
-// A vertex at which no facet is active has all its cells, and can't be an apex any more. InCoDe counts the active
-// facets at each vertex and takes grid cells and groups without unfinished points out of the search: it need not look
-// behind the front.
+// What holds between two cells: every facet whose link is PARADT__OPEN stands once in one of two tables. `active` has
+// the AFL; `unneeded` has those that the region does not need (see >>reach) and is used with regions only.
 //
-// Work lists, for methods with an order of their own, are linked lists of handles; a facet that was matched meanwhile
-// stays in its list and is passed over when it comes up.
+// A vertex with no active facet has all its cells and can't be an apex any more: it is finished. InCoDe counts the
+// active facets at each vertex and takes grid cells and groups of them out of the search once all their points are
+// finished. So the search need not look behind the front.
+//
+// A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
+// while it is in a list stays there, and is passed over when it comes up.
 // Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
 // paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
 // paradt__list_pop.
 
-// Work lists of handles, in one pool of nodes. The head of an empty list is PARADT__OPEN.
 typedef struct paradt__node {
-    paradt_index handle, next;
+    paradt_index handle, next; // next: PARADT__OPEN at the end
 } paradt__node;
 
+// The pool from which all work lists take their nodes. A list is the index of its first node; PARADT__OPEN: empty.
 typedef struct paradt__lists {
     paradt__node *nodes;
     size_t capacity;
-    paradt_index fresh, spare; // first node never used, first node given back
+    paradt_index fresh, spare; // the first node never used; the list of nodes given back
 } paradt__lists;
 
 static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
@@ -7195,6 +7351,7 @@ static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
     memset(lists, 0, sizeof *lists);
 }
 
+// Puts a handle at the head of a list.
 static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
                                        paradt__memory *memory) {
     paradt_index node = lists->spare;
@@ -7218,20 +7375,21 @@ static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head,
     return PARADT_OK;
 }
 
-// The list must not be empty.
+// Takes the first handle out of a list that is not empty.
 static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
     paradt_index node = *head, handle = lists->nodes[node].handle;
+    PARADT_ASSERT(node < lists->fresh);
     *head = lists->nodes[node].next;
     lists->nodes[node].next = lists->spare;
     lists->spare = node;
     return handle;
 }
 
-// Vertices that may still get cells
+// Which vertices may still get cells
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
-    uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
-    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] bits of the boxes with unfinished points
+    uint8_t *unfinished;                // [grid.cell_count] number of unfinished points in each grid cell
+    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] a bit for each box that has unfinished points
 } paradt__finished;
 
 typedef struct paradt__front {
@@ -7239,20 +7397,20 @@ typedef struct paradt__front {
     const paradt__grid *grid;
     paradt__memory *memory;
     paradt__search search;
-    paradt__mesh mesh;     // without ghosts
-    paradt__facets active; // the AFL: facets to be worked on
-    paradt__facets passed; // with regions: open facets that the region does not need
+    paradt__mesh mesh;       // without ghosts
+    paradt__facets active;   // the AFL: facets to be worked on
+    paradt__facets unneeded; // with regions: open facets that the region does not need
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
-    double expected;  // cells, for the progress
-    int impatient;    // 1: give up where the filters decide too little; see paradt__front_is_stuck
-    uint64_t seeding; // predicates for the cells to start from: they come with the region, not with its cells
+    double expected;          // number of cells, for the progress
+    int impatient;            // 1: give up where the filters decide too little; see paradt__front_is_stuck
+    uint64_t seed_predicates; // predicates evaluated to find seeds: they say nothing about the region's cells
     uint64_t hull_facets;
     paradt__finished finished;
-    uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
+    uint64_t *seeded;   // with regions: a bit for each vertex from which an edge of a cell leads away; needs no seed
     paradt_index gates; // with regions: list of facets to look behind
-    size_t next_seed;   // positions before it need no seed
+    size_t next_seed;   // no position before this one needs a seed
 } paradt__front;
 
 static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
@@ -7263,6 +7421,7 @@ static void paradt__finished_free(paradt__finished *finished, paradt__memory *me
     memset(finished, 0, sizeof *finished);
 }
 
+// Begins with no vertex finished. After an error paradt__finished_free frees what there is.
 static paradt_status paradt__finished_begin(paradt__finished *finished, const paradt__set *set,
                                             const paradt__grid *grid, paradt__memory *memory) {
     size_t i;
@@ -7285,7 +7444,7 @@ static paradt_status paradt__finished_begin(paradt__finished *finished, const pa
     return PARADT_OK;
 }
 
-// Adds to the count of active facets at a vertex; at 0 it is finished.
+// Adds `change` to the number of active facets at a vertex. When the number becomes 0 the vertex is finished.
 PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const paradt__grid *grid, paradt_index vertex,
                                            int change) {
     size_t box = (size_t)vertex / PARADT__LANES;
@@ -7299,16 +7458,17 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
     }
 }
 
+// Frees all but the mesh.
 static void paradt__front_end(paradt__front *front) {
     paradt__facets_free(&front->active, front->memory);
-    paradt__facets_free(&front->passed, front->memory);
+    paradt__facets_free(&front->unneeded, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
-    paradt__release(front->memory, front->touched);
-    front->touched = NULL;
+    paradt__release(front->memory, front->seeded);
+    front->seeded = NULL;
 }
 
-// Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
+// Makes room for the expected number of cells; if that is refused, for some: weighted points may have far fewer cells.
 static paradt_status paradt__front_room(paradt__front *front) {
     const size_t some = 1 << 16, most = paradt__most_cells(front->mesh.corners);
     double expected = front->expected * 1.01 + 64.0;
@@ -7320,7 +7480,8 @@ static paradt_status paradt__front_room(paradt__front *front) {
     return paradt__mesh_reserve(&front->mesh, 1, some, front->memory);
 }
 
-// part: of the set's points, those that the front is for
+// Begins a front without cells. part: fraction of the set's points for which the front makes cells. After an error
+// paradt__front_end is called as well.
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
                                          paradt__memory *memory, paradt__region_view view, double part) {
     double points = (double)set->count * part;
@@ -7335,30 +7496,30 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     paradt__search_begin(&front->search, set, grid);
     if (view.owner) {
         size_t words = set->count / 64 + 1;
-        front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched || paradt__facets_begin(&front->passed, 0, 0, memory)) return PARADT_ERROR_MEMORY;
-        memset(front->touched, 0, words * sizeof(uint64_t));
+        front->seeded = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
+        if (!front->seeded || paradt__facets_begin(&front->unneeded, 0, 0, memory)) return PARADT_ERROR_MEMORY;
+        memset(front->seeded, 0, words * sizeof(uint64_t));
     }
     if (paradt__facets_begin(&front->active, (size_t)points, 0, memory)) return PARADT_ERROR_MEMORY;
     return paradt__front_room(front);
 }
 
-// Notes for which of its vertices an edge of a new cell leads away.
-static void paradt__touch(paradt__front *front, const paradt_index *cell) {
+// Notes the vertices of the region from which an edge of a new cell leads away: they need no seed.
+static void paradt__front_note_seeded(paradt__front *front, const paradt_index *cell) {
     int corners = front->mesh.corners, i;
     for (i = 0; i < corners; i++) {
-        uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
+        uint64_t *word = front->seeded + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
         if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
         if (paradt__leads_away(&front->view, front->set, cell, corners, i)) *word |= bit;
     }
 }
 
-// Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
+// Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
-// Stores a cell and updates the AFL with its facets: a facet that was active is tied and leaves, the others enter.
-// across: the place of the apex, whose facet is the one that the cell was made on; from: the mirror of that facet,
-// which has left the AFL; or -1 and PARADT__OPEN
+// Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
+// the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
+// vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
 PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const paradt_index *cell, int across,
                                                  paradt_index from, paradt__activate activate, void *method,
                                                  int corners) {
@@ -7370,6 +7531,7 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
+    PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
     for (i = 0; i < corners; i++) {
         mesh->vertices[base + i] = cell[i];
         key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
@@ -7383,7 +7545,7 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
         if (i != across) {
             if (front->view.owner) {
                 paradt__facet_without(cell, corners, i, facet);
-                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->passed;
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->unneeded;
                 chain[i] = paradt__facets_chain(table, key[i]);
             }
             mirror = paradt__facets_match(table, mesh, chain[i], key[i], base + i, corners);
@@ -7404,8 +7566,8 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
     return status;
 }
 
-// Lists the gates of the newest cell: the facets behind which there may be a cell that nobody reaches, if it is for the
-// region to look. No two vertices of such a cell are of one region.
+// Lists the gates of the newest cell, if it is up to this region to look behind them: the facets behind which there may
+// be a cell that no region reaches. The vertices of such a cell are all of different regions.
 static paradt_status paradt__front_list_gates(paradt__front *front) {
     const paradt__mesh *mesh = &front->mesh;
     int corners = mesh->corners, foreign = 0, i;
@@ -7426,30 +7588,34 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     return status;
 }
 
-// Adds a cell, see paradt__front_store.
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
+
+// Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
     paradt_status status = paradt__mesh_room(&front->mesh, front->memory);
     if (!status) status = paradt__facets_room(&front->active, PARADT_MAX_DIM + 1, front->memory);
-    if (!status && front->view.owner) status = paradt__facets_room(&front->passed, PARADT_MAX_DIM + 1, front->memory);
+    if (!status && front->view.owner) status = paradt__facets_room(&front->unneeded, PARADT_MAX_DIM + 1, front->memory);
     if (status) return status;
-    if (front->touched) paradt__touch(front, cell);
+    if (front->seeded) paradt__front_note_seeded(front, cell);
     if (front->mesh.corners == 4) status = paradt__front_store(front, cell, across, from, activate, method, 4);
     else status = paradt__front_store(front, cell, across, from, activate, method, front->mesh.corners);
     if (!status && front->view.owner) status = paradt__front_list_gates(front);
-    if (!status && front->mesh.count % 1024 == 0) {
+    if (!status && front->mesh.count % PARADT__REPORT_STEP == 0) {
         double done = (double)front->mesh.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
 }
 
-// MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
+// The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
+// cell; if there is none the facet is one of the hull's.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
     int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
     const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
+    PARADT_ASSERT(front->mesh.links[handle] == PARADT__OPEN);
     if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
         return paradt__front_add(front, made, place, handle, activate, method);
     }
@@ -7461,15 +7627,15 @@ static paradt_status paradt__front_expand(paradt__front *front, paradt_index han
     return PARADT_OK;
 }
 
-// Takes a facet from a work list out of the AFL. Returns whether it was still active.
+// Takes a facet that came from a work list out of the AFL. Returns 0 if it was not active any more.
 static int paradt__front_take(paradt__front *front, paradt_index handle) {
     if (front->mesh.links[handle] != PARADT__OPEN) return 0;
     paradt__facets_remove(&front->active, paradt__facet_key_of(&front->active, &front->mesh, handle), handle);
     return 1;
 }
 
-// Finds a cell behind a gate: one of a cluster, or next to one. 0: there is none.
-static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
+// Finds a cell behind a gate that is in a cluster or next to one. Returns 0 if there is none.
+static int paradt__front_seed_behind_gate(paradt__front *front, paradt_index *cell) {
     int corners = front->mesh.corners, unused;
     while (front->gates >= 0) {
         paradt_index handle = paradt__list_pop(&front->lists, &front->gates);
@@ -7483,8 +7649,8 @@ static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// Finds a cell with an edge that leads away from the vertex; the region's first cell may be any at the vertex. 0: there
-// is none.
+// Finds a cell with an edge that leads away from the vertex; for the region's first cell any cell at the vertex will
+// do. Returns 0 if there is none.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -7505,8 +7671,8 @@ static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_ind
     return 0;
 }
 
-// Finds a cell to start from: behind a gate, or at a vertex of the region that still needs one; undivided, one cell. 0:
-// there is none.
+// Finds the next seed: a cell behind a gate or at a vertex of the region that still needs a seed; without regions any
+// one cell. Returns 0 if no seed is left.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -7515,45 +7681,52 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    if (paradt__front_pass_gate(front, cell)) return 1;
+    if (paradt__front_seed_behind_gate(front, cell)) return 1;
     while (front->next_seed < set->count) {
         size_t at = front->next_seed++;
-        if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
+        if (front->view.owner[at] != front->view.region || front->seeded[at / 64] >> at % 64 & 1) continue;
         if (paradt__front_seed_at(front, at, cell)) return 1;
     }
     return 0;
 }
 
-enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
+enum {
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
+    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+};
 
+// Number of predicates that the searches have evaluated so far
 static uint64_t paradt__front_predicates(const paradt__front *front) {
     const paradt__counters *c = paradt__search_counters(&front->search);
     return c->orient_calls + c->insphere_calls;
 }
 
-// Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
-// points exactly on a sphere), a search has to compare them all with each other, exactly. On points in general position
-// a cell takes less than a tenth of a predicate.
+// Do the searches take so many predicates that insertion would be faster? Where many points are on one sphere, as in a
+// lattice, a search has to compare all of them with each other, exactly. Among points in general position hardly any
+// cell takes a predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
     uint64_t patience = PARADT__PATIENCE * (uint64_t)front->mesh.count + PARADT__FIRST_PATIENCE;
-    return paradt__front_predicates(front) - front->seeding > patience;
+    return paradt__front_predicates(front) - front->seed_predicates > patience;
 }
 
-// paradt__front_seed, its predicates apart.
+// Finds the next seed as paradt__front_seed does, and counts the predicates that this takes.
 static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     uint64_t before = paradt__front_predicates(front);
     int found = paradt__front_seed(front, cell);
-    front->seeding += paradt__front_predicates(front) - before;
+    front->seed_predicates += paradt__front_predicates(front) - before;
     return found;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>incode
 //
-// Incremental construction (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 2): from a first cell, the cell
-// across each active facet, until there is none. The facets at the lowest vertices in grid order come first: the front
-// sweeps over the grid, and what it touches stays in the cache. Doors: paradt__incode.
+// InCoDe, incremental construction (Cignoni, Montani, Scopigno, "DeWall: a fast divide and conquer Delaunay
+// triangulation algorithm in E^d", CAD 1998; thesis, chapter 2). Begins with one cell and adds the cell across each
+// active facet until no facet is active. Facets at the lowest vertices in grid order come first, so that the front
+// sweeps over the grid and what it works on stays in the cache.
+// Doors: paradt__incode.
 
+// Makes all cells of the front, or returns PARADT__GAVE_UP if the front is impatient and stuck.
 static paradt_status paradt__incode(paradt__front *front) {
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
@@ -7575,25 +7748,32 @@ static paradt_status paradt__incode(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>dewall
 //
-// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
-// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
-// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
-// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
-// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
-// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
-// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
-// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Vertices are positions in the set.
+// DeWall, divide and conquer with the merging first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane
+// alpha halves the points. First all cells that cross it are made, the wall, with MakeSimplex on the active facets that
+// cross it (AFL alpha). Then the cells on its two sides are independent of each other. They are made by recursion from
+// the active facets that the wall has left on either side (AFL 1 and AFL 2).
+//
+// The planes are those of the grid. So a half is a range of positions, and MakeSimplex searches that range only: all
+// cells with a vertex outside of it are in walls made before.
+//
+// If no active facet crosses alpha, either no cell of the range crosses alpha or no such cell has been made: a facet
+// between a cell of the range that crosses alpha and a cell of another wall would be active and cross alpha. Any cell
+// of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
+//
+// A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
+// positions in the set.
 // Doors: paradt__dewall.
 
-enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
+enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
 
+// A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
-    size_t begin, cut, end;
-    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
-    paradt_index outside;         // facets with a vertex out of the range
+    size_t begin, cut, end;       // positions in [begin, cut) are on the plane's one side, [cut, end) on its other
+    paradt_index alpha, one, two; // facets that cross the plane, are in [begin, cut), are in [cut, end)
+    paradt_index outside;         // facets with a vertex outside of [begin, end)
 } paradt__wall;
 
+// Puts an active facet into the wall's list for it. method: the wall
 static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
@@ -7612,15 +7792,15 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
     return paradt__list_push(&front->lists, head, handle, front->memory);
 }
 
-// Moves the facets of a list to the lists of the wall.
-static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Moves the facets of a list to the wall's lists.
+static paradt_status paradt__wall_distribute(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
 }
 
-// Works on a list of the wall until it is empty.
-static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Expands the facets of one of the wall's lists until the list is empty.
+static paradt_status paradt__wall_expand(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) {
         paradt_index handle = paradt__list_pop(&front->lists, head);
@@ -7631,7 +7811,7 @@ static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall
     return status;
 }
 
-// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
+// Finds a cell of the range that crosses the plane, where no active facet does. Returns 0 if there is none.
 static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
     const paradt__set *set = front->set;
     const paradt__space *space = &set->space;
@@ -7661,8 +7841,8 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     return 0;
 }
 
-// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
-// range are added to *outside. The depth is at most the logarithm of the number of points.
+// Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
+// which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
 static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
                                         paradt_index *outside) {
     paradt__wall wall;
@@ -7672,7 +7852,8 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     wall.alpha = wall.one = wall.two = PARADT__OPEN;
     wall.outside = *outside;
     if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    status = paradt__wall_receive(front, &wall, head);
+    PARADT_ASSERT(begin < wall.cut && wall.cut <= end);
+    status = paradt__wall_distribute(front, &wall, head);
     if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
         paradt_index cell[PARADT_MAX_DIM + 1];
         if (paradt__wall_seed(front, &wall, cell)) {
@@ -7682,17 +7863,17 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
         if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
-        status = paradt__wall_serve(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
+        status = paradt__wall_expand(front, &wall, &wall.alpha);
+        if (!status && wall.cut == end) status = paradt__wall_expand(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
         if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
-        if (!status) status = paradt__wall_receive(front, &wall, &back);
+        if (!status) status = paradt__wall_distribute(front, &wall, &back);
     }
     *outside = wall.outside;
     return status;
 }
 
-// On a line facets are points, which cross nothing: there is no wall to build.
+// Makes all cells of the front. On a line facets are points and cross no plane, so there is no wall: InCoDe does it.
 static paradt_status paradt__dewall(paradt__front *front) {
     paradt_index cell[PARADT_MAX_DIM + 1];
     size_t count = front->set->count;
@@ -7712,19 +7893,20 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
 //
-// Points are inserted in rounds, each 16 times the size of the one before, and within a round along Hilbert's curve
-// (Amenta, Choi and Rote, "Incremental constructions con BRIO", SoCG 2003). The order matters only for speed. Of every
-// 16 neighbours along the curve one, drawn by a hash of their number, is dealt to an earlier round; of 16 such ones,
-// one to a still earlier round. So a round's points are spread more evenly than by chance. Doors: paradt__round_order,
-// paradt__merged_order, paradt__curve.
+// The order in which points are inserted; it matters for speed only. Points are inserted in rounds, each 16 times as
+// large as the one before, and within a round along Hilbert's curve (Amenta, Choi and Rote, "Incremental constructions
+// con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
+// a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
+// one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
+// Doors: paradt__round_order, paradt__merged_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
-    PARADT__FIRST_ROUND = 16, // points of the first round, about
-    PARADT__MOST_ROUNDS = 15
+    PARADT__FIRST_ROUND = 16, // the first round has at least so many points
+    PARADT__MOST_ROUNDS = 15  // after the first
 };
 
-// Number of the rounds after the first, for so many points
+// Returns the number of rounds after the first for `count` points.
 static int paradt__round_count(size_t count) {
     int rounds = 0;
     while (rounds < PARADT__MOST_ROUNDS && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND)
@@ -7732,14 +7914,14 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// The number of that one of the 16 neighbours of a group that comes earlier than in the last round. level: 0 for
-// neighbours along the curve, 1 for 16 such ones, and so on
+// Draws the one of a group's 16 members that goes to an earlier round, and returns its number. level: what the members
+// are: 0: points, 1: groups of points, 2: groups of these, and so on
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round, 0 to rounds - 1, of the one of a group that comes earlier.
+// Returns the round of the point drawn from a group of points, 0 to rounds - 1.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -7747,14 +7929,15 @@ static int paradt__earlier_round(size_t group, int rounds) {
     return rounds - level;
 }
 
-// Deals points, which come along the curve, to the rounds of an insertion.
+// Points that come along the curve, dealt to rounds
 typedef struct paradt__rounds {
-    paradt_index *order;                   // [count] what is dealt, round after round
-    int rounds;                            // after the first
-    size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
-    size_t next, earlier; // the number of the next point, and of that one of its group which comes earlier
+    paradt_index *order;                 // [count] round after round
+    int rounds;                          // after the first
+    size_t end[PARADT__MOST_ROUNDS + 1]; // where in `order` each round's next point goes
+    size_t next, earlier; // numbers along the curve: of the next point, and of the one drawn in its group
 } paradt__rounds;
 
+// Allocates the order, and finds where each round begins in it.
 static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
     size_t group, groups = 0, before = 0;
     int round;
@@ -7763,14 +7946,14 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     if (!r->order) return PARADT_ERROR_MEMORY;
     r->rounds = paradt__round_count(count);
     for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
-        if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
+        if (paradt__earlier_one(group, 0) < count) r->end[paradt__earlier_round(group, r->rounds)]++, groups++;
     }
     for (round = 0; round < r->rounds; round++) {
-        size_t size = r->place[round];
-        r->place[round] = before;
+        size_t size = r->end[round];
+        r->end[round] = before;
         before += size;
     }
-    r->place[r->rounds] = groups;
+    r->end[r->rounds] = groups;
     return PARADT_OK;
 }
 
@@ -7780,11 +7963,12 @@ PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     int round = r->rounds;
     if (r->next == group << PARADT__ROUND_SHIFT) r->earlier = r->rounds ? paradt__earlier_one(group, 0) : SIZE_MAX;
     if (r->next++ == r->earlier) round = paradt__earlier_round(group, r->rounds);
-    r->order[r->place[round]++] = point;
+    PARADT_ASSERT(r->rounds == 0 || round == r->rounds || r->end[round] < r->end[round + 1]);
+    r->order[r->end[round]++] = point;
 }
 
-// Returns the positions 0 to count - 1, which are along the curve, in the order of insertion: a new block, or NULL when
-// there is no memory.
+// Returns the positions 0 to count - 1, whose points are along the curve, in the order of insertion: a new block, or
+// NULL when there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt__rounds r;
     size_t i;
@@ -7793,11 +7977,11 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// Deals all points of the set. Its first `own` points are along a curve; the others are dealt where the curve passes
-// them, within a few own ones. sorted, other: scratch for set->count - own.
+// Deals all points of the set. Its first `own` points are along the curve. The others are sorted, and each is dealt
+// near the own points between which the curve passes it. sorted, other: scratch for set->count - own elements
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
                                  paradt__keyed *other, paradt__rounds *r) {
-    enum { FEW = 16 };
+    enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
     paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
@@ -7809,8 +7993,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
-// Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
-// memory.
+// Returns the positions of the set's points in the order of insertion, where only the first `own` are along the curve:
+// a new block, or NULL when there is no memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
                                           paradt__memory *memory) {
     size_t others = set->count - own;
@@ -7829,38 +8013,42 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion
 //
-// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension: the cells in conflict with a new point form a
-// star-shaped cavity, found from any one of them through their neighbours; the point and each facet of the cavity's rim
-// make a new cell. Inside and outside of the hull are one case, as ghosts close the mesh. Every T(P_i) of the points so
-// far is complete and exact, so no cell is ever flat, and the last one is T(P). A weighted point that is in conflict
-// with no cell is hidden; a vertex inside of the cavity becomes hidden.
+// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension. The cells in conflict with a new point form a
+// star-shaped cavity, which is found from any one of them through their neighbours. The point and each facet of the
+// cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
-// Between two insertions the scene is that of >>scene, no cell has the mark PARADT__CONFLICT, and `update` tells what
-// the last one did. After an error the mesh is good for nothing but to be freed. Doors: paradt__insertion_point,
-// paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points, paradt__insertion_first_cells,
-// paradt__cavity_star, paradt__insert.
+// After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
+// A weighted point is hidden if no cell is in conflict with it, and a vertex becomes hidden if no facet of the rim has
+// it.
+//
+// Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
+// `update` says what the last insertion did. After an error the mesh may only be freed.
+// Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert.
 
-struct paradt__kept;
+struct paradt__kept; // see >>kept spheres
 
+// An insertion of points, from its first cells on
 typedef struct paradt__insertion {
     paradt__scene scene;
     paradt__memory *memory;
     const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
-    size_t count;              // points to be inserted
-    size_t inserted;           // points so far
-    size_t later;              // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at;      // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__relay *relay;      // NULL: it does not pause
+    size_t count;              // number of points to insert
+    size_t inserted;           // number of points inserted so far
+    size_t later;              // number of points that may have to be inserted after these; for the room only
+    double rate, rate_at;      // cells a point when room was last made, and 1 + `inserted` then; 0: never
+    paradt__relay *relay;      // tells the insertion to pause; NULL: it never does
     paradt__update update;     // what the last insertion did
-    paradt_index *rim;         // [rim_capacity] handles of the cavity's facets on the rim, in its cells
+    paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
     paradt__facets ridges;     // facets of new cells that wait for their mirrors; empty between insertions
-    struct paradt__kept *kept; // spheres of cells, in three dimensions where the filter holds; else NULL
-    int graded;                // records have sagittas, of at most grade_limit in size, wrong by grade_error
-    double grade_limit, grade_error;
+    struct paradt__kept *kept; // NULL: spheres are not kept
+    int graded;                // records have sagittas (see >>reference sphere)
+    double grade_limit;        // the largest size of a sagitta
+    double grade_error;        // the largest error of a sagitta
 } paradt__insertion;
 
-// The i-th point to be inserted
+// Returns the position of the i-th point to be inserted.
 PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *build, size_t i) {
     return build->order ? build->order[i] : (paradt_index)i;
 }
@@ -7868,27 +8056,29 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 // --- room
 
 enum {
-    PARADT__GROW_PART = 16,       // a mesh grows by at least that part
-    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected together
-    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
+    PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
+    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08
+#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
+#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
 
-// Makes room for the places that are needed, and for those that are wanted if it can be had.
+// Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
     if (needed <= build->scene.mesh.capacity && wanted <= build->scene.mesh.capacity) return PARADT_OK;
     return paradt__mesh_reserve(&build->scene.mesh, needed, wanted, build->memory);
 }
 
-// Number of places to make room for when `needed` are too many for now: what the cells a point, now and when there was
-// last made room, let expect, and somewhat more. Along curves the cells a point grow with the points. Few sets have
-// more cells than uniform points; scanned surfaces and shaken lattices do. In the plane no set has more.
+// Returns the number of places to make room for when `needed` places are more than there are. The number of cells a
+// point is extrapolated from what it is now and what it was when room was last made, since on curves it grows with the
+// number of points. Few sets have more cells than uniform points (scanned surfaces and shaken lattices do), and in the
+// plane none has; so the number for uniform points is a limit there, and a guide in space.
 static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
     int dim = build->scene.mesh.corners - 1;
     size_t points = build->count + build->later;
     double inserted = (double)build->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
-    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
+    double judged = count / (double)PARADT__JUDGED_PART; // with fewer points the hull has too large a share
     int known = build->rate_at > judged && inserted > build->rate_at;
     double rise = known ? paradt__larger(rate - build->rate, 0.0) / (inserted - build->rate_at) : 0.0;
     double more = rise * (count - inserted),
@@ -7898,19 +8088,20 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     build->rate = rate;
     build->rate_at = inserted;
-    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > most && (double)least < most)
+        expected = dim == 3 ? paradt__larger(most, rate * count * PARADT__RATE_MORE) : most;
     if (expected > numbered) expected = numbered;
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Number of points whose cells get room in the beginning: of all, and the more that surfaces have; or of few of them,
-// as the rows are copied when there is more.
+// Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
+// surfaces have more cells; of many points as many as tell how many cells the others will have. Then rows are copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
-// Makes sure of `count` places to take.
+// Makes sure that `count` places can be taken.
 static paradt_status paradt__insertion_room(paradt__insertion *build, size_t count) {
     paradt__mesh *mesh = &build->scene.mesh;
     size_t needed = mesh->count + count - (mesh->spare_count < count ? mesh->spare_count : count);
@@ -7924,14 +8115,13 @@ static paradt_status paradt__insertion_room(paradt__insertion *build, size_t cou
 
 // --- the cavity
 
-// Digs the cavity of x from the first cell in conflict with it: fills update.killed and the rim, and marks the cavity's
-// cells.
+// Digs the cavity of x: marks its cells and fills update.killed and the rim. first: a cell in conflict with x
 static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     int corners = mesh->corners, i;
     size_t head;
-    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT));
+    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT) && *paradt__mesh_row(mesh, first) != PARADT__DEAD);
     update->killed[0] = first * corners;
     update->killed_count = 1;
     build->rim_count = 0;
@@ -7955,10 +8145,11 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
             }
         }
     }
+    PARADT_ASSERT(build->rim_count >= (size_t)corners);
     return PARADT_OK;
 }
 
-// Room for what starring the rim makes: places, the list of them, and ridges, each of which is in two new cells.
+// Makes room for what starring makes: places, update.made, and ridges, each of which is in two new cells.
 static paradt_status paradt__cavity_room(paradt__insertion *build) {
     paradt__update *update = &build->update;
     size_t count = build->rim_count, ridges = count * (size_t)(build->scene.mesh.corners - 1);
@@ -7968,8 +8159,8 @@ static paradt_status paradt__cavity_room(paradt__insertion *build) {
     return status ? status : paradt__facets_room(&build->ridges, ridges / 2 + 1, build->memory);
 }
 
-// Makes a cell of each rim facet and the point: that of the cavity with the point in the place of the vertex off the
-// facet.
+// Makes a cell of each facet of the rim: a copy of the cavity's cell at the facet, with the point instead of the vertex
+// opposite the facet.
 PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__facets *ridges = &build->ridges;
@@ -7979,6 +8170,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
         paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
         paradt_index base = made * corners, *vertices = mesh->vertices + base;
         uint64_t sum;
+        PARADT_ASSERT(!(mesh->marks[paradt__mesh_cell(mesh, mesh->links[inner])] & PARADT__CONFLICT));
         memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
         vertices[place] = point;
         paradt__mesh_tie(mesh, base + place, mesh->links[inner]);
@@ -7993,7 +8185,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
     build->update.made_count = build->rim_count;
 }
 
-// Stars the cavity. Fills update.made with the new cells' handles of the rim facets.
+// Stars the cavity with the point. Fills update.made with the facets of the rim, as handles in the new cells.
 static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index point) {
     paradt_status status = paradt__cavity_room(build);
     if (status) return status;
@@ -8006,7 +8198,7 @@ static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index 
     return PARADT_OK;
 }
 
-// Clears the cavity's marks and gives its places back.
+// Clears the marks of the cavity's cells and gives their places back.
 static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
@@ -8021,7 +8213,7 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Inserts a point: search, dig, star.
+// Inserts a point: walk, dig, star.
 static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
@@ -8037,11 +8229,11 @@ static paradt_status paradt__insert(paradt__insertion *build, paradt_index point
 
 // --- the first cells
 
-// Makes the cell of the first points, which span, at place 0, and the ghost on its facet opposite vertex i at place
-// 1 + i.
+// Makes the cell of the first points, which span the space, at place 0, and at place 1 + i the ghost on its facet
+// opposite vertex i.
 static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
-    int corners = mesh->corners, i, j;
+    int corners = mesh->corners, side, i, j;
     const double *p[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__insertion_reserve(build, (size_t)corners + 1, (size_t)corners + 1);
     if (status) return status;
@@ -8050,12 +8242,15 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
         mesh->vertices[i] = paradt__insertion_point(build, (size_t)i);
         p[i] = paradt__scene_record(&build->scene, mesh->vertices[i]);
     }
-    if (paradt__orient(&build->scene.space, p) < 0) {
+    side = paradt__orient(&build->scene.space, p);
+    PARADT_ASSERT(side != 0);
+    if (side < 0) {
         mesh->vertices[0] = paradt__insertion_point(build, 1);
         mesh->vertices[1] = paradt__insertion_point(build, 0);
     }
-    // In a ghost two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet. Ghosts
-    // i and j meet in the facet without vertices i and j, which is opposite what stands for i in ghost j.
+    // The infinite vertex is on the other side of the facet than vertex i; so in a ghost vertices 0 and 1 are
+    // exchanged. Ghosts i and j have the facet without vertices i and j in common; in ghost j it is opposite vertex i
+    // of the cell.
     for (i = 0; i < corners; i++) {
         paradt_index base = (paradt_index)((i + 1) * corners);
         for (j = 0; j < corners; j++) {
@@ -8073,82 +8268,102 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 // >>kept spheres
 //
 // Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
-// too. The predicates decide where its value does not exceed the bound on its error. What they decide and what the
-// spheres decide is the same.
+// too. Where the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
 //
-// A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
-//     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
-// Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
-// The spheres stand in a table, each in the slot that its cell's place says, modulo the table's size. A sphere that
-// another cell's has driven out is made again when it is wanted.
+// A cell's sphere is kept as an affine function of x: the power of x with regard to the sphere, without |x|^2.
+//     power(x) = |x|^2 + normal . x + constant, negative inside; x is relative to the centre of the set's bounding box
+// A ghost has the halfspace beyond its facet instead of a ball: a function so steep that |x|^2 does not matter. The
+// spheres stand in a table, in slots. A cell's slot is its place modulo the table's size, a power of two. If another
+// cell's sphere has driven a sphere out of its slot, the sphere is made again when it is wanted.
 //
-// The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
-// the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
-//     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
-// Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
-// relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
-// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of
-// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. (The first two terms of n may be made
-// as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: 8u for v's terms, 11u for v x c's, 12.1u for n's.) With s_p,
-// s_x the computed differences of p and x to the centre, h_j the largest size of an |s_j| in the set, and
-//     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
-// a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
-// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
-// less than 1.1 W P / det. In all less than
-//     64u (H + (P W + sum N_j h_j) / det);
-// 60 and less than 60 are rounded up so far that the roundings of this bound itself and of P, N and h don't matter. Two
-// choices of P and N: the sums themselves (sharp), or, with m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2,
-// the products P = m_x m_y m_z, N_x = L m_y m_z, N_y = m_x L m_z, N_z = m_x m_y L, for fewer operations. The sums are
-// taken once the products have left many powers open that the in-sphere filter decides: where cells are long and thin.
-// Sums may be associated in any order and contracted: that only drops roundings.
-// Points near a reference sphere, of centre o, have sagittas (see >>reference sphere). There g(x) = -sagitta is taken
-// for |x|^2, which adds an affine function to it: with g(a) - g(p) in the place of |a|^2 in n,
-//     normal = -w, constant = w . s_p - g(p),   and power(x) = g(x) + normal . x + constant is what it was.
-// g is wrong by E at most, and G at most in size. n_j is wrong by 12.1u N_j again if N_j has E / 4u added to the size
-// of each difference: two of E are less than 12.1u of that. The power's terms add up to 2 G + 2 W, and E counts twice:
-// with H = G + E / 16u the same bound holds, which is as small as the noise. A power times det is the in-sphere
-// determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a power whose size is surely less than
-// quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A ghost's function is -t N . (x - p) +
-// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
-// N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
-//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
+// THE ERROR of a power. u = 2^-52 bounds the relative error of a rounding in any rounding mode.
+// (1) The exact sphere. Let p be one of the vertices, and a, b, c the differences of the other three to p. Then
+//         power(x) = |x - p|^2 - w . (x - p),   w = n / det,
+//         n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
+//     The centre is p + w / 2. With s_p and s_x the differences of p and x to the box's centre, as computed, what is
+//     kept is normal = -(2 s_p + w) and constant = |s_p|^2 + w . s_p.
+// (2) det and n. Let P be at least the sum of the sizes of the six terms of det, and N_j that of the terms of n_j. A
+//     computed difference has a relative error of at most u. So the product of two has at most 3u, the terms of b x c
+//     have 4u, and those of det 8u: det is wrong by at most 8.1u P. |a|^2 has 5u, so n_j is wrong by at most 12.1u N_j.
+//     (The first two terms of n may also be computed as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: the terms
+//     of v have 8u then, those of v x c 11u, and n_j is wrong by at most 12.1u N_j again.)
+// (3) w. Where det > 32u P, the true determinant is more than 0.74 det. Then w_j is wrong by at most
+//         2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det.
+// (4) The power. Let h_j be the largest |s_j| in the set, H = sum h_j^2 and W = sum |w_j| h_j. A term of the power
+//     passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W: that makes 60u H + 30u W.
+//     The error of w_j counts 2 h_j times. As det < 1.1 P, what is a multiple of W alone is less than 1.1 W P / det. In
+//     all the power is wrong by less than
+//         error = 64u (H + (P W + sum N_j h_j) / det).
+//     The two factors are 60 and less than 60. Rounding them up covers the roundings in this bound itself, and in P,
+//     N_j and h_j.
+// (5) P and N_j. Sharp bounds take the sums of the terms' sizes themselves. Quick bounds take fewer operations: with
+//     m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2 they take the products
+//         P = m_x m_y m_z,   N_x = L m_y m_z,   N_y = m_x L m_z,   N_z = m_x m_y L.
+//     Where cells are long and thin the quick bounds leave many powers open that the in-sphere filter decides; then
+//     paradt__kept_adapt changes over to sharp ones. All sums may be associated in any order and contracted, which only
+//     drops roundings.
+// (6) Ghosts. A ghost's function is power(x) = |x|^2 - t N . (x - p) with N = a x b, a and b the differences of its
+//     facet's other vertices to p, and t = 2^60 H^(1/2) / max |N_j|. With m_j = max(|a_j|, |b_j|), N_x is wrong by at
+//     most 3.1u * 2 m_y m_z + u |N_x|. The terms N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and
+//     the lift |x|^2 adds at most 1.1 H. In all the sign of the power is right if its size exceeds
+//         error = 2 H + 16u t (2 sum |N_j| h_j + Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z.
+// (7) Sagittas (see >>reference sphere). Near a sphere of centre o records have sagittas, and g(x) = -sagitta is taken
+//     for |x|^2. This adds an affine function to |x|^2, so with g(a) - g(p) instead of |a|^2 in n, a here the vertex,
+//         normal = -w,   constant = w . s_p - g(p),
+//     power(x) = g(x) + normal . x + constant is what it was. Let E bound the error of g, and G its size. If N_j is
+//     computed with E / 4u added to the size of each difference of g, n_j is wrong by at most 12.1u N_j again, for 2 E
+//     is less than 12.1u times that. The terms of the power add up to at most 2 G + 2 W, and E counts twice. So the
+//     bound of (4) holds with H = G + E / 16u, which is as small as the noise.
+// (8) Zero. A power times det is the in-sphere determinant, a multiple of the set's quantum, and det is at most
+//     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
+//     never passes this test, for the ghost's error exceeds 2 H.
 //
-// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_make, paradt__kept_settle,
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
 // paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
 // paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
+// Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
+// slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
+// common allocators from giving pages back.
+enum { PARADT__MOST_SPHERES = 1 << 16, PARADT__MANY_SPHERES = 1 << 14, PARADT__LEAST_SPHERES = 1 << 11 };
+
+// Stars. Of a star of R cells the rim has R facets and 2 + R / 2 vertices (Euler). The edges of its rim stand in a
+// table. There are three: a small one for common stars, which stays in the first cache; a second for wide stars; and
+// one for larger stars, which is allocated when it is first needed.
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
-    PARADT__SPHERES = 1 << 14,       // for many, and
-    PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
-    PARADT__MOST_RIM = 2048,         // new cells that are made together, at most; else the general way is taken
-    PARADT__RIM_VERTICES = 1026,     // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_RIM = 60,         // new cells that a point has as a rule at most, with
-    PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
-    PARADT__WIDE_RIM = 256,          // new cells for whose edges there is room to begin with
+    PARADT__COMMON_RIM = 60, // few stars have more cells
+    PARADT__COMMON_VERTICES = 32,
+    PARADT__WIDE_RIM = 256,
     PARADT__WIDE_VERTICES = 130,
-    PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
-    PARADT__WIDE_ROWS = 5,               // so many of these
-    PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
-    PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
-    PARADT__DIG_AT_ONCE = 512,           // cells whose facets are looked at between two looks at the room
-    PARADT__FIRST_DIG = 512,             // cells and facets of the rim that there is room for to begin with
-    PARADT__PLACES_AHEAD = 16,           // cells: then the place of a sphere that is fetched is wanted
-    PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
+    PARADT__MOST_RIM = 2048, // larger stars are made by >>insertion
+    PARADT__RIM_VERTICES = 1026,
+    PARADT__EDGE_UNIT = 32, // the length of a row of edges is a multiple of this
+    PARADT__WIDE_UNITS = 5  // of a row for wide stars
 };
 
-#define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
-#define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
-#define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
+enum {
+    PARADT__MOST_WAITING = 16,                   // facets that wait at a time for their spheres to be made again
+    PARADT__DIG_ROOM = PARADT__MOST_WAITING + 4, // room in the lists before a cell is dug: for the facets that wait,
+                                                 // and for the cell's own, of which four are stored together
+    PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
+    PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
+    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
+    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+};
 
+#define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
+#define PARADT__IN_CAVITY   (~((paradt__tag)-1 >> 1)) // bit of a tag: the cell is in the cavity that is being dug
+#define PARADT__NO_SPHERE   (PARADT__IN_CAVITY - 1)   // tag of an empty slot: no cell has this place
+
+// A slot of the table
 typedef struct paradt__sphere {
     double normal[3], constant;
-    double error;
-    paradt__tag tag;                                  // the cell, with the two marks
-    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
+    double error;                                     // bound on the error of a power
+    paradt__tag tag;                                  // place of the cell, and PARADT__IN_CAVITY
+    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
 } paradt__sphere;
 
-// A point relative to the centre of the box, and its lift
+// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas g
 typedef struct paradt__centred {
     double s[3], lift;
 } paradt__centred;
@@ -8156,123 +8371,122 @@ typedef struct paradt__centred {
 // A vertex of the cavity: at first its position, then the edge that leads to it from the new point
 typedef union paradt__spoke {
     paradt_index vertex;
-    double edge[4]; // by axis, and the square of its length, or how much g is larger there
+    double edge[4]; // by axis; last the square of its length, or with sagittas how much larger g is at the vertex
 } paradt__spoke;
 
-enum { PARADT__NEXT_NUMBER = sizeof(paradt__spoke) }; // from number to number
+enum { PARADT__NUMBER_STEP = sizeof(paradt__spoke) }; // from the number of one vertex to the next one's
 
-// What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
+// What the bounds on errors are made of: h_j, rounded up; H; and with sagittas E / 4u
 typedef struct paradt__frame {
     double half[3], square, slack;
 } paradt__frame;
 
-// How spheres are made
-typedef enum paradt__making {
-    PARADT__MAKE_QUICKLY,
-    PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
-    PARADT__MAKE_GRADED, // with these, by sagittas
-} paradt__making;
+// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas
+typedef enum paradt__making { PARADT__MAKE_QUICKLY, PARADT__MAKE_SHARP, PARADT__MAKE_GRADED } paradt__making;
 
+// The spheres, and what an insertion with their help works on
 typedef struct paradt__kept {
-    paradt__sphere *table; // [mask + 1] on cache lines, in the same block behind this
+    paradt__sphere *table; // [mask + 1] on cache lines; at first in the same block, behind this struct
     paradt__tag mask;
-    int evicted;      // a cell of the cavity that is being dug has lost its sphere, and has PARADT__CONFLICT instead
-    double centre[3]; // of the bounding box
-    paradt__frame frame;
-    double square;        // H as it is without sagittas
-    double steep;         // 2^60 times its root
-    double nil;           // powers of less than this in size are 0
+    int evicted;          // a cell of the cavity has lost its sphere, and has the mark PARADT__CONFLICT instead
+    double centre[3];     // of the bounding box
+    paradt__frame frame;  // of the spheres of cells
+    double box_square;    // H without sagittas
+    double steepness;     // of ghosts: 2^60 times the root of box_square
+    double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
 
-    // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
-    // in-sphere filter did
-    size_t made, missed, vague;
+    // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
+    size_t made_count, missed_count, doubtful_count;
     paradt__making making;
-    void *large_table; // its block; NULL: it is in the same block, behind this
-    paradt_index *large_edges;
-    size_t large_rim, large_rows; // for so many new cells
+    void *table_block;             // NULL: the table is in the same block as this struct
+    paradt_index *large_edges;     // the table of edges for stars of up to large_rim cells; NULL: none
+    size_t large_rim, large_units; // large_units: of its rows
 
-    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
-    // `spokes`. Numbers go on from point to point, so what is less than `first` is none.
-    uint32_t *number;                        // [numbers]
-    size_t numbers;                          // points + 1, at least
-    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
-    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__kept_limit_numbers
+    // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
+    // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    uint32_t *number;                                                   // [numbers]
+    size_t numbers;                                                     // at least points + 1
+    uint32_t first, next_number, spokes_end;                            // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
-    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
-    // large_edges.
+    // Tables of edges. Row i, element j: the handle of the facet that contains the edge from vertex i to vertex j and
+    // the new point, in the new cell that sees the edge in this direction.
     paradt_index common_edges[PARADT__COMMON_VERTICES * PARADT__COMMON_VERTICES];
-    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_ROWS * PARADT__EDGE_ROW];
+    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_UNITS * PARADT__EDGE_UNIT];
 
-    paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
+    paradt_index waiting[PARADT__MOST_WAITING]; // facets whose spheres are missing, as handles in the cavity's cells
 
-    // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    uint16_t corner[PARADT__MOST_RIM + 3][4]; // the vertices, as offsets
-    paradt_index row[PARADT__MOST_RIM][4];    // vertices
-    paradt_index outer[PARADT__MOST_RIM];
-    int ghosts; // there are some among them; those that are none then:
+    // The new cells, one for each facet of the rim. Spheres are made four at a time: hence three more.
+    uint16_t offsets[PARADT__MOST_RIM + 3][4]; // of the spokes of the facet's vertices
+    paradt_index row[PARADT__MOST_RIM][4];     // vertices, the point last
+    paradt_index outer[PARADT__MOST_RIM];      // mirrors of the facets of the rim
+    int ghosts;                                // there are ghosts among the new cells; then these are the others:
     paradt_index finite_base[PARADT__MOST_RIM + 3];
-    uint16_t finite_corner[PARADT__MOST_RIM + 3][4];
+    uint16_t finite_offsets[PARADT__MOST_RIM + 3][4];
 } paradt__kept;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
-#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
-#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
+#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300: limit of a ghost's t, and of sum N_j h_j / det
+#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: smaller sagittas tell more than |x|^2 does
 
-// The vertex with a number, as an offset
-PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *around, size_t offset) {
-    return (paradt__spoke *)(void *)((char *)around + offset);
+// Returns the spoke at an offset in bytes.
+PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *spokes, size_t offset) {
+    return (paradt__spoke *)(void *)((char *)spokes + offset);
 }
 
-// The first cache line that begins there
-PARADT__INLINE paradt__sphere *paradt__on_line(void *memory) {
+// Returns the first cache line that begins in the block.
+PARADT__INLINE paradt__sphere *paradt__on_cache_line(void *memory) {
     return (paradt__sphere *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
 static void paradt__kept_free(paradt__kept *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
-    paradt__release(memory, s->large_table);
+    paradt__release(memory, s->table_block);
     paradt__release(memory, s->large_edges);
     paradt__release(memory, s);
 }
 
+// Returns a point, given by its record, as the spheres need it.
 PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const double *x) {
-    paradt__centred seen;
-    seen.s[0] = x[0] - s->centre[0];
-    seen.s[1] = x[1] - s->centre[1];
-    seen.s[2] = x[2] - s->centre[2];
-    seen.lift = seen.s[0] * seen.s[0] + seen.s[1] * seen.s[1] + seen.s[2] * seen.s[2];
-    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) seen.lift = -x[3];
-    return seen;
+    paradt__centred centred;
+    centred.s[0] = x[0] - s->centre[0];
+    centred.s[1] = x[1] - s->centre[1];
+    centred.s[2] = x[2] - s->centre[2];
+    centred.lift = centred.s[0] * centred.s[0] + centred.s[1] * centred.s[1] + centred.s[2] * centred.s[2];
+    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) centred.lift = -x[3];
+    return centred;
 }
 
-// The edge from a point to another
+// Returns the edge from one point to another, given by their records.
 PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
-    paradt__spoke around;
+    paradt__spoke spoke;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
-    around.edge[0] = x;
-    around.edge[1] = y;
-    around.edge[2] = z;
-    around.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
-    return around;
+    spoke.edge[0] = x;
+    spoke.edge[1] = y;
+    spoke.edge[2] = z;
+    spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
+    return spoke;
 }
 
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
-// The size of the terms of a 2 x 2 determinant
+// Returns the sum of the sizes of the two terms of ad - bc.
 PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d) {
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2, or g(p + a) - g(p). Straight code,
-// to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
-// (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
-// been rounded.)
+// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5) and (7). a[3]:
+// |a|^2, or with sagittas g(p + a) - g(p).
+// The code has no branches, so that compilers can make vectors of several calls. Where det is too small, a larger
+// number stands in for it and the error is so large that all powers are in doubt. That is a choice by comparison: with
+// x87 registers a term like (safe - det) * 2^500 need not be 0 where both are equal, as one of them may have been
+// rounded.
 PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
                                         const double *a, const double *b, const double *c, double *normal,
                                         double *constant, double *error) {
@@ -8282,8 +8496,8 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
-    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // P, sum N_j h_j
-    double floor, safe, inverse, wx, wy, wz, reach;
+    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // size: P; sides: sum N_j h_j
+    double floor, safe, inverse, wx, wy, wz, reach;           // reach: W
     if (making != PARADT__MAKE_QUICKLY) {
         double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
         double slc = graded ? paradt__abs(lc) + f->slack : lc;
@@ -8303,6 +8517,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
         size = mx * my * mz;
         sides = (la + lb + lc) * (f->half[0] * my * mz + mx * f->half[1] * mz + mx * my * f->half[2]);
     }
+    // the least det; the last two terms keep quotients from overflowing
     floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
     safe = det > floor ? det : floor;
     inverse = 1.0 / safe;
@@ -8318,12 +8533,15 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
+// Row i: the order of the vertices of a cell but for vertex i that keeps the orientation if what replaces vertex i
+// comes last
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
-// The sphere of the ghost on a facet. seen: p
-PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere, const paradt__centred *seen,
-                                            const double *p, const double *q, const double *r) {
+// Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
+// powers are in doubt.
+PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere,
+                                            const paradt__centred *centred, const double *p, const double *q,
+                                            const double *r) {
     const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
     double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx,
@@ -8331,28 +8549,30 @@ PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__spher
     double mx = paradt__largest_of_three(ax, bx, 0.0), my = paradt__largest_of_three(ay, by, 0.0),
            mz = paradt__largest_of_three(az, bz, 0.0), t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
-    if (!(s->steep < PARADT__FLATTEST * size)) {
+    if (!(s->steepness < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
         sphere->error = PARADT__NO_ERROR_BOUND;
         return;
     }
-    t = s->steep / size;
+    t = s->steepness / size;
     sphere->normal[0] = -t * nx;
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
-    sphere->constant = t * (nx * seen->s[0] + ny * seen->s[1] + nz * seen->s[2]);
-    sphere->error = 2.0 * s->square +
+    sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1] + nz * centred->s[2]);
+    sphere->error = 2.0 * s->box_square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
+// Makes the function of a ghost. place: that of the infinite vertex
 static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
                                     const paradt_index *vertices, int place) {
     const unsigned char *order = paradt__facet_order[place];
     const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
                  *q = paradt__scene_record(&build->scene, vertices[order[1]]);
-    paradt__centred seen = paradt__centred_of(build->kept, p);
-    paradt__sphere_of_facet(build->kept, sphere, &seen, p, q, paradt__scene_record(&build->scene, vertices[order[2]]));
+    paradt__centred centred = paradt__centred_of(build->kept, p);
+    paradt__sphere_of_facet(build->kept, sphere, &centred, p, q,
+                            paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
@@ -8370,45 +8590,49 @@ PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_i
                      *p = paradt__scene_record(&build->scene, vertices[3]);
         paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
                       to_c = paradt__spoke_of(s->making, p, c);
-        paradt__centred seen = paradt__centred_of(s, p);
+        paradt__centred centred = paradt__centred_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+        paradt__sphere_make(s->making, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                             &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
-// Makes the slot of a cell's sphere free for it. If the sphere there is that of a cell in the cavity, the cell gets the
-// mark PARADT__CONFLICT instead.
+// Drives the sphere out that is in a cell's slot, and returns the slot. If the sphere is that of a cell in the cavity,
+// this cell gets the mark PARADT__CONFLICT instead.
 PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build, paradt_index cell) {
     paradt__kept *s = build->kept;
     paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
-    if (sphere->tag & PARADT__KNOWN) {
-        build->scene.mesh.marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
+    if (sphere->tag & PARADT__IN_CAVITY) {
+        build->scene.mesh.marks[sphere->tag & ~PARADT__IN_CAVITY] |= PARADT__CONFLICT;
         s->evicted = 1;
     }
-    s->missed++;
+    s->missed_count++;
+    PARADT_ASSERT(((s->mask + 1) & s->mask) == 0 && *paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     return sphere;
 }
 
-// Makes a sphere that is not in the table.
-PARADT__NOINLINE void paradt__kept_missed(const paradt__insertion *build, paradt_index cell) {
+// Makes a sphere again that is not in the table.
+PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
+    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
+// Returns the sphere of a cell, which is in the table afterwards.
 PARADT__INLINE const paradt__sphere *paradt__kept_sphere(const paradt__insertion *build, paradt_index cell) {
     const paradt__sphere *sphere = build->kept->table + ((paradt__tag)cell & build->kept->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__kept_missed(build, cell);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__IN_CAVITY) == (paradt__tag)cell)) paradt__kept_remake(build, cell);
     return sphere;
 }
 
+// Returns the power of x.
 PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const paradt__centred *x) {
     return (x->lift + sphere->constant) +
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
 
+// Fills p with the vertices of a cell, and x.
 PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
                                          const double **p) {
     int i;
@@ -8417,7 +8641,7 @@ PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_
     p[4] = x;
 }
 
-// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+// Is the cell, which is no ghost, in conflict with a point that is on its sphere?
 PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     paradt__kept_corners(build, cell, x, p);
@@ -8426,7 +8650,7 @@ PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index 
     return (unsigned)paradt__perturbed(&build->scene.space, p);
 }
 
-// Is the cell in conflict with the point? Where nothing is known.
+// Is the cell or ghost in conflict with the point? Asks the predicates.
 PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
@@ -8436,49 +8660,52 @@ PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_i
     build->scene.space.counters.insphere_calls++;
     sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
     if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
-    else build->kept->vague++;
+    else build->kept->doubtful_count++;
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
 }
 
-// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
-PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *seen,
-                                              const double *x) {
+// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
+PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell,
+                                              const paradt__centred *centred, const double *x) {
     const paradt__kept *s = build->kept;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power;
-    if (sphere->tag & PARADT__KNOWN) return 1;
-    power = paradt__sphere_power(sphere, seen);
+    if (sphere->tag & PARADT__IN_CAVITY) return 1;
+    power = paradt__sphere_power(sphere, centred);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->nil) return paradt__kept_tie(build, cell, x);
+    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x);
     return paradt__kept_decide(build, cell, x);
 }
 
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
-// the table stays as it is.
+// Adapts to long cells, and to points with hundreds of cells. Changes over to sharp bounds if quick ones leave many
+// powers in doubt. Makes the table four times as large if many spheres have been made again, and if for the cells to
+// come more would be than the larger table has slots. The table takes at most half of the memory that the cells take.
+// If that is refused the table stays as it is.
 PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells, at least
-    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
-    s->made = s->missed = s->vague = 0;
+    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    int often =
+        s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
+    PARADT_ASSERT(build->inserted < build->count);
+    if (s->doubtful_count > s->made_count / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
+    s->made_count = s->missed_count = s->doubtful_count = 0;
     if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
         larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
     if (!larger) return;
-    paradt__release(build->memory, s->large_table);
-    s->large_table = larger;
-    s->table = paradt__on_line(larger);
+    paradt__release(build->memory, s->table_block);
+    s->table_block = larger;
+    s->table = paradt__on_cache_line(larger);
     s->mask = (paradt__tag)(size - 1);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Room for the numbers of more vertices
+// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
+    PARADT_ASSERT(numbers > s->numbers);
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -8487,37 +8714,40 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Takes the sagittas where they are so small that without them most powers would tell nothing.
+// Changes over to sagittas if the records have them, and if they are so small that without them most powers would be in
+// doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
-    if (!build->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    if (!build->graded || !(square < s->box_square * PARADT__GRADE_PAYS)) return;
     s->making = PARADT__MAKE_GRADED;
     s->frame.square = square;
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
-// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
+// Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called as
+// well.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
     int axis;
     if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
         return PARADT_OK;
-    while (size < 8 * build->count && size < PARADT__SPHERES) size *= 2;
+    while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
     while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
     room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
     bytes = sizeof *s + (room + 1) * sizeof *s->table;
     s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
     build->kept = s;
     if (!s) return PARADT_ERROR_MEMORY;
-    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
+    // not for few points: allocators keep the pages from the call before, and even to look for them takes long then
     if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
     memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
     s->mask = (paradt__tag)(size - 1);
-    s->table = paradt__on_line(s + 1);
+    s->table = paradt__on_cache_line(s + 1);
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
-    s->next_number = PARADT__NEXT_NUMBER;
+    s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
@@ -8526,10 +8756,12 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
         s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
-    s->square = s->frame.square;
-    s->steep = sqrt(s->square) * paradt__power(60);
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
     paradt__kept_grade(build);
-    s->nil = build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
     return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
@@ -8538,26 +8770,31 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space
 //
-// >>insertion once more for three dimensions, with kept spheres. The steps are the same: locate, dig, star; the new
-// cells take the places of the cavity. What is different is the form: no step has a branch that nothing foretells,
-// memory is asked for before it is used, and the inner functions, which have twins for AVX2, are handed in as constants
-// to functions that are inlined. A sphere's tag says whether its cell is in the cavity.
+// The insertion once more for three dimensions, with kept spheres. The steps are those of >>insertion: locate, dig,
+// star; here the new cells take the places of the cavity's cells. The form differs: there is no branch that processors
+// can't predict in any step, and memory is prefetched before it is used. The inner functions have twins for AVX2, so
+// they are handed in as a constant (paradt__kept_kernels) to functions that are inlined. Handles are taken apart by
+// shifts, as there are four a cell.
 //
-// The vertices of the cavity get small numbers, and a table by two such numbers takes the place of the ridges' hash
-// table. Cavities whose rim has more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__kept_insert, paradt__kept_insert_any, the types of its inner functions, what these have in common with
-// their twins, and paradt__kept_fetch_around.
+// While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
+// the sphere has been driven out of the table. When all of the cavity is dug its vertices have numbers, and a table of
+// edges, by the numbers of their ends, takes the place of the table of ridges. Cavities whose rim has more than
+// PARADT__MOST_RIM facets, or no table of edges, are starred by >>insertion.
+//
+// Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and kept->next is the point to come.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number,
+// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad, paradt__kept_fetch_around.
 
-// A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
-// two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
-// it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
-// Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
-// in a longer register and the other is not, and the walk would not end.
-PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *seen,
+// Finds a cell in conflict with the point, from neighbour to neighbour down the powers. The powers of a point with
+// regard to two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards
+// the point. It ends at the first cell that is in conflict for certain. Where powers are too inexact to go on, the walk
+// by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
+// powers each could be less than the other where one power is in a longer register, and the walk would not end.
+PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
                                                 const double *x) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__sphere_power(sphere, seen)), error = sphere->error;
+    double power = paradt__rounded(paradt__sphere_power(sphere, centred)), error = sphere->error;
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
         double least = power;
@@ -8567,7 +8804,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             paradt_index other = links[i] >> 2;
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__sphere_power(sphere, seen));
+            value = paradt__rounded(paradt__sphere_power(sphere, centred));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
@@ -8579,9 +8816,11 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
     return cell;
 }
 
-// What the search for the cavity works with
+// What digging works with: parts of the mesh, the update, the rim and paradt__kept, close together
 typedef struct paradt__dig {
-    paradt_index *killed, *rim;
+    paradt_index
+        *killed; // the cavity's cells: by the handles by which they were entered; once dug, by their first ones
+    paradt_index *rim;
     size_t killed_count, rim_count;
     const paradt_index *links;
     paradt__sphere *table;
@@ -8589,61 +8828,62 @@ typedef struct paradt__dig {
     int waiting_count;
     const paradt_index *vertices;
     paradt__spoke *spokes;
-    uint32_t *numbers, first, next; // of the vertices: as in paradt__kept, from vertex 0 on
+    uint32_t *numbers, first, next; // of vertices, as in paradt__kept; numbers: that of vertex 0
 } paradt__dig;
 
-// Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
+// Begins to number the vertices of a new cavity. Near the largest number that there is, numbers start again.
 PARADT__INLINE void paradt__kept_begin_numbers(const paradt__insertion *build, paradt__dig *dig) {
     paradt__kept *s = build->kept;
     dig->vertices = build->scene.mesh.vertices;
     dig->spokes = s->spokes;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
-        s->next_number = PARADT__NEXT_NUMBER;
+        s->next_number = PARADT__NUMBER_STEP;
     }
     dig->numbers = s->number + 1;
     dig->first = dig->next = s->next_number;
 }
 
-// Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
+// Gives a vertex of the cavity a number if it has none yet; without a branch, as processors can't predict which.
 PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
     paradt__spoke_at(dig->spokes, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
-    dig->next += is_new & PARADT__NEXT_NUMBER;
+    dig->next += is_new & PARADT__NUMBER_STEP;
 }
 
-// Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
-// again. To be called every PARADT__DIG_AT_ONCE vertices.
+// Keeps numbers in bounds; to be called for every PARADT__DIG_BATCH cells that are dug. The numbers of a cavity with
+// more than PARADT__RIM_VERTICES vertices are not used, so they may be given twice.
 PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
 // Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
 PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP, end = dig->next - dig->first;
     s->first = dig->first;
     s->spokes_end = end < most ? end : most;
     s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
-    // what comes of it is not used, but any point will do where its record is read
+    // any vertex will do instead of the infinite one: its record is read, and what is made of it is not used
     if (s->ghosts) paradt__spoke_at(s->spokes, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
-// What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
+// Adds the cell across a facet of the cavity to the cavity, unless it is there, or the facet to the rim; without
+// branches. inner: the facet's handle in the cavity's cell; sphere: the slot of the cell across; conflict: 1 or 0
 PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
                                        unsigned conflict) {
-    unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
-    sphere->tag |= conflict ? PARADT__KNOWN : 0;
+    unsigned fresh = conflict & !(sphere->tag & PARADT__IN_CAVITY);
+    sphere->tag |= conflict ? PARADT__IN_CAVITY : 0;
     dig->killed[dig->killed_count] = dig->links[inner];
     dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
 }
 
-// Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
-// count: of facets that wait already. Returns how many wait then.
+// Lets a facet wait whose sphere across is not in the table, and prefetches the vertices of the cell across. count:
+// number of facets that wait so far. Returns their new number.
 PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
                                        int count) {
     PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
@@ -8651,37 +8891,65 @@ PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_in
     return count + 1;
 }
 
-// Looks at the other side of a facet of the cavity.
-PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+// Looks at the cell across a facet of the cavity: it joins the cavity, the facet joins the rim, or the facet waits.
+// inner: the facet's handle in the cavity's cell
+PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *centred,
                                       const double *x, paradt_index inner) {
     paradt_index handle = dig->links[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere_power(sphere, seen);
+    double power = paradt__sphere_power(sphere, centred);
     unsigned conflict = power < 0.0;
     PARADT__PREFETCH(dig->links + 4 * (size_t)other);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
-        if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
+        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, seen, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x);
     }
     paradt__kept_judge(dig, inner, sphere, conflict);
 }
 
-// Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
-// with the same place one drives out the other.
+// New cells that are no ghosts: first handles, and the offsets of their vertices' spokes; with room for three more
+typedef struct paradt__new_cells {
+    paradt_index *base;
+    uint16_t (*offsets)[4];
+    int count;
+} paradt__new_cells;
+
+// The inner functions that have versions for an instruction set; two of them are handed on alone
 typedef void (*paradt__remake_kernel)(const paradt__insertion *build, const paradt_index *waiting, int count);
+typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d);
+
+typedef struct paradt__kept_kernels {
+    // Digs the cells of the cavity from number `head` on, as long as the lists have room; facets may wait. Returns the
+    // number of cells that are dug.
+    size_t (*spread)(paradt__insertion *build, paradt__dig *work, const paradt__centred *centred, const double *x,
+                     size_t head);
+    // Makes the missing spheres of the cells across facets that wait. Some may be missing again afterwards: of two
+    // cells with the same slot one drives out the other.
+    paradt__remake_kernel remake;
+    // Makes the spheres of new cells, and chooses kept->start among them.
+    void (*make)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                 const paradt__centred *centred);
+    // Fills the row of a new cell: a cell's vertices but for one, and the point last.
+    void (*fill_row)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+    // Stores the four links of a new cell.
+    paradt__links_kernel store_links;
+} paradt__kept_kernels;
 
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
 }
 
-// Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
-PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
-                                             const double *x, paradt__remake_kernel remake) {
+// Looks at the facets that wait, whose spheres are made again together. Of the vertices of the cell across a facet the
+// one opposite the facet is the least likely to be in a cache, so it is prefetched.
+PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt__dig *dig,
+                                                const paradt__centred *centred, const double *x,
+                                                paradt__remake_kernel remake) {
     const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
@@ -8692,49 +8960,37 @@ PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__d
     for (i = 0; i < count; i++) {
         paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
         paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                           paradt__kept_settle(build, (paradt_index)other, seen, x));
+                           paradt__kept_settle(build, (paradt_index)other, centred, x));
     }
     dig->waiting_count = 0;
 }
 
-// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
-// those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
-// the facet between them.
-PARADT__INLINE size_t paradt__kept_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                          const double *x, size_t head) {
+// The kernel `spread`. Numbers vertices, too: of the vertices of a cell, only the one opposite the facet by which the
+// cell was entered has not been met.
+static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                        const double *x, size_t head) {
     size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig dig = *work;
-    paradt__centred seen = *at;
-    size_t last = head + PARADT__DIG_AT_ONCE;
-    if (!head) paradt__kept_look(build, &dig, &seen, x, dig.killed[0]); // the first cell was not entered by that facet
+    paradt__centred centred = *point;
+    size_t last = head + PARADT__DIG_BATCH;
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 1) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 2) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 3) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 1) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 2) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 3) & 3));
     }
     *work = dig;
     return head;
 }
 
-// New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
-typedef struct paradt__new_cells {
-    paradt_index *base;
-    uint16_t (*corner)[4];
-    int count;
-} paradt__new_cells;
-
-// The inner functions that have versions for an instruction set
-typedef size_t (*paradt__spread_kernel)(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head);
-typedef void (*paradt__make_kernel)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen);
-
-PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first, const paradt__centred *seen,
-                                              const double *x, paradt__spread_kernel spread,
-                                              paradt__remake_kernel remake) {
+// Digs the cavity of x from the cell `first`, which is in conflict with x. Fills update.killed with the cells' first
+// handles, and the rim; and numbers the cavity's vertices.
+PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first,
+                                              const paradt__centred *centred, const double *x,
+                                              const paradt__kept_kernels *kernels) {
     size_t head = 0, i;
     paradt__dig dig;
     dig.killed = build->update.killed;
@@ -8742,20 +8998,21 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     dig.links = build->scene.mesh.links;
     dig.table = build->kept->table;
     dig.mask = build->kept->mask;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, first) != PARADT__DEAD);
     dig.killed[0] = 4 * first;
     dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
     paradt__kept_sphere(build, first);
-    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
+    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__IN_CAVITY;
     paradt__kept_begin_numbers(build, &dig);
     for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
-        head = spread(build, &dig, seen, x, head);
+        head = kernels->spread(build, &dig, centred, x, head);
         paradt__kept_limit_numbers(&dig);
         if (head == dig.killed_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__kept_look_late(build, &dig, seen, x, remake);
+        if (dig.waiting_count) paradt__kept_look_waiting(build, &dig, centred, x, kernels->remake);
         status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
                                    dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
@@ -8768,31 +9025,32 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     build->update.killed_count = dig.killed_count;
     build->rim_count = dig.rim_count;
     paradt__kept_end_numbers(build->kept, &dig);
+    PARADT_ASSERT(dig.rim_count >= 4 && dig.rim_count % 2 == 0);
+    PARADT_ASSERT(dig.rim_count > PARADT__MOST_RIM ||
+                  build->kept->spokes_end == (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP);
     return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
-// and the largest, which few stars need, at most an eighth.
+// Allocates a table of edges that is large enough for the cavity's rim, unless it would take more than half of the
+// memory that the cells take; the largest table, which few stars need, may take an eighth of it. If there is no memory
+// there is no table.
 PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    size_t star = PARADT__WIDE_RIM, vertices, rows;
+    size_t star = PARADT__WIDE_RIM, vertices, units;
     if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
         return;
     while (star < build->rim_count) star *= 2;
     vertices = 2 + star / 2;
-    rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
+    units = (vertices + PARADT__EDGE_UNIT - 1) / PARADT__EDGE_UNIT | 1; // odd: columns spread over the sets of a cache
+    if (vertices * units * PARADT__EDGE_UNIT > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
     paradt__release(build->memory, s->large_edges);
     s->large_rim = 0;
     s->large_edges =
-        (paradt_index *)paradt__alloc(build->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
+        (paradt_index *)paradt__alloc(build->memory, vertices * units * PARADT__EDGE_UNIT, sizeof *s->large_edges);
     if (!s->large_edges) return;
     s->large_rim = star;
-    s->large_rows = rows;
+    s->large_units = units;
 }
-
-// The vertices of a new cell: those of a cell but for one, and the point.
-typedef void (*paradt__row_kernel)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
@@ -8803,45 +9061,45 @@ static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, 
     row[3] = point;
 }
 
-// The place of the edge from one vertex to another, by their offsets, in a table of edges
-PARADT__INLINE size_t paradt__edge_slot(size_t from, size_t to, size_t rows) {
-    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
+// Returns the index of an edge in a table of edges. from, to: offsets of its ends; units: of the table's rows
+PARADT__INLINE size_t paradt__edge_index(size_t from, size_t to, size_t units) {
+    return from * (PARADT__EDGE_UNIT * units / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
 }
 
-// The rows of the new cells, and what is across the rim
-PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point, paradt__row_kernel turn) {
+// Fills kept->row and kept->outer.
+PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point,
+                                      const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i];
-        turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
+        kernels->fill_row(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
         s->outer[i] = links[inner];
+        PARADT_ASSERT(s->table[(paradt__tag)s->outer[i] >> 2 & s->mask].tag !=
+                      ((paradt__tag)s->outer[i] >> 2 | PARADT__IN_CAVITY));
     }
 }
 
-// Enters the rim's edges.
-PARADT__INLINE void paradt__kept_outline(paradt__insertion *build, paradt_index *edges, size_t rows) {
+// Enters the edges of the rim into a table, and fills kept->offsets.
+PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_index *edges, size_t units) {
     paradt__kept *s = build->kept;
     const uint32_t *numbers = s->number + 1, first = s->first;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
         size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
-        paradt_index edge = build->update.made[i];
-        uint16_t *corner = s->corner[i];
-        corner[0] = (uint16_t)a;
-        corner[1] = (uint16_t)b;
-        corner[2] = (uint16_t)c;
-        edges[paradt__edge_slot(b, c, rows)] = edge;
-        edges[paradt__edge_slot(c, a, rows)] = edge + 1;
-        edges[paradt__edge_slot(a, b, rows)] = edge + 2;
+        paradt_index base = build->update.made[i];
+        uint16_t *offsets = s->offsets[i];
+        offsets[0] = (uint16_t)a;
+        offsets[1] = (uint16_t)b;
+        offsets[2] = (uint16_t)c;
+        PARADT_ASSERT(a < s->spokes_end && b < s->spokes_end && c < s->spokes_end);
+        edges[paradt__edge_index(b, c, units)] = base;
+        edges[paradt__edge_index(c, a, units)] = base + 1;
+        edges[paradt__edge_index(a, b, units)] = base + 2;
     }
 }
-
-// The links of a new cell
-typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
-                                     paradt_index d);
 
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
@@ -8851,51 +9109,52 @@ static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt
     links[3] = d;
 }
 
-// Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
+// Stores the new cells at their places, and links them. A new cell sees an edge of the rim from b to c; its neighbour
+// there sees it from c to b.
+PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
     const paradt__kept *s = build->kept;
     paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag base = (paradt__tag)build->update.made[i], outer = (paradt__tag)s->outer[i];
-        size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
+        size_t a = s->offsets[i][0], b = s->offsets[i][1], c = s->offsets[i][2];
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        put(links + base, edges[paradt__edge_slot(c, b, rows)], edges[paradt__edge_slot(a, c, rows)],
-            edges[paradt__edge_slot(b, a, rows)], (paradt_index)outer);
+        store_links(links + base, edges[paradt__edge_index(c, b, units)], edges[paradt__edge_index(a, c, units)],
+                    edges[paradt__edge_index(b, a, units)], (paradt_index)outer);
         links[outer] = (paradt_index)(base + 3);
     }
 }
 
-// The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
-// constant it is faster.
-PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
-    paradt__kept_outline(build, edges, rows);
-    paradt__kept_star(build, edges, rows, put);
+// Stores and links the new cells by a table of edges. units: of its rows; a constant for common stars
+PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
+    paradt__kept_enter_edges(build, edges, units);
+    paradt__kept_star(build, edges, units, store_links);
 }
 
-// The same for more new cells than a point has as a rule
+// Stores and links the new cells of a star that is larger than common ones.
 PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     if (build->rim_count <= PARADT__WIDE_RIM)
-        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_ROWS, paradt__kept_links_plain);
-    else paradt__kept_link(build, s->large_edges, s->large_rows, paradt__kept_links_plain);
+        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_UNITS, paradt__kept_links_plain);
+    else paradt__kept_link(build, s->large_edges, s->large_units, paradt__kept_links_plain);
 }
 
-// Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
-// slots where nothing has been for long; these are fetched.
+// Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
+// Slots of places that have not been used lately are prefetched for the cells to come.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
-    enum { TOGETHER = 8 }; // handles: there is room for that many behind both lists
+    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, killed = update->killed_count, kept = killed < count ? killed : count, i;
+    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
     paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
     if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < kept; i += TOGETHER) memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
-    for (i = kept; i < count; i++) {
+    for (i = 0; i < reused; i += TOGETHER)
+        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = reused; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
@@ -8903,96 +9162,118 @@ PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
-typedef struct paradt__four {
-    double edge[3][4][4]; // [vertex][axis, or square][cell]
-    double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-} paradt__four;
-
-// Of new cells, none of them a ghost, the last one again, up to a multiple of four
+// Repeats the last of the new cells up to a multiple of four.
 PARADT__INLINE void paradt__new_cells_pad(paradt__new_cells *star) {
     int last = star->count - 1, i;
     for (i = star->count; i % 4; i++) {
         star->base[i] = star->base[last];
-        memcpy(star->corner[i], star->corner[last], sizeof star->corner[i]);
+        memcpy(star->offsets[i], star->offsets[last], sizeof star->offsets[i]);
     }
 }
 
-// The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
-// the four lanes the least power so far is kept, and of which four it is.
+// Four new cells that are no ghosts, in lanes: the edges to their vertices, and what is made of them
+typedef struct paradt__four_cells {
+    double edge[3][4][4]; // [vertex][as in paradt__spoke][lane]
+    double normal[3][4], constant[4], error[4], power[4];
+    double least[4], least_at[4]; // by lane the least power so far, and the index of the first cell of that four
+} paradt__four_cells;
+
+// Fills the edges. offsets: of the four cells
+PARADT__INLINE void paradt__four_load(paradt__four_cells *four, paradt__kept *s, uint16_t (*offsets)[4]) {
+    int lane, vertex, axis;
+    for (lane = 0; lane < 4; lane++) {
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *edge = paradt__spoke_at(s->spokes, offsets[lane][vertex])->edge;
+            for (axis = 0; axis < 4; axis++) four->edge[vertex][axis][lane] = edge[axis];
+        }
+    }
+}
+
+// Makes the spheres of the four cells, and the next point's powers. p: the new point; at: index of the first cell
+PARADT__INLINE void paradt__four_make(paradt__four_cells *four, paradt__making making, const paradt__frame *frame,
+                                      const paradt__centred *p, const paradt__centred *next, double at) {
+    double(*a)[4] = four->edge[0], (*b)[4] = four->edge[1], (*c)[4] = four->edge[2];
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
+        const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
+        const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
+        double n[3], d, e;
+        paradt__sphere_make(making, frame, p, to_b, to_a, to_c, n, &d, &e);
+        for (axis = 0; axis < 3; axis++) four->normal[axis][lane] = n[axis];
+        four->constant[lane] = d;
+        four->error[lane] = e;
+        four->power[lane] = (next->lift + d) + (n[0] * next->s[0] + n[1] * next->s[1] + n[2] * next->s[2]);
+        four->least_at[lane] = four->power[lane] < four->least[lane] ? at : four->least_at[lane];
+        four->least[lane] = four->power[lane] < four->least[lane] ? four->power[lane] : four->least[lane];
+    }
+}
+
+// Stores the spheres of the four cells in the table. base: the cells' first handles
+PARADT__INLINE void paradt__four_put(const paradt__four_cells *four, const paradt__kept *s, const paradt_index *base) {
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        paradt__tag cell = (paradt__tag)base[lane] >> 2;
+        paradt__sphere *to = s->table + (cell & s->mask);
+        for (axis = 0; axis < 3; axis++) to->normal[axis] = four->normal[axis][lane];
+        to->constant = four->constant[lane];
+        to->error = four->error[lane];
+        to->tag = cell;
+    }
+}
+
+// The kernel `make` for one kind of spheres. The code of four cells has no branches, so that compilers can make vectors
+// of the lanes.
 PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__insertion *build,
-                                          paradt__new_cells *star, const double *x, const paradt__centred *seen) {
+                                          paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
-    paradt__centred p = *seen, next = s->next;
-    paradt__four four;
-    double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
-    paradt__spoke *around = s->spokes, *end = paradt__spoke_at(around, s->spokes_end);
-    int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++)
-        *around = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, around->vertex));
+    paradt__centred p = *centred, next = s->next;
+    paradt__four_cells four;
+    paradt__spoke *spoke = s->spokes, *end = paradt__spoke_at(spoke, s->spokes_end);
+    int i, lane, best = 0;
+    for (; spoke < end; spoke++)
+        *spoke = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, spoke->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
     paradt__new_cells_pad(star);
     for (i = 0; i < star->count; i += 4) {
-        const double at = i;
-        for (lane = 0; lane < 4; lane++) {
-            for (vertex = 0; vertex < 3; vertex++) {
-                const double *edge = paradt__spoke_at(s->spokes, star->corner[i + lane][vertex])->edge;
-                for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
-            }
-        }
-        for (lane = 0; lane < 4; lane++) {
-            const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
-            const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
-            const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
-            double n[3], d, e;
-            paradt__sphere_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
-            for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
-            four.constant[lane] = d;
-            four.error[lane] = e;
-            four.power[lane] = (next.lift + d) + (n[0] * next.s[0] + n[1] * next.s[1] + n[2] * next.s[2]);
-            four.least_at[lane] = four.power[lane] < four.least[lane] ? at : four.least_at[lane];
-            four.least[lane] = four.power[lane] < four.least[lane] ? four.power[lane] : four.least[lane];
-        }
-        for (lane = 0; lane < 4; lane++) {
-            paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            paradt__sphere *to = s->table + (cell & s->mask);
-            for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
-            to->constant = four.constant[lane];
-            to->error = four.error[lane];
-            to->tag = cell;
-        }
+        paradt__four_load(&four, s, star->offsets + i);
+        paradt__four_make(&four, making, &frame, &p, &next, i);
+        paradt__four_put(&four, s, star->base + i);
     }
     for (lane = 1; lane < 4; lane++) best = four.least[lane] < four.least[best] ? lane : best;
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
+// The kernel `make` for sharp bounds
 PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *build, paradt__new_cells *star,
-                                                    const double *x, const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, seen);
+                                                    const double *x, const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
 }
 
+// The kernel `make` for sagittas; it has no twin for AVX2
 PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                               const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, seen);
+                                               const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen) {
+                                    const paradt__centred *centred) {
     paradt__making making = build->kept->making;
     if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
-        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
-// nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
+// Makes the functions of the ghosts among the new cells, and fills `star` with the other new cells. Tells them apart
+// without branches, as processors can't predict which is which: ghosts fill its lists from the end, the others from the
+// beginning.
 PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                          const paradt__centred *seen) {
+                                          const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const size_t rim = build->rim_count;
     const paradt_index *made = build->update.made;
@@ -9001,7 +9282,7 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
     for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
         base[at] = made[i];
-        memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
+        memcpy(s->finite_offsets[at], s->offsets[i], sizeof s->offsets[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
@@ -9009,31 +9290,31 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
         const paradt_index *vertices = build->scene.mesh.vertices + base[i];
         paradt__tag cell = (paradt__tag)base[i] >> 2;
         paradt__sphere *sphere = s->table + (cell & s->mask);
-        // the facet's vertices in the order of paradt__facet_order, but from the point on, which is the cell's last one
+        // the facet's vertices in the order of paradt__facet_order, from the point on, which is the cell's last vertex
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
-        paradt__sphere_of_facet(s, sphere, seen, x, paradt__scene_record(&build->scene, vertices[q]),
+        paradt__sphere_of_facet(s, sphere, centred, x, paradt__scene_record(&build->scene, vertices[q]),
                                 paradt__scene_record(&build->scene, vertices[r]));
         sphere->tag = cell;
     }
     star->base = base;
-    star->corner = s->finite_corner;
+    star->offsets = s->finite_offsets;
     star->count = (int)count;
 }
 
-// The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *seen,
-                                         paradt__make_kernel make) {
+// Makes the spheres of the new cells, and chooses where the search for the next point starts.
+PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
+                                         const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     paradt__new_cells star;
     star.base = build->update.made;
-    star.corner = s->corner;
+    star.offsets = s->offsets;
     star.count = (int)build->rim_count;
     s->start = build->update.made[0] >> 2;
-    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, seen);
-    if (star.count) make(build, &star, x, seen);
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, centred);
+    if (star.count) kernels->make(build, &star, x, centred);
 }
 
-// Gives back the places of the cavity from number `first` on, and takes the marks off their spheres.
+// Gives back the places of the cavity's cells from number `first` on, and takes their spheres out of the table.
 static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
     paradt__kept *s = build->kept;
     const paradt__update *update = &build->update;
@@ -9042,13 +9323,13 @@ static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) 
     if (status) return status;
     for (i = first; i < update->killed_count; i++) {
         paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
-        if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
+        if (*tag & PARADT__IN_CAVITY) *tag = PARADT__NO_SPHERE;
         paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
     }
     return PARADT_OK;
 }
 
-// Stars the cavity by >>insertion, where the rim is too large for the tables.
+// Stars a cavity whose rim is too large for the tables of edges, by >>insertion.
 static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
     paradt__kept *s = build->kept;
     paradt_status status = paradt__cavity_star(build, point);
@@ -9061,56 +9342,65 @@ static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_in
     return status ? status : paradt__kept_clear(build, 0);
 }
 
-PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
-                                                     paradt__spread_kernel spread, paradt__remake_kernel remake,
-                                                     paradt__make_kernel make, paradt__row_kernel turn,
-                                                     paradt__links_kernel put) {
+// Prepares the next insertion: sets kept->next, and prefetches the record of a later point.
+PARADT__INLINE void paradt__kept_look_ahead(const paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    const double *x = paradt__scene_record(&build->scene, point);
-    paradt__centred seen = s->next;
-    paradt_status status = paradt__kept_dig(build, paradt__kept_locate(build, &seen, x), &seen, x, spread, remake);
+    size_t next = build->inserted + 1, later = build->inserted + PARADT__INSERTIONS_AHEAD;
+    if (next < build->count)
+        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, next)));
+    if (later < build->count)
+        PARADT__PREFETCH(paradt__scene_record(&build->scene, paradt__insertion_point(build, later)));
+}
+
+// After digging: takes back the marks that stood in for evicted spheres, counts, and adapts if there is reason to.
+PARADT__INLINE void paradt__kept_dug(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
     size_t i;
-    int is_common;
-    if (status) return status;
-    if (build->inserted + 1 < build->count)
-        s->next = paradt__centred_of(
-            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + 1)));
-    if (build->inserted + PARADT__AHEAD < build->count)
-        PARADT__PREFETCH(
-            paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + PARADT__AHEAD)));
     for (i = 0; s->evicted && i < build->update.killed_count; i++)
         build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
     s->evicted = 0;
-    s->made += build->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__kept_adapt(build);
+    s->made_count += build->rim_count;
+    if (!PARADT__LIKELY(s->missed_count + s->doubtful_count <= s->mask)) paradt__kept_adapt(build);
+}
+
+// Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     const paradt__kept_kernels *kernels) {
+    paradt__kept *s = build->kept;
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred centred = s->next;
+    paradt_index first = paradt__kept_locate(build, &centred, x);
+    paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
+    int is_common;
+    if (status) return status;
+    paradt__kept_look_ahead(build);
+    paradt__kept_dug(build);
     is_common = build->rim_count <= PARADT__COMMON_RIM;
     if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
     if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
         return paradt__kept_star_large(build, point);
     status = paradt__kept_places(build);
     if (status) return status;
-    paradt__kept_rows(build, point, turn);
+    paradt__kept_rows(build, point, kernels);
     if (PARADT__LIKELY(is_common))
-        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
+        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_UNIT, kernels->store_links);
     else paradt__kept_link_uncommon(build);
-    paradt__kept_spheres(build, x, &seen, make);
+    paradt__kept_spheres(build, x, &centred, kernels);
+    PARADT_ASSERT(build->update.made_count == build->rim_count);
     return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
 }
 
-static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head) {
-    return paradt__kept_spread(build, work, at, x, head);
-}
-
+// Inserts the point kept->next, by plain kernels.
 static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_plain, paradt__kept_remake_plain,
-                                   paradt__kept_make_plain, paradt__kept_row_plain, paradt__kept_links_plain);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_plain, paradt__kept_remake_plain, paradt__kept_make_plain,
+                                          paradt__kept_row_plain, paradt__kept_links_plain};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 
-// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
-// nothing of that is in a cache, the insertion would wait for one after another.
+// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
+// it is in a cache, the insertion would otherwise wait for one thing after another.
 PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 };
+    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
     const paradt__kept *s = build->kept;
     paradt_index around[CELLS];
     size_t count = 1, i, j;
@@ -9131,14 +9421,15 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space by AVX2
 //
-// The inner functions of >>insertion in space for four facets, cells or vertices together, chosen where the processor
-// has AVX2 and FMA. They differ from the plain ones in nothing but the last bits of powers, which decide nothing where
-// they are in doubt. In names `four` stands for four lanes. Doors: paradt__kept_insert_avx2.
+// The kernels of >>insertion in space for four facets, cells or vertices together, chosen at run time where the
+// processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and powers decide
+// nothing where these bits matter. In names `four` stands for four lanes.
+// Doors: paradt__kept_insert_avx2.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
 
-// Bytes to shuffle so that the elements of four of which the mask has bits come first
+// By mask: the shuffle that moves the elements, of four, whose bits the mask has to the front
 #define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
 static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
@@ -9159,48 +9450,50 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
 
-// The elements of which the mask has bits, first
+// Returns the elements with the bits of the mask moved to the front.
 PARADT__AVX2 PARADT__INLINE __m128i paradt__packed(__m128i elements, unsigned mask) {
     return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
-// Where the spheres of four cells are, or others that have their places
-typedef struct paradt__four_at {
+// The slots of four cells; each may hold another cell's sphere.
+typedef struct paradt__four_slots {
     char *a, *b, *c, *d;
-} paradt__four_at;
+} paradt__four_slots;
 
 enum { PARADT__ERROR_AT = offsetof(paradt__sphere, error), PARADT__TAG_AT = offsetof(paradt__sphere, tag) };
 
-// Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
-PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig *dig, const paradt_index *row) {
-    const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
+// Returns the slots of the four cells across the facets of a cell. links: of this cell. Vectors would take longer.
+PARADT__INLINE paradt__four_slots paradt__four_across(const paradt__dig *dig, const paradt_index *links) {
+    const paradt__tag mask = 4 * dig->mask; // of first handles: 16 times such a handle is 64 times the cell's place
     char *table = (char *)dig->table;
-    paradt__four_at at;
-    at.a = table + 16 * (size_t)((paradt__tag)row[0] & places);
-    at.b = table + 16 * (size_t)((paradt__tag)row[1] & places);
-    at.c = table + 16 * (size_t)((paradt__tag)row[2] & places);
-    at.d = table + 16 * (size_t)((paradt__tag)row[3] & places);
+    paradt__four_slots at;
+    at.a = table + 16 * (size_t)((paradt__tag)links[0] & mask);
+    at.b = table + 16 * (size_t)((paradt__tag)links[1] & mask);
+    at.c = table + 16 * (size_t)((paradt__tag)links[2] & mask);
+    at.d = table + 16 * (size_t)((paradt__tag)links[3] & mask);
     return at;
 }
 
+// Returns the products that a sphere's affine function is the sum of.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__terms(const char *sphere, __m256d query) {
     return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
-// A point's powers. query: its place and 1; lift: its lift, four times
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
+// Returns a point's powers with regard to four spheres. query: its coordinates and 1; lift: its lift, four times
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_slots at, __m256d query, __m256d lift) {
     __m256d ab = _mm256_hadd_pd(paradt__terms(at.a, query), paradt__terms(at.b, query));
     __m256d cd = _mm256_hadd_pd(paradt__terms(at.c, query), paradt__terms(at.d, query));
     __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
     return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
 
+// Returns the errors of two spheres.
 PARADT__AVX2 PARADT__INLINE __m128d paradt__two_errors(const char *a, const char *b) {
     __m128d error = _mm_load_sd((const double *)(const void *)(a + PARADT__ERROR_AT));
     return _mm_loadh_pd(error, (const double *)(const void *)(b + PARADT__ERROR_AT));
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_slots at) {
     __m128d ab = paradt__two_errors(at.a, at.b), cd = paradt__two_errors(at.c, at.d);
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(ab), cd, 1);
 }
@@ -9209,49 +9502,50 @@ PARADT__INLINE int *paradt__tag_at(char *sphere) {
     return (int *)(void *)(sphere + PARADT__TAG_AT);
 }
 
-PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_slots at) {
     __m128i tags = _mm_cvtsi32_si128(*paradt__tag_at(at.a));
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.b), 1);
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.c), 2);
     return _mm_insert_epi32(tags, *paradt__tag_at(at.d), 3);
 }
 
-// The cells become the tags, with a mark where the power is negative: its sign, narrowed to 32 bits.
-PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_at at, __m128i cells, __m256d power) {
+// Stores the tags of four cells, with PARADT__IN_CAVITY where the power is negative: the signs, narrowed to 32 bits.
+PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_slots at, __m128i cells, __m256d power) {
     __m128i tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
                                                    _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
-    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__KNOWN)));
+    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__IN_CAVITY)));
     *paradt__tag_at(at.a) = _mm_cvtsi128_si32(tags);
     *paradt__tag_at(at.b) = _mm_extract_epi32(tags, 1);
     *paradt__tag_at(at.c) = _mm_extract_epi32(tags, 2);
     *paradt__tag_at(at.d) = _mm_extract_epi32(tags, 3);
 }
 
+// Returns a mask of the negative elements.
 PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
 }
 
-// Facets wait behind which a sphere is missing or the power does not tell. The order of the statements matters for
-// speed.
+// The kernel `spread`. A facet waits if the sphere of the cell across is missing or the power with regard to it does
+// not tell. The order of the statements matters for speed.
 PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, paradt__dig *work,
-                                                    const paradt__centred *seen, const double *x, size_t head) {
+                                                    const paradt__centred *centred, const double *x, size_t head) {
     paradt__dig dig = *work;
     const size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM - dig.killed_count;
     const size_t facets = build->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
-    const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
-    const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
-    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
+    const __m256d query = _mm256_setr_pd(centred->s[0], centred->s[1], centred->s[2], 1.0);
+    const __m256d lift = _mm256_set1_pd(centred->lift), sign = _mm256_set1_pd(-0.0);
+    const __m128i marks = _mm_set1_epi32((int)PARADT__IN_CAVITY), order = _mm_setr_epi32(0, 1, 2, 3);
     paradt_index *cell = dig.killed + head, *end = dig.killed + dig.killed_count, *rim = dig.rim + dig.rim_count;
-    paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    paradt__sphere nowhere; // what no cell is marked in
+    paradt_index *last = cell + (room < PARADT__DIG_BATCH ? room : PARADT__DIG_BATCH - 1);
+    paradt__sphere nowhere; // where tags are stored that are not to be
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
         const paradt_index *row = dig.links + (paradt__tag)base;
         __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
         __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
-        paradt__four_at at = paradt__four_across(&dig, row);
+        paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
@@ -9272,7 +9566,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
             _mm_storeu_si128((__m128i *)(void *)(build->kept->waiting + dig.waiting_count),
                              paradt__packed(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
-            if (dig.waiting_count > PARADT__LATE - 4) last = cell;
+            if (dig.waiting_count > PARADT__MOST_WAITING - 4) last = cell;
             at.a = sure & 1 ? at.a : (char *)&nowhere;
             at.b = sure & 2 ? at.b : (char *)&nowhere;
             at.c = sure & 4 ? at.c : (char *)&nowhere;
@@ -9301,14 +9595,14 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__dot_avx2(const __m256d *a, const __m
     return _mm256_fmadd_pd(a[2], b[2], _mm256_fmadd_pd(a[1], b[1], _mm256_mul_pd(a[0], b[0])));
 }
 
-// a x b along an axis; with sign -1 the sum of its two terms instead: of sizes, their size
+// Returns a component of a x b; with sign -1 the sum of its two terms instead of their difference.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const __m256d *b, int axis, int sign) {
     int j = (axis + 1) % 3, k = (axis + 2) % 3;
     __m256d product = _mm256_mul_pd(a[k], b[j]);
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
-// P and sum N_j h_j of paradt__sphere_make, for four cells
+// Computes P and sum N_j h_j of paradt__sphere_make for four cells.
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
@@ -9338,8 +9632,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere_make makes them: the normals by axis, and the constants. p: by axis,
-// and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
+// Makes the spheres of four cells, as paradt__sphere_make does. sphere: the normals by axis, and the constants; p: by
+// axis relative to the box's centre, and the lift; a, b, c: by axis, and the squares of their lengths
 PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
@@ -9370,7 +9664,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__f
                               _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
 }
 
-// Four columns to four rows
+// Stores four columns as four rows.
 PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double *a, double *b, double *c, double *d) {
     __m256d xy_02 = _mm256_unpacklo_pd(column[0], column[1]), xy_13 = _mm256_unpackhi_pd(column[0], column[1]);
     __m256d zw_02 = _mm256_unpacklo_pd(column[2], column[3]), zw_13 = _mm256_unpackhi_pd(column[2], column[3]);
@@ -9380,11 +9674,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double
     _mm256_storeu_pd(d, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
-// Puts the spheres of four cells into the table.
+// Stores the spheres of four cells in the table.
 PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, paradt__tag mask, __m128i cells,
                                                     const __m256d *sphere, __m256d error) {
-    __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
-    uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
+    __m128i slots = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
+    uint64_t low = (uint64_t)_mm_cvtsi128_si64(slots), high = (uint64_t)_mm_extract_epi64(slots, 1);
     double *to[4];
     __m256d tags = _mm256_castsi256_pd(_mm256_cvtepu32_epi64(cells));
     __m256d rest_02 = _mm256_unpacklo_pd(error, tags), rest_13 = _mm256_unpackhi_pd(error, tags);
@@ -9399,9 +9693,9 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, parad
     _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
 }
 
-// Four places, by axis, less a point
-PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const double *b, const double *c, const double *d,
-                                                     const __m256d *point, __m256d *to) {
+// Returns the differences of four points to another point, by axis.
+PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const double *b, const double *c,
+                                                          const double *d, const __m256d *point, __m256d *to) {
     __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
     __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
     __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
@@ -9411,33 +9705,34 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// The edges to the vertices around the point, in the place of these
+// Replaces the vertices in kept->spokes by the edges from the point to them. The last four may be padded: by any
+// vertex.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
-    for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
+    for (i = 0; i < 3; i++) end[i].vertex = 0;
     for (; at < end; at += 4) {
         __m256d to[4];
-        paradt__four_places(paradt__scene_record(&build->scene, at[0].vertex),
-                            paradt__scene_record(&build->scene, at[1].vertex),
-                            paradt__scene_record(&build->scene, at[2].vertex),
-                            paradt__scene_record(&build->scene, at[3].vertex), point, to);
+        paradt__four_differences(paradt__scene_record(&build->scene, at[0].vertex),
+                                 paradt__scene_record(&build->scene, at[1].vertex),
+                                 paradt__scene_record(&build->scene, at[2].vertex),
+                                 paradt__scene_record(&build->scene, at[3].vertex), point, to);
         to[3] = paradt__dot_avx2(to, to);
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
 }
 
-// Half of two rows
+// Returns two elements of a row and two of another.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
 }
 
-// The edges to the vertices that four new cells have in a place
-PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (*corner)[4], int place, __m256d *to) {
-    const double *a = paradt__spoke_at(s->spokes, corner[0][place])->edge;
-    const double *b = paradt__spoke_at(s->spokes, corner[1][place])->edge;
-    const double *c = paradt__spoke_at(s->spokes, corner[2][place])->edge;
-    const double *d = paradt__spoke_at(s->spokes, corner[3][place])->edge;
+// Returns, by axis, the edges to the vertices with number `vertex` of four new cells.
+PARADT__AVX2 PARADT__INLINE void paradt__four_edges(paradt__kept *s, uint16_t (*offsets)[4], int vertex, __m256d *to) {
+    const double *a = paradt__spoke_at(s->spokes, offsets[0][vertex])->edge;
+    const double *b = paradt__spoke_at(s->spokes, offsets[1][vertex])->edge;
+    const double *c = paradt__spoke_at(s->spokes, offsets[2][vertex])->edge;
+    const double *d = paradt__spoke_at(s->spokes, offsets[3][vertex])->edge;
     __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
     __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
     to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
@@ -9446,7 +9741,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (
     to[3] = _mm256_unpackhi_pd(zl_02, zl_13);
 }
 
-// Of four cells that with the least power
+// Returns that of four cells which has the least power.
 PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m128i cells) {
     int cell[4];
     __m256d least = _mm256_min_pd(powers, _mm256_permute2f128_pd(powers, powers, 1));
@@ -9455,13 +9750,14 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
+// The kernel `make` for quick or sharp bounds
 PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
                                                         paradt__new_cells *star, const double *x,
-                                                        const paradt__centred *seen) {
+                                                        const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
-    const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
-                          _mm256_set1_pd(seen->lift)};
+    const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_set1_pd(centred->s[2]),
+                          _mm256_set1_pd(centred->lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
     const paradt__frame frame = s->frame;
     paradt__sphere *table = s->table;
@@ -9474,12 +9770,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
-        paradt__four_around(s, star->corner + i, 1, a);
-        paradt__four_around(s, star->corner + i, 0, b);
-        paradt__four_around(s, star->corner + i, 2, c);
+        paradt__four_edges(s, star->offsets + i, 1, a);
+        paradt__four_edges(s, star->offsets + i, 0, b);
+        paradt__four_edges(s, star->offsets + i, 2, c);
         paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
         paradt__four_store(table, mask, cells, sphere, error);
-        power = _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // less the next point's lift
+        power =
+            _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // without the next point's lift, which all have
         less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
         least = _mm256_min_pd(power, least);
         is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
@@ -9490,19 +9787,19 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
 }
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                                const double *x, const paradt__centred *seen) {
-    paradt__kept_make_four(1, build, star, x, seen);
+                                                                const double *x, const paradt__centred *centred) {
+    paradt__kept_make_four(1, build, star, x, centred);
 }
 
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                const double *x, const paradt__centred *seen) {
+                                                const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of four cells that are not in the table, none of them a ghost
+// Makes the spheres of four cells again, none of them a ghost.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
     const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
@@ -9512,10 +9809,10 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_places(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+        paradt__four_differences(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
@@ -9528,10 +9825,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
+// The kernel `remake`. Ghosts stay missing: there are few, and they are made one by one when they are needed.
 PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build, const paradt_index *waiting,
                                                   int count) {
     const paradt__kept *s = build->kept;
-    int cells[PARADT__LATE + 3], missing = 0, i;
+    int cells[PARADT__MOST_WAITING + 3], missing = 0, i;
     if (s->making == PARADT__MAKE_GRADED) {
         paradt__kept_remake_plain(build, waiting, count);
         return;
@@ -9539,7 +9837,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < count; i++) {
         paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
-        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
+        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__IN_CAVITY) != (paradt__tag)cell) &
                    paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
@@ -9548,16 +9846,17 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) {
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
-            sphere->tag |= PARADT__KNOWN;
+            sphere->tag |= PARADT__IN_CAVITY;
     }
 }
 
-// The shuffles for paradt__facet_order; the last place is left empty.
-#define PARADT__TURN(a, b, c)                                                                                          \
+// paradt__facet_order as shuffles, which leave the last element 0
+#define PARADT__FACET_SHUFFLE(a, b, c)                                                                                 \
     { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
-static const unsigned char paradt__facet_shuffle[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3),
-                                                           PARADT__TURN(1, 0, 3), PARADT__TURN(0, 1, 2)};
-#undef PARADT__TURN
+static const unsigned char paradt__facet_shuffle[4][16] = {
+    PARADT__FACET_SHUFFLE(1, 3, 2), PARADT__FACET_SHUFFLE(0, 2, 3), PARADT__FACET_SHUFFLE(1, 0, 3),
+    PARADT__FACET_SHUFFLE(0, 1, 2)};
+#undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
@@ -9568,28 +9867,35 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store: what reads all four soon need not wait until they are in the cache.
+// One store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
 }
 
+// Inserts the point kept->next, by these kernels.
 PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_avx2, paradt__kept_remake_avx2,
-                                   paradt__kept_make_avx2, paradt__kept_row_avx2, paradt__kept_links_avx2);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_avx2, paradt__kept_remake_avx2, paradt__kept_make_avx2,
+                                          paradt__kept_row_avx2, paradt__kept_links_avx2};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>inserting
 //
-// Insertions from begin to end: points in their order, with pauses, and one more point at a time. Where spheres can be
-// kept they are, else the insertion is that in any dimension; nobody else need know which.
-// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
-// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
-// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
+// Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
+// between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
+//
+// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
+// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
+// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
+// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
+// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
+// paradt__bowyer_watson.
 
-// Frees what only changes need; the mesh stays, without marks and free places.
+// Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
     paradt__update_free(&build->update, build->memory);
     paradt__release(build->memory, build->rim);
@@ -9600,12 +9906,13 @@ static void paradt__insertion_rest(paradt__insertion *build) {
     build->kept = NULL;
 }
 
+// Frees everything.
 static void paradt__insertion_end(paradt__insertion *build) {
     paradt__insertion_rest(build);
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
 
-// Points that span the set come first in the order.
+// Moves dim + 1 points that span the space to the front of the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
@@ -9619,6 +9926,7 @@ static void paradt__insertion_span_first(const paradt__set *set, paradt_index *o
 
 typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
 
+// Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
     if (!build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
@@ -9627,13 +9935,13 @@ static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) 
     return paradt__kept_insert;
 }
 
-// Inserts the points that are left, in their order, until it pauses.
+// Inserts the points that are left, in their order, until there are none or the relay says to pause.
 static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(build);
     paradt_status status = PARADT_OK;
     size_t i;
     for (i = build->inserted; i < build->count && !status; i++) {
-        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
+        if (i % PARADT__REPORT_STEP == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
         status = insert(build, paradt__insertion_point(build, i));
         if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
@@ -9643,7 +9951,8 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
     return status;
 }
 
-// Inserts all points: the first, which span, make the first cells. After a pause paradt__insertion_go goes on.
+// Makes the first cells of the points that come first, which span the space, and inserts the others as
+// paradt__insertion_go does.
 static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
@@ -9659,16 +9968,17 @@ static paradt_status paradt__insertion_run(paradt__insertion *build, const parad
     return status ? status : paradt__insertion_go(build, progress);
 }
 
-// A cell near the last point
+// Returns a cell near the point that was inserted last.
 PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
     return build->kept ? build->kept->start : build->scene.hint;
 }
 
-// Prepares the insertion of more points, which have been counted. first: the next; numbers: of points that there are;
-// cell: where the search for the first begins
+// Prepares the insertion of more points; build->count has been increased. first: the first of them; numbers: the number
+// of points that there are; cell: where the search for the first begins
 static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_index first, size_t numbers,
                                              paradt_index cell) {
     paradt__kept *kept = build->kept;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
     if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
@@ -9678,8 +9988,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     return PARADT_OK;
 }
 
-// Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
-// orientations, for the spheres on the way are in no table.
+// Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
+// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
 static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
     paradt__kept *kept = build->kept;
     paradt_status status;
@@ -9691,7 +10001,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     build->order = NULL;
     build->inserted = build->count - 1;
     if (kept) {
-        kept->missed = 0; // such points are here and there: no larger table would have their spheres
+        kept->missed_count = 0; // such points are here and there: a larger table would not have their spheres either
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
@@ -9699,7 +10009,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     return status;
 }
 
-// Takes records as those of the set are.
+// Notes how the records of the set are laid out, and what is known of their sagittas.
 static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
     build->scene.width = set->width;
     build->graded = set->grade == PARADT__SAGITTA;
@@ -9707,7 +10017,7 @@ static void paradt__insertion_layout(paradt__insertion *build, const paradt__set
     build->grade_error = set->grade_error;
 }
 
-// Before paradt__insertion_run: the insertion of a set in an order, which gets points that span the set first.
+// Begins the insertion of a set in an order. Points that span the space are moved to the front of the order.
 static void paradt__insertion_begin(paradt__insertion *build, const paradt__set *set, paradt_index *order,
                                     paradt__memory *memory) {
     memset(build, 0, sizeof *build);
@@ -9721,7 +10031,8 @@ static void paradt__insertion_begin(paradt__insertion *build, const paradt__set 
     build->count = set->count;
 }
 
-// Makes the mesh of the set, whose points are along a curve, by insertion: closed by ghosts, vertices are positions.
+// Makes the closed mesh of a set, whose points are along a curve, by insertion. Vertices are positions in the set.
+// After an error the mesh is empty.
 static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                            const paradt__progress *progress, paradt__counters *counters) {
     paradt__insertion build;
@@ -9883,66 +10194,73 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_judge,
-// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
+// paradt__patch_publish, paradt__patch_learn_all, paradt__patch_list_seam, paradt__patch_has_cells,
+// paradt__patch_apply_seam, paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
-// a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
+// a curve, under a grid. Behind them, up to begin + capacity, there is place for others' points that only the region
+// sees.
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
-    size_t begin, room;
+    size_t begin, capacity;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
-    const struct paradt__patch *patch;                // what the region has built, where others may look at it; or NULL
-    paradt_index *seam; // [seam_count][dim + 1] the seam: vertices of a facet and apex, as positions in the set
-    size_t seam_count;
-    int has_cells; // some cell or ghost of T(P) has a vertex of the region
+    const struct paradt__patch *published;            // what the region has built, where others may look at it; or NULL
+    paradt__mesh seam; // the seam as the region sees it, see there; vertices are positions in the set
+    int has_cells;     // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
 typedef struct paradt__patch {
+    // what it is of
     const paradt__set *set;
-    paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
-    size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
+    size_t field_count;
+    const paradt__field *own; // the region's
+    int own_points_only;      // it is the first region, begins with its own points alone, and asks about nothing
     paradt__memory *memory;
+
+    // the insertion and its points: vertices are the region's points, in their order, then others'
     paradt__insertion build;
-    size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][build.scene.width]
-    int lent;                        // these are those of the field
-    paradt_index *others;            // [capacity - own points] positions of others' points in the set
-    paradt_index *origin;            // at the end, the caller's indices of all points:
-    paradt_index *table;             // in this, or, if it is NULL, in the field's part of set.origin
-    double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    size_t outer;                    // vertices from this one on may be outside of K
-    int roomy;                       // there is a margin: all points in K are in the set, with those on its border
-    paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
-    size_t list_count, list_capacity;
-    // [fringe_capacity] places of all cells and ghosts that have not only vertices of the region; some more than once,
-    // and some where such ones have been
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-    int facets;           // links are delivered as half-facets
-    int asks;             // 1: the points that it begins with are inserted
-    size_t asked;         // so many of the list have been taken from it
-    size_t dropped;       // cells and ghosts, at the end
-    int trusts;           // it is the first region, has its own points alone, and asks about nothing
-    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
-    size_t border_count, border_capacity;
-    paradt_index *seam; // [seam_capacity] see paradt__field
-    size_t seam_count, seam_capacity;
-    paradt_index *order;  // of the insertion of the first points
-    paradt_index *around; // [own points] one of the cells around each, for others to look at; or NULL
-    paradt_index *late;   // [late_capacity] cells waiting for what is not told yet
-    size_t late_count, late_capacity;
-    paradt_index *told; // [told_capacity] for the first told_count of others' points where their neighbours end
-    size_t told_count, told_capacity;
-    paradt_index *nearby; // [nearby_capacity] these neighbours, as positions in the set; none where there are too many
-    size_t nearby_count, nearby_capacity;
-    uint64_t looked;      // groups of neighbours
-    size_t late_cells;    // made by answers
-    size_t made;          // cells of the triangulation, of which build.scene.mesh are owned in the end
-    uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
+    paradt_index *order;               // of the insertion of the first points
+    size_t capacity;                   // points that the arrays below have room for
+    double *records;                   // [capacity][build.scene.width]
+    int records_lent;                  // these are those of the field
+    paradt_index *others;              // [capacity - own points] positions of others' points in the set
+    paradt__list margin;               // while the points are collected, positions of others' points in K
+    double bounds[2 * PARADT_MAX_DIM]; // K: low and high of each axis
+    int has_margin;                    // all points in K are in the set, with those on its border
+    size_t outer;                      // vertices from this one on may be outside of K
+
+    // the questions about cells
+    paradt__search search;     // is put to the fields one by one
+    paradt__set unbounded_set; // the set without a bound on positions: fields have gaps between them
+    paradt__list waiting;      // cells to be asked about
+    paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
+    int is_asking;             // the points that it begins with are inserted
+    size_t questions;          // cells taken from `waiting`
+    size_t answer_cells;       // made by the insertion of answers
+
+    // neighbours learned from other regions
+    paradt_index *a_cell;       // [own points] one of the cells at each, for others to look at; or NULL
+    paradt__list neighbor_ends; // for each of the first of others' points, where its neighbours end
+    paradt__list neighbors;     // as positions in the set; none where there are too many
+    uint64_t neighbor_effort;   // groups of them that have been looked at
+
+    // the seam
+    paradt__list seam_cells; // cells that were on the seam when they were asked about
+    paradt__mesh seam;       // see paradt__field
+    paradt__list wrong;      // the first region's cells that are not of T(P)
+
+    // what it delivers
+    paradt__list fringe;        // places of all cells and ghosts that have not only vertices of the region; some more
+                                // than once, and some where such ones have been
+    size_t dropped;             // cells and ghosts
+    paradt_index *origin;       // the caller's indices of all points:
+    paradt_index *origin_block; // in this, or, if it is NULL, in the field's part of set.origin
+    int facets;                 // links are delivered as half-facets
+    paradt__list open;          // facets delivered without a mirror, numbered as in the result
+    size_t cells_built;         // cells of the triangulation, of which build.scene.mesh are owned
+    uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
 // A field of `count` points of the set, without a grid.
@@ -9962,12 +10280,13 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->fields[patch->own].set.count;
-    void *records = patch->lent ? NULL : patch->records, *others = patch->others;
-    if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
+    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->own->set.count;
+    void *records = patch->records_lent ? NULL : patch->records, *others = patch->others;
+    if (!paradt__grow(patch->memory, &records, patch->records_lent ? 0 : used * width, capacity * width,
+                      sizeof(double)))
         return PARADT_ERROR_MEMORY;
-    if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
-    patch->lent = 0;
+    if (patch->records_lent) memcpy(records, patch->records, used * width * sizeof(double));
+    patch->records_lent = 0;
     patch->records = (double *)records;
     patch->build.scene.records = patch->records;
     used = used > own ? used - own : 0;
@@ -9979,13 +10298,13 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
 
 // Begins with the region's own points, in the field: the insertion uses its records.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
-    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
+    const paradt__field *own = patch->own;
+    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->capacity - own->set.count, sizeof *patch->others);
     if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
     patch->build.scene.records = patch->records;
-    patch->capacity = own->room;
-    patch->lent = 1;
+    patch->capacity = own->capacity;
+    patch->records_lent = 1;
     return PARADT_OK;
 }
 
@@ -9994,37 +10313,38 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
-    patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
+    patch->others[at - patch->own->set.count] = (paradt_index)position;
     patch->build.count++;
     return PARADT_OK;
 }
 
 // Adds the region's own points, for which there is room.
 static void paradt__patch_add_own(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t width = patch->build.scene.width, i;
-    for (i = 0; i < own->set.count && !patch->lent; i++)
+    for (i = 0; i < own->set.count && !patch->records_lent; i++)
         paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
     patch->build.count = own->set.count;
 }
 
 // The position of a vertex in the set
 PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     if ((size_t)vertex < own->set.count) return (paradt_index)own->begin + vertex;
     return patch->others[(size_t)vertex - own->set.count];
 }
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t count = own->set.count, i;
     patch->origin = patch->set->origin + own->begin;
-    if (patch->build.count > own->room) {
-        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->table);
-        if (!patch->table) return PARADT_ERROR_MEMORY;
-        memcpy(patch->table, patch->origin, count * sizeof *patch->table);
-        patch->origin = patch->table;
+    if (patch->build.count > own->capacity) {
+        patch->origin_block =
+            (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->origin_block);
+        if (!patch->origin_block) return PARADT_ERROR_MEMORY;
+        memcpy(patch->origin_block, patch->origin, count * sizeof *patch->origin_block);
+        patch->origin = patch->origin_block;
     }
     for (i = count; i < patch->build.count; i++) {
         paradt_index position = patch->others[i - count];
@@ -10034,24 +10354,13 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
 }
 
 // Is the point in K?
-static int paradt__within(const double *x, const double *low, const double *high, int dim) {
+static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
     int axis;
     for (axis = 0; axis < dim; axis++) {
         if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
     }
     return 1;
 }
-
-static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
-                                          paradt_index item) {
-    paradt_status status = paradt__list_room(list, *count, capacity, *count + 1, patch->memory);
-    if (!status) (*list)[(*count)++] = item;
-    return status;
-}
-
-// Appends to one of the patch's lists.
-#define PARADT__PATCH_LIST(patch, which, item)                                                                         \
-    paradt__patch_append(patch, &(patch)->which, &(patch)->which##_count, &(patch)->which##_capacity, item)
 
 // Lists the points of a field's box that are in K.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
@@ -10068,8 +10377,9 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
         if (level) {
             if (i >= field->grid.box_count[level - 1]) break;
             status = paradt__patch_gather(patch, field, level - 1, i, low, high);
-        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(field->begin + i));
+        } else if (i < field->set.count &&
+                   paradt__is_within(field->set.records + i * field->set.width, low, high, dim)) {
+            status = paradt__list_append(&patch->margin, (paradt_index)(field->begin + i), patch->memory);
         }
     }
     return status;
@@ -10088,21 +10398,22 @@ static double paradt__margin(const paradt__field *field) {
 
 // Lists the points of the others in the margin, which K has then.
 static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     double margin = paradt__margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
     size_t i;
     int axis;
     for (axis = 0; axis < patch->set->space.dim; axis++) {
-        patch->room[2 * axis] = low[axis] = own->low[axis] - margin;
-        patch->room[2 * axis + 1] = high[axis] = own->high[axis] + margin;
+        patch->bounds[2 * axis] = low[axis] = own->low[axis] - margin;
+        patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
-    patch->roomy = margin > 0.0;
-    for (i = 0; i < patch->field_count && patch->roomy && !status; i++) {
+    patch->has_margin = margin > 0.0;
+    for (i = 0; i < patch->field_count && patch->has_margin && !status; i++) {
         const paradt__field *field = patch->fields + i;
         int level = field->grid.levels - 1;
         size_t box;
-        for (box = 0; i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status; box++) {
+        for (box = 0; patch->fields + i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status;
+             box++) {
             status = paradt__patch_gather(patch, field, level, box, low, high);
         }
     }
@@ -10135,7 +10446,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     int i;
     size_t j;
     paradt_status status = PARADT_OK;
-    patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
+    patch->outer = patch->has_margin ? known.count : patch->own->set.count;
     if (paradt__spans(&known)) return PARADT_OK;
     for (i = 0; i <= known.space.dim && !status; i++) {
         for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != whole[i];) j++;
@@ -10146,7 +10457,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 
 // The order of insertion: points in the margin along with the region's
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__set known = paradt__patch_known(patch);
     const paradt__space *space = &patch->set->space;
     paradt__curve curve;
@@ -10169,19 +10480,20 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
 // The points to begin with. Vertices are the region's first, in their order, then those in the margin. The region that
 // has no margin sorts its points at once, while the others look for theirs; these do it when they build.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t needed, i;
     paradt_status status;
-    status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
+    status = patch->own_points_only ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
-    needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
+    needed = own->set.count + (patch->own_points_only ? 0 : patch->margin.count + (size_t)patch->set->space.dim + 1);
     if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
     if (status) return status;
     paradt__patch_add_own(patch);
-    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_add(patch, (size_t)patch->list[i]);
-    patch->list_count = 0;
+    for (i = 0; i < patch->margin.count && !status; i++)
+        status = paradt__patch_add(patch, (size_t)patch->margin.items[i]);
+    paradt__list_free(&patch->margin, patch->memory);
     if (!status) status = paradt__patch_add_span(patch, whole);
-    return status || !patch->trusts ? status : paradt__patch_sort(patch);
+    return status || !patch->own_points_only ? status : paradt__patch_sort(patch);
 }
 
 // --- cells
@@ -10191,13 +10503,13 @@ PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch
 }
 
 // Is the vertex a point of the region? These are the first.
-PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index vertex) {
-    return (size_t)vertex < patch->fields[patch->own].set.count;
+PARADT__INLINE int paradt__patch_is_own(const paradt__patch *patch, paradt_index vertex) {
+    return (size_t)vertex < patch->own->set.count;
 }
 
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
-static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+static int paradt__patch_own_vertices(const paradt__patch *patch, paradt_index cell) {
+    paradt_index own = (paradt_index)patch->own->set.count;
     return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
 }
 
@@ -10218,24 +10530,31 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     int i, share = 0;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] < 0) continue;
-        if (paradt__patch_has(patch, vertices[i])) share++;
+        if (paradt__patch_is_own(patch, vertices[i])) share++;
         else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
     }
-    return share == 1 && patch->own > 0;
+    return share == 1 && patch->own != patch->fields;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
-static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
+static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
     if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
     patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
-    return PARADT__PATCH_LIST(patch, list, cell);
+    return paradt__list_append(&patch->waiting, cell, patch->memory);
+}
+
+// Puts a cell into the list of wrong ones, unless it is there.
+static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
+    if (patch->build.scene.mesh.marks[cell] & PARADT__WRONG) return PARADT_OK;
+    patch->build.scene.mesh.marks[cell] |= PARADT__WRONG;
+    return paradt__list_append(&patch->wrong, cell, patch->memory);
 }
 
 // Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
+        share += vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
     return share == 1 || (share && outer);
@@ -10244,13 +10563,13 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
     const paradt__mesh *cells = &patch->build.scene.mesh;
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+    paradt_index own = (paradt_index)patch->own->set.count;
     size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
     for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
         if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_waiting(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -10264,7 +10583,7 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
 }
 
 // States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
-static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
+static void paradt__patch_state_question(paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
@@ -10285,8 +10604,8 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
 }
 
 // Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
-static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
-                                            const paradt_index *positions) {
+static paradt_index paradt__patch_ask_grid(paradt__patch *patch, const paradt__field *field,
+                                           const paradt_index *positions) {
     paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
@@ -10300,12 +10619,12 @@ static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__
 
 // The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
 // the question, or -1.
-static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
-    patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
+static paradt_index paradt__patch_ask_neighbors(paradt__patch *patch, size_t told, const paradt_index *positions) {
+    size_t i = told ? (size_t)patch->neighbor_ends.items[told - 1] : 0, end = (size_t)patch->neighbor_ends.items[told];
+    patch->neighbor_effort += 1 + (end - i) / PARADT__LANES;
+    paradt__question_redirect(&patch->search, &patch->unbounded_set, NULL, positions);
     for (; i < end; i++) {
-        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
+        if (paradt__question_fits(&patch->search, (size_t)patch->neighbors.items[i])) return patch->neighbors.items[i];
     }
     return -1;
 }
@@ -10314,25 +10633,25 @@ static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, co
 // neighbours are told, or else one of which they are not told yet, or SIZE_MAX.
 static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
+    size_t own = patch->own->set.count, untold = SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
         if (vertices[i] < 0) continue;
         if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
-        if (other >= patch->told_count) untold = other;
-        else if (patch->told[other] > (other ? patch->told[other - 1] : 0)) return other;
+        if (other >= patch->neighbor_ends.count) untold = other;
+        else if (patch->neighbor_ends.items[other] > (other ? patch->neighbor_ends.items[other - 1] : 0)) return other;
     }
     return untold;
 }
 
 // Is there a region of which the patch is not told yet what the cell needs?
-static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) {
+static int paradt__patch_must_defer(const paradt__patch *patch, paradt_index cell) {
     size_t i, witness;
     for (i = 0; i < patch->field_count; i++) {
-        if (i == patch->own || !patch->fields[i].patch) continue;
+        if (patch->fields + i == patch->own || !patch->fields[i].published) continue;
         witness = paradt__patch_witness(patch, patch->fields + i, cell);
-        if (witness != SIZE_MAX && witness >= patch->told_count) return 1;
+        if (witness != SIZE_MAX && witness >= patch->neighbor_ends.count) return 1;
     }
     return 0;
 }
@@ -10341,20 +10660,20 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
-    size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
+    size_t witness = field->published ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++)
         positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
-    return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
-                               : paradt__patch_ask_near(patch, witness, positions);
+    return witness == SIZE_MAX ? paradt__patch_ask_grid(patch, field, positions)
+                               : paradt__patch_ask_neighbors(patch, witness, positions);
 }
 
 // Notes of a cell that it is around its vertices, for those that are the region's.
-PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
+PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
+        if (vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i])) patch->a_cell[vertices[i]] = cell;
     }
 }
 
@@ -10364,15 +10683,15 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
-    patch->late_cells += build->update.made_count;
+    patch->answer_cells += build->update.made_count;
     for (i = 0; i < build->update.killed_count && !status; i++)
         build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
     for (i = 0; i < build->update.made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
         build->scene.mesh.marks[made] = 0;
-        if (patch->around) paradt__patch_note_around(patch, made);
-        status = PARADT__PATCH_LIST(patch, fringe, made);
-        if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
+        if (patch->a_cell) paradt__patch_note_cell(patch, made);
+        status = paradt__list_append(&patch->fringe, made, patch->memory);
+        if (!status && paradt__patch_own_vertices(patch, made)) status = paradt__patch_add_waiting(patch, made);
     }
     return status;
 }
@@ -10385,20 +10704,20 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
-    if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
+    if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
     build->scene.mesh.marks[cell] = PARADT__ASKED;
-    if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
+    if (paradt__patch_on_seam(patch, cell)) status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
     if (status) return status;
-    paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
+    paradt__patch_state_question(patch, cell, ghost);
+    if (patch->has_margin && paradt__question_is_confined(&patch->search, patch->bounds)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
-        if (i != patch->own && patch->fields[i].set.count)
+        if (patch->fields + i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
     }
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_wait(
+    return paradt__patch_add_waiting(
         patch,
         paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
 }
@@ -10418,34 +10737,36 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
 // Makes ready to be looked at by others.
-static paradt_status paradt__patch_show(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
-    patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
-    if (!patch->around) return PARADT_ERROR_MEMORY;
+static paradt_status paradt__patch_publish(paradt__patch *patch) {
+    size_t own = patch->own->set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
+    patch->a_cell = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->a_cell);
+    if (!patch->a_cell) return PARADT_ERROR_MEMORY;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
-            paradt__patch_note_around(patch, (paradt_index)cell);
+            paradt__patch_note_cell(patch, (paradt_index)cell);
     }
     return PARADT_OK;
 }
 
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
-static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
+static paradt_status paradt__patch_learn(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
     const paradt__mesh *mesh = &other->build.scene.mesh;
-    paradt_index first = other->around[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt_index first = other->a_cell[vertex], base = first * (paradt_index)mesh->corners, i;
     paradt__star star;
     size_t next;
     paradt_status status = PARADT_OK;
     paradt__star_of(mesh, first, vertex, &star);
-    patch->looked += PARADT__LANES + star.count / 4;
+    patch->neighbor_effort += PARADT__LANES + star.count / 4;
     if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
     for (i = base; i < base + mesh->corners && !status; i++) {
         if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
-            status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, mesh->vertices[i]));
+            status =
+                paradt__list_append(&patch->neighbors, paradt__patch_position(other, mesh->vertices[i]), patch->memory);
     }
     for (next = 1; next < star.count && !status; next++) {
         paradt_index neighbor = mesh->vertices[star.handles[next]];
-        if (neighbor >= 0) status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
+        if (neighbor >= 0)
+            status = paradt__list_append(&patch->neighbors, paradt__patch_position(other, neighbor), patch->memory);
     }
     return status;
 }
@@ -10454,28 +10775,31 @@ static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patc
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__kept_free(patch->build.kept, patch->memory);
     paradt__release(patch->memory, patch->order);
-    if (!patch->lent) paradt__release(patch->memory, patch->records);
+    if (!patch->records_lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->build.scene.mesh.marks);
-    paradt__release(patch->memory, patch->around);
-    paradt__release(patch->memory, patch->late);
-    paradt__release(patch->memory, patch->told);
-    paradt__release(patch->memory, patch->nearby);
-    paradt__release(patch->memory, patch->border);
+    paradt__release(patch->memory, patch->a_cell);
+    paradt__list_free(&patch->waiting, patch->memory);
+    paradt__list_free(&patch->deferred, patch->memory);
+    paradt__list_free(&patch->neighbor_ends, patch->memory);
+    paradt__list_free(&patch->neighbors, patch->memory);
+    paradt__list_free(&patch->seam_cells, patch->memory);
     patch->build.kept = NULL;
     patch->build.order = patch->order = NULL;
     patch->records = NULL;
-    patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
+    patch->a_cell = NULL;
     patch->build.scene.mesh.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
-    paradt__release(patch->memory, patch->list);
-    paradt__release(patch->memory, patch->fringe);
-    paradt__release(patch->memory, patch->seam);
+    paradt__list_free(&patch->margin, patch->memory);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    paradt__list_free(&patch->open, patch->memory);
+    paradt__mesh_free(&patch->seam, patch->memory);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
-    paradt__release(patch->memory, patch->table);
+    paradt__release(patch->memory, patch->origin_block);
     paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
 }
 
@@ -10484,13 +10808,14 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     size_t i;
     memset(patch, 0, sizeof *patch);
     patch->set = set;
-    patch->everyone = *set;
-    patch->everyone.count = (size_t)PARADT__NOWHERE;
+    patch->unbounded_set = *set;
+    patch->unbounded_set.count = (size_t)PARADT__NOWHERE;
     patch->fields = fields;
     patch->field_count = field_count;
-    patch->own = own;
+    patch->own = fields + own;
     patch->memory = patch->build.memory = memory;
     paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
+    paradt__mesh_begin(&patch->seam, set->space.dim + 1, 0);
     patch->build.scene.space = set->space;
     memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
     paradt__insertion_layout(&patch->build, set);
@@ -10515,7 +10840,7 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
     } else {
-        patch->made++;
+        patch->cells_built++;
         for (j = 0; j < corners; j++) paradt__patch_cut(patch, links[j], PARADT__OPEN);
     }
     vertices[0] = PARADT__DEAD;
@@ -10525,8 +10850,8 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 // Drops what the region does not own, all of it in the fringe.
 PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
     const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
-    const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
-    size_t count = patch->fringe_count, i;
+    const paradt_index *fringe = patch->fringe.items, own = (paradt_index)patch->own->set.count;
+    size_t count = patch->fringe.count, i;
     for (i = 0; i < count; i++) {
         const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
@@ -10542,22 +10867,21 @@ PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corne
 // Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
 // of them is not the region's.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__insertion *build = &patch->build;
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
     size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
+    for (i = 0; i < patch->wrong.count; i++) paradt__patch_drop(patch, (size_t)patch->wrong.items[i], 0);
     if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
     else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
     build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
     paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->list, patch->list_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe, patch->fringe_count, &end);
-    patch->list_count = 0;
-    paradt__release(patch->memory, patch->fringe);
-    patch->fringe = NULL;
-    patch->made += build->scene.mesh.count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->wrong.items, patch->wrong.count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe.items, patch->fringe.count, &end);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    patch->cells_built += build->scene.mesh.count;
     return PARADT_OK;
 }
 
@@ -10567,7 +10891,7 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
         if (to->links[cell * corners + j] == PARADT__OPEN)
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)((first + cell) * corners + j));
+            status = paradt__list_append(&patch->open, (paradt_index)((first + cell) * corners + j), patch->memory);
     }
     return status;
 }
@@ -10595,22 +10919,22 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
 }
 
 // Looks for answers so far
-static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    return paradt__search_effort(&patch->search) + patch->looked;
+static uint64_t paradt__patch_effort(const paradt__patch *patch) {
+    return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
-static int paradt__patch_is_hasty(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->fields[patch->own].set.count;
-    return paradt__patch_looked(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+static int paradt__patch_learning_pays(const paradt__patch *patch) {
+    size_t others = patch->build.count - patch->own->set.count;
+    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
 }
 
 // Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
 // where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
 // seam: exactly cospherical points are.
-static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_looked(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
-    return looked + patch->late_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+static int paradt__patch_gives_up(const paradt__patch *patch) {
+    uint64_t looked = paradt__patch_effort(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
+    return looked + patch->answer_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
@@ -10622,45 +10946,48 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
     if (!status && build->inserted < build->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
     build->order = patch->order = NULL;
-    patch->asks = 1;
-    return status || patch->trusts ? status : paradt__patch_suspects(patch);
+    patch->is_asking = 1;
+    return status || patch->own_points_only ? status : paradt__patch_suspects(patch);
 }
 
 // So many questions, with what is inserted for them, take as long as to insert a point.
 enum { PARADT__QUESTIONS_A_POINT = 2 };
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
-// wait for what others have to tell; or until it pauses. If it is hasty, no longer than others would take to tell.
-static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, const paradt__progress *progress) {
+// wait for what others have to tell; or until it pauses. If it is may_wait, no longer than others would take to tell.
+static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, const paradt__progress *progress) {
     paradt_status status = PARADT_OK;
-    while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
-        paradt_index cell = patch->list[--patch->list_count];
+    while (!status && patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch))) {
+        paradt_index cell = patch->waiting.items[--patch->waiting.count];
         if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
-        if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
-        if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->build.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
+        if (++patch->questions % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
+        if (paradt__relay_pauses(patch->build.relay, patch->questions, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
 
 // Has it paused, inserting or asking?
-static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
-    return !patch->asks || (patch->list_count && !(hasty && paradt__patch_is_hasty(patch)));
+static int paradt__patch_pauses(const paradt__patch *patch, int may_wait) {
+    return !patch->is_asking || (patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch)));
 }
 
 // Hears of all points that it has from others. The cells that waited for that go on.
-static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, i;
+static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
+    size_t own = patch->own->set.count, i;
     paradt_status status = PARADT_OK;
-    while (own + patch->told_count < patch->build.count && !status) {
-        paradt_index position = patch->others[patch->told_count];
+    while (own + patch->neighbor_ends.count < patch->build.count && !status) {
+        paradt_index position = patch->others[patch->neighbor_ends.count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
-        if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
-        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->nearby_count);
+        if (field->published)
+            status = paradt__patch_learn(patch, field->published, position - (paradt_index)field->begin);
+        if (!status)
+            status = paradt__list_append(&patch->neighbor_ends, (paradt_index)patch->neighbors.count, patch->memory);
     }
-    for (i = 0; i < patch->late_count && !status; i++) status = PARADT__PATCH_LIST(patch, list, patch->late[i]);
-    patch->late_count = 0;
+    for (i = 0; i < patch->deferred.count && !status; i++)
+        status = paradt__list_append(&patch->waiting, patch->deferred.items[i], patch->memory);
+    patch->deferred.count = 0;
     return status;
 }
 
@@ -10685,22 +11012,32 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 // is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
 // right.
 
-// Lists the facets of the seam, when all cells have been asked about.
-static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+// Adds a cell or ghost to the seam. Its facet opposite the apex is open, and no other.
+static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
     int corners = patch->build.scene.mesh.corners, i;
-    size_t at;
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    size_t base;
+    paradt_status status = paradt__mesh_room(&patch->seam, patch->memory);
+    if (status) return status;
+    base = (size_t)paradt__mesh_take(&patch->seam) * (size_t)corners;
+    for (i = 0; i < corners; i++) {
+        int own = vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
+        patch->seam.vertices[base + (size_t)i] =
+            vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
+        patch->seam.links[base + (size_t)i] = own ? PARADT__OPEN : PARADT__HULL;
+    }
+    return PARADT_OK;
+}
+
+// Lists the seam, when all cells have been asked about.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+    size_t i;
     paradt_status status = PARADT_OK;
-    for (at = 0; at < patch->border_count && !status; at++) {
-        paradt_index cell = patch->border[at], apex = -1;
-        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    for (i = 0; i < patch->seam_cells.count && !status; i++) {
+        paradt_index cell = patch->seam_cells.items[i];
         if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
         patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
-        for (i = 0; i < corners && !status; i++) {
-            paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
-            if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
-            else status = PARADT__PATCH_LIST(patch, seam, position);
-        }
-        if (!status) status = PARADT__PATCH_LIST(patch, seam, apex);
+        status = paradt__patch_add_to_seam(patch, cell);
     }
     return status;
 }
@@ -10710,111 +11047,75 @@ static int paradt__patch_has_cells(paradt__patch *patch) {
     size_t cell;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
-            paradt__patch_share(patch, (paradt_index)cell))
+            paradt__patch_own_vertices(patch, (paradt_index)cell))
             return 1;
     }
     return 0;
 }
 
-// What the other regions say of the seam
+// What the other regions say of the seam. Links of facets that have been listed twice are handles. PARADT__OPEN is the
+// link of a facet that has been listed once and whose wrong cell has not been reached.
 typedef struct paradt__seam {
-    size_t dim;           // vertices of a facet; the infinite one is among them where two ghosts meet
-    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex; or what follows
-    paradt_index *table;  // [capacity] hash table of facets; -1: free
-    size_t count, capacity;
-    size_t single; // facets that have been listed once
+    paradt__mesh mesh;
+    paradt__facets once; // by keys
 } paradt__seam;
 
-enum {
-    PARADT__MET = -1,  // the wrong cell on its side has been reached
-    PARADT__TWICE = -2 // it has been listed twice
-};
-
-// Puts a vertex among those before it, which are in order.
-PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_index vertex) {
-    for (; count > 0 && facet[count - 1] > vertex; count--) facet[count] = facet[count - 1];
-    facet[count] = vertex;
-}
-
-// Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
-PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
-    size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_hash(paradt__cell_sum(facet, (int)dim)) & mask;
-    for (; seam->table[place] >= 0; place = (place + 1) & mask) {
-        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
-        for (i = 0; i < dim && other[i] == facet[i];) i++;
-        if (i == dim) break;
-    }
-    return seam->table + place;
-}
-
-static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed) {
-    paradt_index *facet = seam->facets + seam->count * (seam->dim + 1), *place;
-    size_t i;
-    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i]);
-    facet[seam->dim] = listed[seam->dim];
-    place = paradt__seam_place(seam, facet, seam->dim);
-    if (*place >= 0) {
-        seam->facets[(size_t)*place * (seam->dim + 1) + seam->dim] = PARADT__TWICE;
-        seam->single--;
-        return;
-    }
-    *place = (paradt_index)seam->count++;
-    seam->single++;
-}
-
 static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
-    paradt__release(memory, seam->facets);
-    paradt__release(memory, seam->table);
+    paradt__mesh_free(&seam->mesh, memory);
+    paradt__facets_free(&seam->once, memory);
 }
 
 static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
     const paradt__field *end = patch->fields + patch->field_count, *field;
+    int corners = patch->build.scene.mesh.corners;
     size_t count = 0, i;
+    paradt_status status;
     memset(seam, 0, sizeof *seam);
-    seam->dim = (size_t)patch->build.scene.mesh.corners - 1;
-    for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
-    for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
-    seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
-    seam->table = (paradt_index *)paradt__alloc(patch->memory, seam->capacity, sizeof *seam->table);
-    if (!seam->facets || !seam->table) return PARADT_ERROR_MEMORY;
-    memset(seam->table, -1, seam->capacity * sizeof *seam->table);
+    paradt__mesh_begin(&seam->mesh, corners, 0);
+    for (field = patch->fields + 1; field < end; field++) count += field->seam.count;
+    status = paradt__mesh_reserve(&seam->mesh, count, count, patch->memory);
+    if (!status) status = paradt__facets_begin(&seam->once, 0, 1, patch->memory);
+    if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
+    if (status) return status;
     for (field = patch->fields + 1; field < end; field++) {
-        for (i = 0; i < field->seam_count; i++) paradt__seam_add(seam, field->seam + i * (seam->dim + 1));
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
     }
+    for (i = 0; i < count * (size_t)corners; i++) {
+        paradt_index facet = (paradt_index)i;
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
+                           corners);
+    }
+    PARADT__VERIFY(&seam->mesh, 0, 0);
     return PARADT_OK;
 }
 
-// Has the facet of a wrong cell, of so many corners, been listed once, so that the cell on its other side is right? It
-// is met then.
-PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt_index *vertices, size_t corners,
-                                      size_t without) {
-    paradt_index facet[PARADT_MAX_DIM], place, *apex;
-    size_t count = 0, i;
-    for (i = 0; i < corners; i++) {
-        if (i != without) paradt__facet_add(facet, count++, vertices[i]);
-    }
-    place = *paradt__seam_place(seam, facet, corners - 1);
-    if (place < 0) return 0;
-    apex = seam->facets + (size_t)place * corners + corners - 1;
-    if (*apex == PARADT__TWICE) return 0;
-    *apex = PARADT__MET;
+// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is reached then. sum:
+// of the cell
+PARADT__INLINE int paradt__seam_has(const paradt__seam *seam, const paradt__mesh *mesh, paradt_index handle,
+                                    uint64_t sum, int corners) {
+    paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
+    paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
+    if (facet < 0) return 0;
+    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN);
+    seam->mesh.links[facet] = PARADT__HULL;
     return 1;
 }
 
 // Lists those cells that are reached without passing the seam from those in the list, the first `next` apart.
 PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
-                                                        size_t corners) {
+                                                        int corners) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_status status = PARADT_OK;
-    size_t i;
-    for (; next < patch->list_count && !status; next++) {
-        size_t base = (size_t)patch->list[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->list, patch->list_count, next);
+    int i;
+    for (; next < patch->wrong.count && !status; next++) {
+        paradt_index base = patch->wrong.items[next] * corners;
+        uint64_t sum = paradt__cell_sum(mesh->vertices + base, corners);
+        paradt__mesh_fetch_listed(mesh, patch->wrong.items, patch->wrong.count, next);
         for (i = 0; i < corners && !status; i++) {
-            size_t other = (size_t)patch->build.scene.mesh.links[base + i] / corners;
-            if (!(patch->build.scene.mesh.marks[other] & PARADT__WAITING) &&
-                !paradt__seam_meets(seam, patch->build.scene.mesh.vertices + base, corners, i))
-                status = paradt__patch_wait(patch, (paradt_index)other);
+            paradt_index other = mesh->links[base + i] / corners;
+            if (!(mesh->marks[other] & PARADT__WRONG) && !paradt__seam_has(seam, mesh, base + i, sum, corners))
+                status = paradt__patch_add_wrong(patch, other);
         }
     }
     return status;
@@ -10822,11 +11123,11 @@ PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, co
 
 // Lists a wrong cell, and those that are reached from it without passing the seam.
 static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    size_t next = patch->list_count;
-    paradt_status status = paradt__patch_wait(patch, first);
+    size_t next = patch->wrong.count;
+    paradt_status status = paradt__patch_add_wrong(patch, first);
     if (status) return status;
-    if (seam->dim == 3) return paradt__patch_spread_wrong(patch, seam, next, 4);
-    return paradt__patch_spread_wrong(patch, seam, next, seam->dim + 1);
+    if (seam->mesh.corners == 4) return paradt__patch_spread_wrong(patch, seam, next, 4);
+    return paradt__patch_spread_wrong(patch, seam, next, seam->mesh.corners);
 }
 
 // Lists all cells and ghosts.
@@ -10835,7 +11136,7 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     paradt_status status = PARADT_OK;
     for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_wrong(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -10848,11 +11149,10 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     int others = 0;
     paradt_status status = PARADT_OK;
     for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
-    if (others && !seam->single) return paradt__patch_list_all(patch);
-    for (i = 0; i < seam->count && !status; i++) {
-        paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
-        if (apex < 0) continue;
-        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
+    if (others && !seam->once.count) return paradt__patch_list_all(patch);
+    for (i = 0; i < seam->mesh.count * (size_t)seam->mesh.corners && !status; i++) {
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
@@ -10863,16 +11163,16 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
     paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
-    for (next = 0; next < patch->fringe_count && !status; next++) {
-        paradt_index base = patch->fringe[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe, patch->fringe_count, next);
+    for (next = 0; next < patch->fringe.count && !status; next++) {
+        paradt_index base = patch->fringe.items[next] * corners;
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe.items, patch->fringe.count, next);
         for (i = base; i < base + corners && !status; i++) {
             paradt_index other = patch->build.scene.mesh.links[i] / corners;
             if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
                 patch->build.scene.mesh.marks[other] & PARADT__LISTED)
                 continue;
             patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
-            status = PARADT__PATCH_LIST(patch, fringe, other);
+            status = paradt__list_append(&patch->fringe, other, patch->memory);
         }
     }
     return status;
@@ -10885,20 +11185,20 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
     int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
-    if (patch->list_count && paradt__ghost_place(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->build.scene.mesh.marks[patch->list[0]] |= PARADT__LISTED;
-        status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
+    if (patch->wrong.count && paradt__ghost_place(paradt__patch_cell(patch, patch->wrong.items[0]), corners) >= 0) {
+        patch->build.scene.mesh.marks[patch->wrong.items[0]] |= PARADT__LISTED;
+        status = paradt__list_append(&patch->fringe, patch->wrong.items[0], patch->memory);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
     cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
     for (; cell < cells->count && !status;
          cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
     return status;
 }
 
 // Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
-static paradt_status paradt__patch_judge(paradt__patch *patch) {
+static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
     paradt__seam seam;
     paradt_status status = paradt__seam_begin(&seam, patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
@@ -11194,8 +11494,8 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
 // Prepares for fronts: the reference sphere and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
-    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->meter, &work->memory);
     work->stats->seconds_grid += paradt__now() - begun;
     return status;
 }
@@ -11266,7 +11566,7 @@ static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory
     paradt__patch *patch = &region->patch;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
     patch->facets = work->facets;
-    patch->trusts = work->first_alone && index == 0;
+    patch->own_points_only = work->first_alone && index == 0;
     region->status = paradt__patch_points(patch, work->basis);
 }
 
@@ -11330,9 +11630,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->waits = 0;
     region->status = paradt__patch_list_seam(patch);
     field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    memset(&patch->seam, 0, sizeof patch->seam);
 }
 
 // Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
@@ -11343,13 +11642,13 @@ static void paradt__build_task(void *context, size_t index) {
     paradt__patch *patch = &region->patch;
     int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
     paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    region->status = patch->is_asking ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->is_asking) region->status = paradt__patch_complete(patch, can_learn, &progress);
     if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
     region->built = 1;
-    region->waits = !region->status && patch->list_count;
+    region->waits = !region->status && patch->waiting.count;
     paradt__count_patch(region);
-    if (region->status || region->waits || patch->trusts) return;
+    if (region->status || region->waits || patch->own_points_only) return;
     paradt__end_questions(work, index);
     paradt__patch_rest(patch);
 }
@@ -11357,14 +11656,14 @@ static void paradt__build_task(void *context, size_t index) {
 static void paradt__publish_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
+    region->status = paradt__patch_publish(&region->patch);
+    work->fields[index].published = &region->patch;
 }
 
 // No region changes while others look at it.
 static void paradt__learn_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+    if (region->waits) region->status = paradt__patch_learn_all(&region->patch);
 }
 
 static void paradt__complete_task(void *context, size_t index) {
@@ -11374,16 +11673,16 @@ static void paradt__complete_task(void *context, size_t index) {
     if (!region->waits) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
     paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+    if (!region->status && !region->patch.deferred.count) paradt__end_questions(work, index);
 }
 
 static void paradt__compact_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
     paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    region->status = patch->own_points_only ? paradt__patch_apply_seam(patch) : PARADT_OK;
     paradt__count_patch(region);
     if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->stats.cells_recomputed = patch->cells_built - patch->build.scene.mesh.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
 }
@@ -11399,13 +11698,14 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
     size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+    for (i = 0; i < patch->open.count && !status; i = end) {
+        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
+        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
         }
-        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+        status =
+            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
     }
     return status;
 }
@@ -11430,7 +11730,7 @@ static void paradt__emit_task(void *context, size_t index) {
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
     region->status = paradt__patch_emit(&region->patch, &to, region->offset);
     if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
 }
 
@@ -11460,13 +11760,13 @@ static size_t paradt__region_left(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     const paradt__insertion *build = &patch->build;
     if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
     return build->count - build->inserted + build->count - work->fields[index].set.count;
 }
 
 // What a region has done, in points inserted
 static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
 }
 
 static void paradt__leg_task(void *context, size_t index) {
@@ -11534,8 +11834,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
     for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->mesh.links + patch->list[j];
+        for (j = 0; j < patch->open.count; j++) {
+            paradt_index *link = work->mesh.links + patch->open.items[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
@@ -11696,8 +11996,8 @@ static size_t paradt__place_fields(paradt__work *work, int with_room) {
     for (i = 0; i < work->regions; i++) {
         size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
+        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].capacity;
     }
     return total;
 }
@@ -11764,7 +12064,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         region->patch.memory = region->patch.build.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
+        paradt__mesh_free(&work->fields[i].seam, &work->memory);
     }
     paradt__mesh_free(&work->slices, &work->memory);
     paradt__facets_free(&work->open_facets, &work->memory);
@@ -11887,9 +12187,9 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
     if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
     if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
     if (!status) status = paradt__build_by_patches(work);
     if (status != PARADT__GAVE_UP) return status;

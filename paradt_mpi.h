@@ -1609,7 +1609,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     paradt__release(&w->memory, counts);
     if (status || !(sphere[dim + 1] > 0.0)) return status;
     memcpy(set->centre, sphere, (size_t)dim * sizeof *sphere);
-    status = paradt__set_sagittas(set, sphere[dim], PARADT__NEAR_SPHERE, set->count, &w->memory, &nearby);
+    status = paradt__set_sagittas(set, sphere[dim], PARADT__NEAR_SPHERE, set->count, NULL, &w->memory, &nearby);
     all_near = nearby;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
