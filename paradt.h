@@ -652,6 +652,7 @@ PARADT_DEF const char *paradt_status_string(paradt_status status);
 // Returns the method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_method_string(paradt_method method);
 
+#ifndef PARADT_NO_CHECK
 // Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
 // representatives, hidden points, dimension. Returns PARADT_OK if it is. Returns PARADT_ERROR_INVALID if it is not, and
 // *fault says what was found first.
@@ -665,6 +666,7 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
+#endif
 
 // Returns a hash of the set of cells, each as a set of point indices: the sum of paradt_hash_cell over the cells, 0
 // without cells. It depends neither on the order of cells and vertices nor on the size of indices or the machine, and
@@ -13109,49 +13111,60 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
 // >>check
 //
 // The certificate: whatever the arrays of a triangulation hold, paradt_check accepts exactly those that are T(P). It
-// shares with the methods only the reading of points, the predicates and the memory account; it builds nothing that it
-// could get wrong in the same way, and it takes linear time (expected: hashing; hidden points are found by short
-// walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and Uhrig,
-// "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999; Devillers,
-// Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
-// Computational Geometry 11, 1998. Door: paradt_check.
+// shares only the reading of points, the predicates and the memory account with the methods, and builds nothing that it
+// could get wrong in the same way. It takes linear time (expected: there is hashing, and hidden points are found by
+// short walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and
+// Uhrig, "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999;
+// Devillers, Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
+// Computational Geometry 11, 1998.
 //
-// What is tested, all of it in exact signs (k: the affine dimension, counted anew; o: a place infinitesimally near the
-// lexicographically smallest vertex, inside one of its cells):
+// What is tested, all of it in exact signs. k is the affine dimension, determined anew; o is a place infinitesimally
+// near the lexicographically smallest vertex, inside one of its cells.
 //   (1) points of equal coordinates have the same representative, the right one, or all are hidden; each
 //       representative is a vertex, each vertex is its own representative;
 //   (2) each cell is positively oriented;
-//   (3) adjacency is an involution on the facets of cells, two neighbours have all but one vertex in common, and their
+//   (3) adjacency is an involution on the facets of cells, two neighbours have all vertices but one in common, and
+//   their
 //       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
-//   (4) across each facet with two cells, the other cell's vertex is no conflict of the cell under the perturbation;
-//   (5) each hull facet (one without neighbour) has o strictly on its cell's side;
-//   (6) at each ridge of the hull, where two hull facets meet when one turns around it through the cells, neither
-//       facet's remaining vertex is beyond the other facet's hyperplane;
-//   (7) one cell only contains o;
-//   (8) each hidden point lies in a cell with which it is not in conflict.
+//   (4) for each facet with two cells, the vertex opposite in one cell is not in conflict with the other cell;
+//   (5) each hull facet (one with a single cell) has o strictly on the side of its cell;
+//   (6) at each ridge of the hull, where turning around it through the cells leads from one hull facet to another,
+//       neither facet has its remaining vertex beyond the hyperplane of the other;
+//   (7) only one cell contains o;
+//   (8) each hidden point lies in a cell that it is not in conflict with.
 //
 // Why this proves T(P). Choose the infinitesimals of o and of the perturbation as real numbers so small that all the
-// finitely many signs stay as they are; "generic" means off the hyperplanes of all facets. Let n(x) be the number of
-// cells that contain a generic x. By (2) and (3) n does not change across a facet of two cells: one is lost, one
-// gained. Across a hull facet it falls by one to the facet's outside. Facets of the hull are paired at ridges: turning
-// around a ridge is an injective map of flags by (3), so it never runs in circles and ends at another hull facet, which
-// by (2), (3) has the opposite orientation at the ridge. By (5) the hull is thus star-shaped about o: projected from o
-// to the sphere, neighbouring facets lie on opposite sides of their ridge, so the projection covers the sphere equally
-// often everywhere, and any generic ray from o crosses the hull n(o) times, each time outward. By (7) that is once, and
-// the hull is the boundary of one star-shaped body Q with n = 1 in it and n = 0 outside. A section of Q by a generic
-// plane through o is a star-shaped polygon, convex at each corner by (6), so convex; so is Q. Q contains all of P:
-// vertices and duplicates by (1), hidden points by (8); so Q = conv(P), and the cells tile it. Let g be the function on
-// Q that is affine on each cell and takes the lifted heights at the vertices. Along any generic segment g is
-// continuous, as neighbours share a facet's vertices, and strictly convex at each facet crossed, by (4). So the plane
-// of any cell lies below g on all of Q, hence below each lifted vertex; below each hidden one by (8), as it is a
-// conflict or not by the plane over its own place. With perturbed heights "below" is strict but for the cell's own
-// vertices: each cell is a facet of the lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none
-// is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
-// o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+// finitely many signs stay as they are. "Generic" means off the hyperplanes of all facets.
+//   The cells near a facet. Let n(x) be the number of cells that contain a generic x. By (2) and (3) n does not change
+// across a facet of two cells: one cell is left, one entered. Across a hull facet, outward, it falls by one.
+//   The hull is star-shaped. Facets of the hull are paired at ridges: turning around a ridge is an injective map of
+//   flags
+// by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite orientation
+// at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of their ridge.
+// So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the hull n(o) times,
+// each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about o, with n = 1
+// inside and n = 0 outside.
+//   The hull is convex. A section of Q by a generic plane through o is a star-shaped polygon, convex at each corner by
+// (6), and therefore convex; so Q is convex. Q contains all of P: vertices and duplicates by (1), hidden points by (8).
+// So Q = conv(P), and the cells tile it.
+//   The cells are Delaunay. Let g be the function on Q that is affine on each cell and takes the lifted heights at the
+// vertices. Along any generic segment g is continuous, as neighbours share the vertices of a facet, and strictly convex
+// at each facet crossed, by (4). So the plane of any cell lies below g on all of Q, and hence below each lifted vertex.
+// It lies below each lifted hidden point by (8), as the plane of the cell under such a point decides whether it is in
+// conflict. With perturbed heights "below" is strict except at the vertices of the cell: each cell is a facet of the
+// lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none is there twice.
+//   Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5): the interior of Q contains o.
+//   Nothing
+// else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+//
+// This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
+// has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
+// paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
 
-enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
-// What is done, one after another, with the part of the work that is done when it begins
+// The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
     X(READ, 0.0)                                                                                                       \
     X(LEAD, 0.02)                                                                                                      \
@@ -13174,17 +13187,18 @@ typedef struct paradt__check {
     const paradt_options *options; // may be NULL
     paradt_fault *fault;
     paradt__memory memory;
-    paradt__set set;               // the records of all the caller's points, by the caller's index
-    size_t corners;                // dim + 1, of a cell
-    const paradt_index *neighbors; // t->neighbors or matched
-    int halves;                    // 1: they are half-facets
+    paradt__set set;               // the records of all points, by the caller's index
+    size_t corners;                // vertices of a cell: dim + 1
+    const paradt_index *neighbors; // t->neighbors or `matched`
+    int halves;                    // 1: neighbors are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
-    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
-    const double
-        *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
+    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: not a vertex
+    // o is the first of these vertices, moved towards the second, by infinitely less towards the third, and so on.
+    const double *origin[PARADT_MAX_DIM + 1];
     paradt__check_phase phase;
 } paradt__check;
 
+// Says what is wrong. cell, point: an index, or -1
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
                                         paradt_index point) {
     check->fault->reason = reason;
@@ -13193,19 +13207,20 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
+// Tells the progress callback that `done` of the phase's elements are done; to be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
 #define PARADT__CHECK_BEGIN(name, begin) begin,
     static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
 #undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
     double fraction = begins[check->phase];
+    PARADT_ASSERT(done <= all);
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
     fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
-// The cell across a facet (numbered cell * corners + corner); negative: none
+// Returns the cell across a facet, whose number is cell * corners + corner; -1: none.
 PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
     paradt_index neighbor = check->neighbors[facet];
     return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
@@ -13215,22 +13230,25 @@ PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check
     return check->t->cells + cell * check->corners;
 }
 
+// Fills corners with the coordinates of the cell's vertices.
 static void paradt__check_gather(const paradt__check *check, size_t cell, const double **corners) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i;
     for (i = 0; i < check->corners; i++) corners[i] = paradt__record(&check->set, vertices[i]);
 }
 
-// In dimension 0 a cell is a point and the empty determinant is 1.
+// Returns the orientation of a cell. In dimension 0 a cell is a point, and the empty determinant is 1.
 static int paradt__check_orient(paradt__check *check, const double *const *corners) {
     return check->set.space.dim == 0 ? 1 : paradt__orient(&check->set.space, corners);
 }
 
-// On which side of the facet opposite `corner` x lies: 1 is the cell's. corners come back as they were.
+// Returns on which side of the facet opposite `corner` the point x lies: 1 on the side of the cell, 0 on its
+// hyperplane, -1 beyond it. corners: the cell's; they come back as they were.
 static int paradt__check_side(paradt__check *check, const double **corners, size_t corner, const double *x) {
     const double *own = corners[corner];
     int side;
     size_t i;
+    PARADT_ASSERT(corner < check->corners);
     if (x == own) return 1;
     for (i = 0; i < check->corners; i++)
         if (x == corners[i]) return 0;
@@ -13242,13 +13260,13 @@ static int paradt__check_side(paradt__check *check, const double **corners, size
 
 // --- points: condition (1) up to "is a vertex"
 
-// The predicates' error bounds are those of one dimension
+// Sets the dimension in which the predicates work, and their error bounds.
 static void paradt__check_set_dim(paradt__check *check, int dim) {
     check->set.space.dim = dim;
     if (dim > 0) paradt__space_end(&check->set.space);
 }
 
-// ... and of the coordinates that stand at their places.
+// Measures all records anew, as the order of their coordinates has changed, and sets the dimension.
 static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__space *space = &check->set.space;
     size_t i;
@@ -13257,6 +13275,7 @@ static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__check_set_dim(check, dim);
 }
 
+// Reads the points.
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__source source = paradt__source_of(points);
     paradt__set *set = &check->set;
@@ -13278,7 +13297,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     return PARADT_OK;
 }
 
-// Takes the coordinate at place `axis` of all records to their end; `axis` of them orient.
+// Moves the coordinate at place `axis` of all records to the end of the coordinates. `axis` axes are taken so far.
 static void paradt__check_pass_over(paradt__check *check, int axis) {
     size_t i, after = (size_t)(check->set.space.ambient - axis - 1);
     for (i = 0; i < check->set.count; i++) {
@@ -13289,9 +13308,10 @@ static void paradt__check_pass_over(paradt__check *check, int axis) {
     paradt__check_measure(check, axis);
 }
 
-// The affine dimension. Axes are taken from the first to the last, each that makes the projection to the axes taken
-// larger: one point out of the flat of the basis shows it. One that is passed over is an affine function of those
-// taken, for all points are then exactly in that flat. In the end the records begin with the axes taken.
+// Determines the affine dimension. Axes are taken from the first to the last: each one that raises the dimension of the
+// projection to the axes taken, which one point off the flat of the basis shows. An axis that is passed over is an
+// affine function of those taken, for then all points are exactly in that flat. In the end the records begin with the
+// axes taken.
 static paradt_status paradt__check_dimension(paradt__check *check) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, taken = 0, ambient = check->set.space.ambient;
@@ -13314,18 +13334,19 @@ static paradt_status paradt__check_dimension(paradt__check *check) {
     return PARADT_OK;
 }
 
-// The place in the table of the points that have the record's coordinates, or of an empty one.
+// Returns the slot of the table that holds the record's coordinates, or the empty slot where they belong.
 static size_t paradt__check_place(const paradt__check *check, const paradt_index *table, size_t slots,
                                   const double *record) {
     int ambient = check->set.space.ambient;
     size_t slot = (size_t)paradt__hash_coordinates(record, ambient) & (slots - 1);
+    PARADT_ASSERT(slots > check->set.count && !(slots & (slots - 1)));
     while (table[slot] >= 0 &&
            memcmp(paradt__record(&check->set, table[slot]), record, (size_t)ambient * sizeof(double)))
         slot = (slot + 1) & (slots - 1);
     return slot;
 }
 
-// Fills the table with the point that has to stand for its place: the heaviest, then the first.
+// Fills the table with the point that has to stand for each place: the heaviest, among these the first.
 static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
     paradt_status status = PARADT_OK;
@@ -13342,6 +13363,7 @@ static paradt_status paradt__check_lead(const paradt__check *check, paradt_index
     return status;
 }
 
+// Compares representatives with the points that have to stand for their places.
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
     paradt_status status = PARADT_OK;
@@ -13360,6 +13382,7 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
     return status;
 }
 
+// Condition (1), but for whether representatives are vertices.
 static paradt_status paradt__check_representatives(paradt__check *check) {
     paradt_status status;
     paradt_index *table;
@@ -13385,6 +13408,7 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
 
 // --- cells: condition (2), the rest of (1)
 
+// Checks that the cell's vertices are distinct representatives, and notes the cell for each of them.
 static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i, j;
@@ -13403,6 +13427,7 @@ static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     return PARADT_OK;
 }
 
+// Condition (2), and the rest of (1).
 static paradt_status paradt__check_cells(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t i, cell_count = check->t->cell_count;
@@ -13427,12 +13452,14 @@ static paradt_status paradt__check_cells(paradt__check *check) {
 
 // --- facets: conditions (3) and (4)
 
-// The corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 when they don't share it.
-// place becomes where each vertex is found in the other cell, with the opposite one in the place of `corner`.
+// Returns the corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 if the cells do not
+// share that facet. place[i] becomes the corner of `other` at which vertex i of `cell` stands; place[corner] the one
+// that is returned.
 static int paradt__check_across(const paradt__check *check, size_t cell, size_t corner, size_t other, size_t *place) {
     const paradt_index *a = paradt__check_cell(check, cell), *b = paradt__check_cell(check, other);
     unsigned left = (1u << check->corners) - 1;
     size_t i, j;
+    PARADT_ASSERT(corner < check->corners && cell < check->t->cell_count && other < check->t->cell_count);
     for (i = 0; i < check->corners; i++) {
         if (i == corner) continue;
         for (j = 0; j < check->corners && a[i] != b[j]; j++) {
@@ -13446,8 +13473,8 @@ static int paradt__check_across(const paradt__check *check, size_t cell, size_t 
     return a[corner] == b[j] ? -1 : (int)j;
 }
 
-// Given that both cells are positively oriented, the vertices opposite a shared facet are on different sides if and
-// only if replacing one by the other turns the orientation over.
+// Is the permutation odd? Of two positively oriented cells with a common facet, the opposite vertices lie on different
+// sides of it if and only if `place` is odd: replacing one vertex by the other reverses the orientation.
 static int paradt__check_is_odd(const size_t *place, size_t corners) {
     size_t i, j;
     int odd = 0;
@@ -13456,6 +13483,7 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
     return odd;
 }
 
+// Conditions (3) and (4) for one facet.
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
     size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
     paradt_index neighbor = paradt__check_neighbor(check, facet);
@@ -13484,6 +13512,7 @@ static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size
     return PARADT_OK;
 }
 
+// Conditions (3) and (4).
 static paradt_status paradt__check_facets(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 2];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13497,8 +13526,8 @@ static paradt_status paradt__check_facets(paradt__check *check) {
     return PARADT_OK;
 }
 
-// Looks for the facet of the cell opposite `corner` in the table of facets (numbered cell * corners + corner, plus 1; 0
-// is empty). Returns its place there, or the empty one where it belongs.
+// Returns the slot of the table that holds the facet opposite `corner` of the cell, or the empty slot where it belongs.
+// table: facets, each its number cell * corners + corner, plus 1; 0: empty
 static size_t paradt__check_facet_place(const paradt__check *check, const size_t *table, size_t slots, size_t cell,
                                         size_t corner) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
@@ -13520,7 +13549,7 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
     return slot;
 }
 
-// Adjacency for a triangulation that comes without: cells with equal facets are neighbours.
+// Finds the neighbours of a triangulation that comes without: cells with equal facets.
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
@@ -13544,6 +13573,7 @@ static paradt_status paradt__check_match(paradt__check *check, size_t *table, si
     return PARADT_OK;
 }
 
+// Takes the neighbours, each of which has to be a cell or a half-facet, or finds them.
 static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
@@ -13558,7 +13588,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
                                           (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
-    while (slots < facets + facets / 4) // most facets are there twice and take one place
+    while (slots < facets + facets / 4) // most facets are there twice and take one slot
         slots *= 2;
     check->neighbors = check->matched = (paradt_index *)paradt__alloc(&check->memory, facets, sizeof(paradt_index));
     table = (size_t *)paradt__alloc(&check->memory, slots, sizeof *table);
@@ -13572,10 +13602,17 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     return status;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of the hull
+//
+// The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
+// and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
+// that makes triangulations. Door: paradt_check.
+
 // --- the hull and the covering: conditions (5) to (7)
 
 // Is o on the cell's side of the facet opposite `corner`? The orientation is affine in o, so its sign is that of the
-// first of o's vertices that is off the facet; they are not all on it, being those of a cell.
+// first of o's vertices that is off the facet. Not all of them are on it, as they are the vertices of a cell.
 static int paradt__check_holds_origin(paradt__check *check, const double **corners, size_t corner) {
     size_t i;
     int side = 0;
@@ -13583,7 +13620,8 @@ static int paradt__check_holds_origin(paradt__check *check, const double **corne
     return side > 0;
 }
 
-// The lexicographically smallest vertex is o's first, so most cells are passed by on their first coordinates.
+// Chooses o near the lexicographically smallest vertex, so that most cells can be passed over by their first
+// coordinates.
 static void paradt__check_choose_origin(paradt__check *check) {
     size_t i, smallest = check->set.count, home;
     const double *first;
@@ -13600,7 +13638,7 @@ static void paradt__check_choose_origin(paradt__check *check) {
     check->origin[0] = first;
 }
 
-// Are all corners on one side of o's first vertex, strictly and along one axis?
+// Are all corners strictly on one side of o's first vertex along some axis? Then the cell does not contain o.
 static int paradt__check_is_apart(const paradt__check *check, const double *const *corners) {
     int axis;
     for (axis = 0; axis < check->set.space.dim; axis++) {
@@ -13615,10 +13653,10 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
     return 0;
 }
 
-// The vertex in which the hull facet opposite `corner` of the cell is met, across the ridge without the corner `aside`
-// too, by the next hull facet: turns around the ridge from cell to cell. `leave` is the corner whose facet is left
-// through, `stay` the one that is not of the ridge and stays. For each flag (cell, leave, stay) there is one before it
-// at most, and none before the first, so this ends.
+// The hull facet opposite `corner` of the cell has a ridge, without the corner `aside` too. Returns the remaining
+// vertex of the other hull facet at this ridge, by turning around the ridge from cell to cell: `leave` is the corner
+// opposite the facet that the cell is left through, `stay` the other corner that is not in the ridge. Each flag (cell,
+// leave, stay) has at most one predecessor, and the first has none, so this ends.
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
@@ -13632,6 +13670,7 @@ static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, 
     }
 }
 
+// Conditions (5) and (6) for one hull facet.
 static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell, size_t corner,
                                               const double **corners) {
     size_t aside;
@@ -13648,6 +13687,7 @@ static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell,
     return PARADT_OK;
 }
 
+// Conditions (5) to (7).
 static paradt_status paradt__check_hull(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13679,8 +13719,8 @@ typedef struct paradt__check_key {
     paradt_index point;
 } paradt__check_key;
 
-// The place of x in a Morton order of a grid of 2^bits cells an axis over the box. Only the time of the walks depends
-// on it. A box so thin that its width has no inverse is not divided.
+// Returns the place of x in the Morton order of a grid with 2^bits cells along each axis of the box. Only the time of
+// the walks depends on it. A box so thin that its width has no inverse is not divided.
 static uint64_t paradt__check_morton(const double *x, const double *low, const double *high, int dim, int bits) {
     uint64_t key = 0, limit = ((uint64_t)1 << bits) - 1, cell[PARADT_MAX_DIM];
     int axis, bit;
@@ -13695,7 +13735,7 @@ static uint64_t paradt__check_morton(const double *x, const double *low, const d
     return key;
 }
 
-// The vertices and hidden points, in no order yet. Returns how many there are.
+// Lists the vertices and hidden points with their keys, in no order yet. Returns how many there are.
 static size_t paradt__check_list(const paradt__check *check, paradt__check_key *keys) {
     const paradt__set *set = &check->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -13719,7 +13759,7 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
     return listed;
 }
 
-// By key, in passes of a digit from the lowest; there are an even number, so the result is in keys again.
+// Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
 static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
@@ -13734,9 +13774,9 @@ static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other
     }
 }
 
-// Moves *cell to one that contains the point, across facets that have it on their other side. In a regular
-// triangulation, which the cells are known to be by now, such a walk never comes back to a cell (Edelsbrunner, "An
-// acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+// Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
+// it. The cells are known to be a regular triangulation by now, and in such a triangulation the walk never comes back
+// to a cell (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
 static paradt_status paradt__check_walk(paradt__check *check, paradt_index point, paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 2], *x = paradt__record(&check->set, point);
     for (;;) {
@@ -13753,6 +13793,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
     return PARADT_OK;
 }
 
+// Condition (8).
 static paradt_status paradt__check_hidden(paradt__check *check) {
     paradt__check_key *keys;
     paradt_status status = PARADT_OK;
@@ -13776,6 +13817,22 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
 
 // --- all of it
 
+// Tests the conditions of a triangulation that has points, each in an order in which it may rely on those before.
+static paradt_status paradt__check_conditions(paradt__check *check) {
+    paradt_status status = paradt__check_representatives(check);
+    check->phase = PARADT__CHECK_CELLS;
+    if (!status) status = paradt__check_cells(check);
+    if (!status && !check->t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__check_facets(check);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__check_hull(check);
+    check->phase = PARADT__CHECK_HIDDEN;
+    return status ? status : paradt__check_hidden(check);
+}
+
 static paradt_status paradt__check_all(paradt__check *check, const paradt_points *points) {
     const paradt_triangulation *t = check->t;
     paradt_status status;
@@ -13785,26 +13842,14 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
-    if (status) return status;
-    if (!points->count)
-        return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
-    status = paradt__check_representatives(check);
-    check->phase = PARADT__CHECK_CELLS;
-    if (!status) status = paradt__check_cells(check);
-    if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
-    check->phase = PARADT__CHECK_MATCH;
-    if (!status) status = paradt__check_adjacency(check);
-    check->phase = PARADT__CHECK_FACETS;
-    if (!status) status = paradt__check_facets(check);
-    check->phase = PARADT__CHECK_HULL;
-    if (!status) status = paradt__check_hull(check);
-    check->phase = PARADT__CHECK_HIDDEN;
-    if (!status) status = paradt__check_hidden(check);
+    if (!status && !points->count && t->cell_count)
+        status = paradt__check_fail(check, "there are cells without points", -1, -1);
+    if (!status && points->count) status = paradt__check_conditions(check);
     check->phase = PARADT__CHECK_END;
     return status ? status : paradt__check_pace(check, 0, 1);
 }
 
-// What is missing in the triangulation; NULL: nothing.
+// Returns what is missing in the triangulation; NULL: nothing.
 static const char *paradt__check_triangulation(const paradt_triangulation *t) {
     if (!t) return "triangulation is NULL";
     if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
