@@ -2950,9 +2950,10 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
     PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
-    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
+    PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
+    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
 };
 
 // --- sorting by keys
@@ -4582,10 +4583,10 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
-// the set remains as it is. On return set->grade_limit
-// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points. On
+// return set->grade_limit is the largest sagitta, and set->grade_error the error by cutting off:
+// paradt__set_grade_bounds makes bounds of them. *nearby: whether all points are so near to the sphere; if not, or
+// after an error, the set is as it was. meter: NULL, or asked now and then.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
@@ -4631,7 +4632,8 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
+// Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
+// nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
 static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
                                        paradt__memory *memory) {
     double radius2;
