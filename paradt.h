@@ -1242,6 +1242,7 @@ static uint64_t paradt__mix(uint64_t h) {
 // callback has asked for it, all tasks find the work cancelled at their next look.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
@@ -7370,8 +7371,6 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     }
     return status;
 }
-
-enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 // Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
