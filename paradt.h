@@ -1368,6 +1368,7 @@ static double paradt__widen(uint32_t bits) {
 // callback has asked for it, all tasks find the work cancelled at their next look.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
@@ -7648,6 +7649,20 @@ static void paradt__front_note_seeded(paradt__front *front, const paradt_index *
 // Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
+// Fills the keys of a cell's facets and the active facets' chains for them, and prefetches what these begin with.
+PARADT__INLINE void paradt__front_keys(const paradt__facets *active, const paradt_index *cell, int corners,
+                                       paradt__facet_key *key, paradt_index **chain) {
+    uint64_t sum = paradt__cell_sum(cell, corners);
+    int i;
+    for (i = 0; i < corners; i++) {
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(active, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(active->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+}
+
 // Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
 // the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
 // vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
@@ -7656,21 +7671,14 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
                                                  int corners) {
     paradt__mesh *mesh = &front->mesh;
     paradt_index base = (paradt_index)mesh->count * corners;
-    uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
     PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
-    for (i = 0; i < corners; i++) {
-        mesh->vertices[base + i] = cell[i];
-        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
-        key[i].smallest = paradt__smallest_but(cell, corners, i);
-        chain[i] = paradt__facets_chain(table, key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+    for (i = 0; i < corners; i++) mesh->vertices[base + i] = cell[i];
+    paradt__front_keys(table, cell, corners, key, chain);
     for (i = 0; i < corners && !status; i++) {
         paradt_index mirror = from;
         if (i != across) {
@@ -7718,8 +7726,6 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     }
     return status;
 }
-
-enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 // Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
@@ -8149,8 +8155,8 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
 // After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
-// A weighted point is hidden if no cell is in conflict with it, and a vertex becomes hidden if no facet of the rim has
-// it.
+// A weighted point is hidden if no cell is in conflict with it; a vertex becomes hidden if it is on no facet of the
+// rim.
 //
 // Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
@@ -8226,7 +8232,8 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
 }
 
 // Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
-// surfaces have more cells; of many points as many as tell how many cells the others will have. Then rows are copied.
+// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
+// copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
@@ -8664,8 +8671,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// Row i: the order of the vertices of a cell but for vertex i that keeps the orientation if what replaces vertex i
-// comes last
+// Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
 // Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
@@ -8845,8 +8851,7 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Changes over to sagittas if the records have them, and if they are so small that without them most powers would be in
-// doubt.
+// Changes over to sagittas if the records have them, so small that without them most powers would be in doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
@@ -8856,13 +8861,30 @@ static void paradt__kept_grade(paradt__insertion *build) {
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
+// Finds what the set's bounding box decides: its centre, and what bounds on errors and ghosts are made of.
+static void paradt__kept_measure(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
+        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+    }
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
+    paradt__kept_grade(build);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+}
+
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called as
-// well.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
-    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
-    int axis;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
+    size_t room, bytes, i;
     if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
         return PARADT_OK;
     while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
@@ -8880,18 +8902,7 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    for (axis = 0; axis < 3; axis++) {
-        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
-        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
-        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
-        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
-    }
-    s->box_square = s->frame.square;
-    s->steepness = sqrt(s->box_square) * paradt__power(60);
-    paradt__kept_grade(build);
-    s->zero_below =
-        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    paradt__kept_measure(build);
     PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
@@ -9836,8 +9847,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// Replaces the vertices in kept->spokes by the edges from the point to them. The last four may be padded: by any
-// vertex.
+// Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
+// four.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
