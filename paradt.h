@@ -800,7 +800,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   ground
 //     memory                       166   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        181   progress, teams, pauses, the clock
+//     tasks                        182   progress, teams, pauses, the clock
 //   predicates
 //     space                        233   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
@@ -808,14 +808,14 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     exact                        584   signs in integers
 //     signs                        250   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        323   Hilbert's curve, sorting along it
+//     curve                        324   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
 //     sorting                      372   along the curve, box after box
 //     scale and axes               102   the scale, the axes that orient
-//     reference sphere             194   sagittas near a sphere
+//     reference sphere             195   sagittas near a sphere
 //   mesh
 //     mesh                         636   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
@@ -829,12 +829,12 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
-//     front                        403   what facet by facet has in common
+//     front                        408   what facet by facet has in common
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           120   rounds along the curve
-//     insertion                    254   dig and star, in any dimension
-//     kept spheres                 503   conflict tests by one product, in space
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 507   conflict tests by one product, in space
 //     insertion in space           651   dig and star with kept spheres
 //     insertion in space by AVX2   463   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
@@ -852,7 +852,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   division
 //     remote                       352   @@
 //   check
-//     check                        737   the certificate
+//     check                        495   the certificate
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
