@@ -813,7 +813,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
-//     sorting                      372   along the curve, box after box
+//     sorting                      373   along the curve, box after box
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
@@ -2945,8 +2945,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // equal points have equal keys, and are found by them. So keys are made from the bits of the coordinates in integer
 // arithmetic, and no compiler flag changes them. The curve is D. Hilbert's (Math. Annalen 38, 1891), its step in any
 // dimension is C. Hamilton's ("Compact Hilbert indices", Dalhousie University, CS-2006-07).
-// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for those
-// who make keys in a way of their own paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
+// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for
+// callers that make keys in their own way paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
 // paradt__hilbert_key, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
@@ -2959,7 +2959,7 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
+    PARADT__MANY_KEYS = 2048,     // from so many keys on the table for many points pays
     PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
     // of the curve in two or three dimensions, at most: dim << dim
     PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
@@ -2967,8 +2967,8 @@ enum {
 
 // --- sorting by keys
 
-// Returns the bits of a key that the next pass sorts by, of those that are left. Enough to give each of `count` keys
-// a value of its own, if they are spread evenly; where that takes too large a table, half as many, for two passes.
+// Returns how many bits of a key the next pass sorts by, of the `bits` that are left: enough that each of `count`
+// evenly spread keys has a value of its own. Where the table would be too large, half as many, for two passes.
 static int paradt__digit_bits(size_t count, int bits) {
     int wanted = paradt__bit_length(count) - 1;
     if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
@@ -3067,8 +3067,7 @@ PARADT__INLINE uint64_t paradt__lattice_place(const paradt__lattice *lattice, in
     return (uint64_t)place - (uint64_t)lattice->low[axis];
 }
 
-// Chooses the units along each axis: such that all of the box fits into 62 bits. On axes without extent all places
-// are 0.
+// Chooses the unit of each axis, so that the box fits into 62 bits. On an axis without extent all places are 0.
 static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, const int64_t *high) {
     int axis, largest = -1074, own;
     for (axis = 0; axis < lattice->dim; axis++) {
@@ -3119,7 +3118,7 @@ PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *e
     start = (place - (place != 0)) & ~1u;
     start ^= start >> 1;
     *entry ^= (start << rotation | start >> (n - rotation)) & all;
-    // by the ones at the end of an odd place and those of the place before an even one
+    // counts the trailing ones of an odd place, or of the place before an even one
     *direction = (rotation + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
     return place;
 }
@@ -3370,7 +3369,7 @@ PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t inde
     PARADT__FETCH((const char *)points->data, begin + size - 1);
 }
 
-// Makes a double of its bits, 0.0 of those of -0.0.
+// The double with these bits; 0.0 for the bits of -0.0
 PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
     return paradt__from_bits(bits << 1 ? bits : 0);
 }
@@ -3536,8 +3535,8 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   order     positions, in the order in which points are tried; NULL: the order of the set, from basis[0] on
 //   given     number of points that are already in the basis: none, one, or two different ones
 //   basis     positions of the points; [dim + 1], with axes [ambient + 1]
-//   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
-//             return the axes in which the points are independent come first, one less than points, then the others
+//   axes      NULL: only the set's first `dim` axes count, which orient. Else [ambient], and all axes count: on return
+//             the axes in which the points are independent come first, one fewer than points, then the others
 //   counters  of predicates
 //   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
@@ -3607,8 +3606,8 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
     return first;
 }
 
-// Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
-// rounded: all that matters is that they never get smaller as a point moves away from the cut.
+// Returns the cut nearest to x among the cuts that bound its box, the first of several; NULL: no cut does. Distances
+// are rounded: all that matters is that they never get smaller as a point moves away from the cut.
 PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
@@ -3623,7 +3622,7 @@ PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cut
     return nearest;
 }
 
-// Writes the bounds of a box into low and high; those that it does not have stay as they are.
+// Writes the bounds of a box into low and high. Where the box has no bound, the value there stays.
 static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
     size_t first = 0, boxes = cuts->boxes;
     PARADT_ASSERT(box < boxes);
@@ -3792,10 +3791,9 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 //
 // The first pass over the caller's points, shared between the tasks of a team: finds the first point that is not
 // finite, measures the set for the predicates, takes a sample, and makes the pages of the memory that is filled from
-// then on. The loader is what this pass and those of >>sorting work on. Each pass looks in on the caller every few
-// thousand points, so that a call can be cancelled meanwhile.
-// Doors: paradt__loader_begin, paradt__loader_allocate, paradt__loader_free, paradt__loader_range,
-// paradt__loader_cancels, paradt__loader_survey.
+// then on. The loader is the state that this pass shares with the passes of >>sorting. Each pass asks every few
+// thousand points whether the call is cancelled. Doors: paradt__loader_begin, paradt__loader_allocate,
+// paradt__loader_free, paradt__loader_range, paradt__loader_cancels, paradt__loader_survey.
 
 enum {
     PARADT__MOST_FIRST_BITS = 8,  // bits of a key that all points are scattered by first, at most
@@ -3930,7 +3928,8 @@ static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     }
 }
 
-// Number of the sample's intervals that end up to a point. In integers: where a task ends the next one begins.
+// Number of the sample's intervals that end at or before a point. Computed in integers, so that a task's intervals
+// begin where the previous task's end.
 static size_t paradt__intervals_until(const paradt__loader *loader, size_t index) {
     return (size_t)((uint64_t)index * loader->sampled / loader->source->points.count);
 }
@@ -4158,9 +4157,10 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
-// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
-// large a part of them share places. Where points fill space a larger part does, but still a small one.
+// Would many points share places of a lattice with so many levels? If so, keys of more levels take less time than
+// sorting these points anew. A few points of the sample tell, on a lattice with fewer levels: the number is such that,
+// on a surface, the few share places as often as all points do on the finer lattice. In space the few share places more
+// often than that, but still rarely.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -4362,9 +4362,9 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
 // >>scale and axes
 //
 // The last steps that make a set: its coordinates are scaled by a power of two where that loses no bit, and permuted so
-// that the first `dim` of them orient. The axes are taken greedily from the first to the last, so the lexicographic
-// order over those taken is the one over all coordinates: a coordinate passed over is an affine function of those taken
-// before it.
+// that the first `dim` of them orient. The axes are taken greedily, from the first to the last. So the lexicographic
+// order over the axes taken is the order over all coordinates: a coordinate passed over is an affine function of the
+// coordinates taken before it.
 // Doors: paradt__set_load; paradt__set_scale, paradt__set_permute, paradt__set_measure, paradt__set_measured for sets
 // that are parts of one.
 
