@@ -1678,8 +1678,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                       const paradt__range *weights) {
+PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                         const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -2012,7 +2012,7 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
 //   w = 2  differences of 117 bits, with all digits balanced
 
 // Computes p[2 w], the determinant of the rows a and b in the first two columns.
-PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+PARADT__INLINE void paradt__pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
     paradt__multiply_add(sum, 1, a, w, b + w, w);
@@ -2020,17 +2020,41 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
+PARADT__NOINLINE void paradt__pair_two(paradt__digit *p, const paradt__digit *a, const paradt__digit *b) {
+    paradt__pair(p, a, b, 2);
+}
+
+// Does the same. The code for two digits is long and there only once.
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    if (w == 1) paradt__pair(p, a, b, 1);
+    else paradt__pair_two(p, a, b);
+}
+
 // Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
 // third: digits of an entry in the third column
-PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
-                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
-                                         const paradt__digit *ab, int w) {
+PARADT__INLINE void paradt__triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                   const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                   const paradt__digit *ab, int w) {
     paradt__wide sum[8];
     paradt__clear(sum, 2 * w + third);
     paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
     paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
     paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
     paradt__store(t, sum, 2 * w + third);
+}
+
+PARADT__NOINLINE void paradt__triple_two(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab) {
+    paradt__triple(t, 2, a, bc, b, ac, c, ab, 2);
+}
+
+// Does the same for third entries of w digits.
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    if (w == 1) paradt__triple(t, 1, a, bc, b, ac, c, ab, 1);
+    else paradt__triple_two(t, a, bc, b, ac, c, ab);
 }
 
 // The sign of the determinant. w: a constant, 1 or 2
@@ -2044,17 +2068,17 @@ PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, i
     paradt__fixed_pair(p02, x0, x2, w);
     paradt__fixed_pair(p12, x1, x2, w);
     if (n == 3 && k == 2) {
-        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        paradt__triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
         return paradt__sign(t012, 4 * w);
     }
-    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    paradt__fixed_triple(t012, x0, p12, x1, p02, x2, p01, w);
     if (n == 3) return paradt__sign(t012, 3 * w);
     paradt__fixed_pair(p03, x0, x3, w);
     paradt__fixed_pair(p13, x1, x3, w);
     paradt__fixed_pair(p23, x2, x3, w);
-    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
-    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
-    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
+    paradt__fixed_triple(t123, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
