@@ -1062,10 +1062,11 @@ static double paradt__now(void) {
 //   general  for any exponents and any dimension, with as many digits as it takes
 // No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
 // dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
-// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
-// more; the other stages take 9 KB.
-// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// most in-sphere tests that get there. A predicate, compiled with optimisation, takes less than 26 KB in all in 2 and 3
+// dimensions and 73 KB in more. The other stages take 9 KB.
+// Filters with bounds for a whole set come from Fortune and Van Wyk (Efficient exact arithmetic for computational
+// geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
+// fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
 // paradt__space_end, paradt__compare.
 
@@ -1608,11 +1609,11 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>exact
 //
-// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
-// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// The exact stages: signs of determinants in integers, for what the filters left undecided. The columns and the bits of
+// their numbers decide which stage takes a determinant (paradt__exact_inline). The small stage expands it by minors in
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
-// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
-// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
+// is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
