@@ -1560,10 +1560,11 @@ static double paradt__now(void) {
 //   general  for any exponents and any dimension, with as many digits as it takes
 // No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
 // dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
-// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
-// more; the other stages take 9 KB.
-// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// most in-sphere tests that get there. A predicate, compiled with optimisation, takes less than 26 KB in all in 2 and 3
+// dimensions and 73 KB in more. The other stages take 9 KB.
+// Filters with bounds for a whole set come from Fortune and Van Wyk (Efficient exact arithmetic for computational
+// geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
+// fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
 // paradt__space_end, paradt__compare, paradt__rounding.
 
@@ -2106,11 +2107,11 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>exact
 //
-// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
-// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// The exact stages: signs of determinants in integers, for what the filters left undecided. The columns and the bits of
+// their numbers decide which stage takes a determinant (paradt__exact_inline). The small stage expands it by minors in
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
-// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
-// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
+// is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
@@ -2176,8 +2177,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                       const paradt__range *weights) {
+PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                         const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -2510,7 +2511,7 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
 //   w = 2  differences of 117 bits, with all digits balanced
 
 // Computes p[2 w], the determinant of the rows a and b in the first two columns.
-PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+PARADT__INLINE void paradt__pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
     paradt__multiply_add(sum, 1, a, w, b + w, w);
@@ -2518,17 +2519,41 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
+PARADT__NOINLINE void paradt__pair_two(paradt__digit *p, const paradt__digit *a, const paradt__digit *b) {
+    paradt__pair(p, a, b, 2);
+}
+
+// Does the same. The code for two digits is long and there only once.
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    if (w == 1) paradt__pair(p, a, b, 1);
+    else paradt__pair_two(p, a, b);
+}
+
 // Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
 // third: digits of an entry in the third column
-PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
-                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
-                                         const paradt__digit *ab, int w) {
+PARADT__INLINE void paradt__triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                   const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                   const paradt__digit *ab, int w) {
     paradt__wide sum[8];
     paradt__clear(sum, 2 * w + third);
     paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
     paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
     paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
     paradt__store(t, sum, 2 * w + third);
+}
+
+PARADT__NOINLINE void paradt__triple_two(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab) {
+    paradt__triple(t, 2, a, bc, b, ac, c, ab, 2);
+}
+
+// Does the same for third entries of w digits.
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    if (w == 1) paradt__triple(t, 1, a, bc, b, ac, c, ab, 1);
+    else paradt__triple_two(t, a, bc, b, ac, c, ab);
 }
 
 // The sign of the determinant. w: a constant, 1 or 2
@@ -2542,17 +2567,17 @@ PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, i
     paradt__fixed_pair(p02, x0, x2, w);
     paradt__fixed_pair(p12, x1, x2, w);
     if (n == 3 && k == 2) {
-        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        paradt__triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
         return paradt__sign(t012, 4 * w);
     }
-    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    paradt__fixed_triple(t012, x0, p12, x1, p02, x2, p01, w);
     if (n == 3) return paradt__sign(t012, 3 * w);
     paradt__fixed_pair(p03, x0, x3, w);
     paradt__fixed_pair(p13, x1, x3, w);
     paradt__fixed_pair(p23, x2, x3, w);
-    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
-    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
-    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
+    paradt__fixed_triple(t123, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
