@@ -6999,7 +6999,7 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // >>reach
 //
 // Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
-// rule, see the section of patches.)
+// rule, see >>patches.)
 //
 // Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
 // axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
