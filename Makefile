@@ -18,7 +18,7 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run check test bench thesis study clean help test-programs test-list
+.PHONY: all run check test bench thesis study lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -61,8 +61,8 @@ NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
 RACES        := tests/methods_agree.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
-QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/definition.c tests/resources.c,$(C_TESTS))
-QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh,$(SHELL_TESTS))
+QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/resources.c,$(C_TESTS))
+QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))
@@ -181,6 +181,15 @@ $(BUILD)/bench/study: tests/bench/study.c
 
 study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
 	sh tests/bench/study.sh
+
+LIBRARY := $(BUILD)/libparadt.so
+# Only the public functions are visible.
+lib: $(LIBRARY) ## Build a shared library, for programs in other languages: build/libparadt.so
+
+$(LIBRARY): paradt.h
+	@mkdir -p $(@D)
+	echo '#include "paradt.h"' | $(CC) $(CFLAGS) $(WARNINGS) -fPIC -fvisibility=hidden -shared -I. -DPARADT_IMPLEMENTATION \
+	    '-DPARADT_DEF=extern __attribute__((visibility("default")))' -x c -o $@ - -lm
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

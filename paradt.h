@@ -34,53 +34,53 @@
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//     PARADT_STATIC          makes the functions private to this file. Define it with PARADT_IMPLEMENTATION before the
 //                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
-//     none:
-//                            the functions are called otherwise then, so the linker finds those that don't agree.
-//                            Insertion has no code for SSE2 and AVX2 then
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. Define it in all files of a program or
+//                            in none: the functions have other names with it, so the linker refuses files that
+//                            disagree. Insertion has no code for SSE2 and AVX2 then
+//     PARADT_MAX_DIM         the largest dimension, 2 to 8; code for larger ones is not compiled. The same in all files
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
-//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall: a third of the code; AUTO inserts in all dimensions
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a third of the code; PARADT_AUTO inserts in all dimensions
 //     PARADT_NO_CHECK        leaves out paradt_check
-//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
-//                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
+//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
+//                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
 // WHAT IT DOES
 //
 //     - Delaunay triangulations, and with weights regular triangulations, of points in 2 to 8 dimensions
 //     - exact for all finite doubles and floats: huge, subnormal, mixed, collinear, coplanar, cospherical, repeated
-//     - one result: the same points give the same set of cells by every method, any number of regions and threads, in
-//       any order, with any compiler and its flags
+//     - one result: the same points give the same set of cells by every method, with any number of regions and threads,
+//       in any order, with any compiler and its flags
 //     - cells with orientation and neighbours; for each point the one that stands for it when points coincide
 //     - divided into regions that are built alone, on threads that the program provides
-//     - a certificate: paradt_check proves a result to be the triangulation of its points, or says what is wrong
+//     - a certificate: paradt_check proves that a result is the triangulation of its points, or says what is wrong
 //     - no global state, no threads of its own, no output, no exit; memory from your allocator, within your limit
 //     - C99 and C++11
 //
 // CONTENTS
 //
-//     points, options, result, methods, regions and threads, degenerate input, numbers and compiler flags, memory,
-//     errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections marked
-//     "// >>name"; the licence
+//     points, options, result, walking, methods, regions and threads, degenerate input, numbers and compiler flags,
+//     memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
+//     marked "// >>name"; the licence
 //
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. paradt_points_f64 and
-// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. Coordinates of type
-// `scalar` stand side by side, and `stride` bytes lead from one point to the next, so points may be members of larger
-// structures. No alignment is needed. A mesh whose vertices begin with their position:
+// paradt_points describes an array of yours. It is read during a call only, and never written. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. The coordinates of a point
+// are adjacent and of the type `scalar`. `stride` bytes lead from one point to the next, so points may be members of
+// larger structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
 //     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
 //     points.stride = sizeof(struct vertex);
 //
-// Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has the
-// weight r * r. Weights may be negative. Adding the same number to all of them changes nothing, and where all are equal
-// the triangulation is Delaunay. They have a type and a stride of their own:
+// Weights make the triangulation regular (also called weighted Delaunay, or the dual of a power diagram): a point of
+// weight w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has
+// the weight r * r. Weights may be negative. Adding the same number to all weights changes nothing; where all are equal
+// the triangulation is Delaunay. Weights have a type and a stride of their own:
 //
 //     struct atom { double place[3]; float radius, weight; } atoms[1000];
 //     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
@@ -88,23 +88,23 @@
 //     points.weights = &atoms[0].weight;
 //     points.weight_scalar = PARADT_F32;
 //
-// Coordinates and weights must be finite. -0.0 is 0.0.
+// Coordinates and weights must be finite. -0.0 is the same as 0.0.
 //
 //
 // OPTIONS
 //
 // NULL, or all fields zero, is the default: the method that suits the input, one region, the calling thread, malloc.
-// Set what you need and leave the rest zero, and fields that later versions add will not surprise you:
+// Set what you need and leave the rest zero. Then fields that later versions add do not surprise you:
 //
 //     paradt_options options = {0}; // in C++: = {}
 //     options.method = PARADT_DEWALL;
 //     options.memory_limit = (size_t)1 << 30;
 //
 // `progress` is called now and then with the part of the call's work that is done, as far as that can be foretold: one
-// number from 0 to 1 for all regions and threads, which never falls. It cancels the work by returning nonzero: the call
-// then ends with PARADT_ERROR_CANCELLED, within a few hundredths of a second, and gives back all memory. It is called
-// from any thread that works, by one at a time; compilers that have no atomic operations call it from the first task of
-// a parallel_for only.
+// number from 0 to 1 for all regions and threads, which never falls and ends at 1. Returning nonzero cancels the work:
+// the call ends with PARADT_ERROR_CANCELLED within some hundredths of a second and gives back all memory. Any thread
+// that works may call `progress`, but never two threads concurrently. (Compilers without atomic operations: only the
+// first task of a parallel_for does.)
 //
 //
 // RESULT
@@ -114,37 +114,77 @@
 //
 //     t.cells[i * k + j]        vertex j of cell i
 //     t.neighbors[i * k + j]    the cell opposite that vertex
-//     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
-//
-// With PARADT_FACETS in options.flags neighbors hold half-facets: the place in the array of the same facet as its other
-// cell has it. Place f = i * k + j is the facet of cell f / k opposite its vertex f % k, and with g = t.neighbors[f]
-//
-//     g < 0                     the facet is on the hull (g is -1); else
-//     g / k                     the neighbour
-//     t.cells[g]                its vertex that is not in the facet
-//     t.neighbors[g]            f
-//
-// So programs that go from cell to cell, or around a ridge, need not search for the way back.
-//
-// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//     t.representative[p]       p where p is a vertex; the vertex at the same place; -1 where p is hidden
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
-// Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
-// orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
-// set of cells; paradt_hash is equal for equal sets.
+// The facets of a cell, in the order that is counterclockwise when seen from outside the cell (for a triangle: with the
+// triangle on the left):
 //
-// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
+//     opposite     v0          v1          v2          v3
+//     triangle     v1 v2       v2 v0       v0 v1
+//     tetrahedron  v1 v2 v3    v0 v3 v2    v0 v1 v3    v0 v2 v1
+//
+// Neighbours have all vertices but one in common. The order of the cells means nothing, and neither does the order of a
+// cell's vertices apart from the orientation: both may differ between methods, machines and versions. The set of cells
+// never differs; paradt_hash is equal for equal sets.
+//
+// With PARADT_FACETS in options.flags, neighbors hold half-facets: the position in `neighbors` of the same facet as its
+// other cell sees it. Position f = i * k + j is the facet of cell f / k opposite its vertex f % k. With
+// g = t.neighbors[f]:
+//
+//     g < 0             the facet is on the hull (g is -1); otherwise
+//     g / k             the cell on the other side
+//     t.cells[g]        the vertex of that cell that is not in the facet
+//     t.neighbors[g]    f
+//
+// So programs that go from cell to cell, or around a ridge, need not search for the way back.
+//
+// In dimension 0 a cell is a single vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
+// t.stats counts what was done, also when the call fails. Give the arrays back with paradt_free, not with free.
+//
+//
+// WALKING
+//
+// To find the cell that contains a place x, walk: start in any cell, best in one nearby, and cross a facet that has x
+// on its other side, until there is none. The orientation of the cell with x in the place of vertex j tells: negative
+// means that x is beyond the facet opposite that vertex. For tetrahedra, with double points[][3]:
+//
+//     paradt_index walk(const paradt_triangulation *t, const double (*points)[3], const double *x, paradt_index cell) {
+//         int j = 0;
+//         while (cell >= 0 && j < 4) {
+//             const double *p[4];
+//             for (j = 0; j < 4; j++)
+//                 p[j] = points[t->cells[4 * cell + j]];
+//             for (j = 0; j < 4; j++) {
+//                 const double *vertex = p[j];
+//                 p[j] = x;
+//                 if (paradt_orient3(p[0], p[1], p[2], p[3]) < 0)
+//                     break; // x is beyond the facet opposite vertex j
+//                 p[j] = vertex;
+//             }
+//             if (j < 4)
+//                 cell = t->neighbors[4 * cell + j];
+//         }
+//         return cell; // -1: x is outside of the hull
+//     }
+//
+// The walk ends, whichever of the facets it crosses: lift the points to the height |x|^2 - w, and take the planes of
+// the cells at the place x. The lifted cells are a convex surface, so each facet crossed leads to a plane that is
+// higher there, and no cell comes twice (Edelsbrunner 1990; ties are broken as under DEGENERATE INPUT). That needs
+// exact signs and a Delaunay or regular triangulation: a walk with rounded signs, or in other triangulations, may go in
+// circles.
 //
 //
 // METHODS
 //
 //     PARADT_AUTO           the one that suits the input: Bowyer-Watson in two and three dimensions; in more, InCoDe,
-//                           and Bowyer-Watson again where that gets stuck in ties, as on lattices
+//                           and Bowyer-Watson where InCoDe gets stuck in ties, as on lattices
 //     PARADT_INCODE         incremental construction: from a first cell, the neighbour across every facet without one
 //     PARADT_DEWALL         divide and conquer, merge first: the wall of cells across a plane, then each side of it
-//     PARADT_BOWYER_WATSON  insertion of one point after the other: the cells in conflict with it make room for those
-//                           between their rim and the point; a region adds points of others until its cells are right
+//     PARADT_BOWYER_WATSON  insertion of one point after the other: cells whose sphere contains the new point are
+//                           replaced by cells that join it to the hole's boundary
 //
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
 // in a hierarchical grid of the points, and never change a cell once it is made.
@@ -152,19 +192,16 @@
 //
 // REGIONS AND THREADS
 //
-// options.regions = k divides space into k boxes. Each box is built alone, every cell is owned by one of them, and what
-// they own is put together, and neighbours are linked across the seams. Some of the cells at a seam are made by more
-// than one region and kept by one: stats.cells_recomputed of them were made in vain, so (cells + cells_recomputed) /
-// cells is the factor of duplication, the price of the division. By InCoDe and DeWall a cell is owned by the box with
-// most of its vertices (>>incode has the rule), by insertion by the last box that has any. The first box then needs no
-// points but its own; it gets somewhat more of them. The others also get cells among others' points alone, which count
-// too, whether they are in the result or in none.
+// options.regions = k divides space into k boxes. Each box is built alone, each cell is owned by one box, and the owned
+// cells are put together and linked across the seams. Cells near a seam are made by several regions and kept by one:
+// stats.cells_recomputed were made in vain, so (cells + cells_recomputed) / cells is the factor of duplication, which
+// is the price of the division.
 //
-//     PARADT_BISECTION  boxes of equal numbers of points, by a sample of 65,536: each box is cut across the longest
+//     PARADT_BISECTION  boxes of equal numbers of points, estimated from a sample: each box is cut across the longest
 //                       side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
 //
-// The header starts no threads. To work on the regions at once, hand in a parallel_for: a function that runs
+// The header starts no threads. To work on the regions concurrently, hand in a parallel_for: a function that runs
 // task(context, i) for all i below count, on any threads and in any order, and returns when all have ended. With
 // OpenMP:
 //
@@ -175,154 +212,170 @@
 //         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
 //     }
 //
-// examples/paradt.c has one for POSIX threads. The allocator is then called concurrently from those threads, the
-// progress callback from one of them at a time. parallel_for is called some ten times, for large sets up to forty: the
-// insertion is done in legs, between which regions change hands, so that a slow processor, or one that others use, is
-// not waited for. Near surfaces, where regions tell each other what they lack, it is called some dozens of times more.
-// One region a thread is right where the points are alike everywhere; a few more even out regions that take longer. The
-// cells do not depend on the regions, nor on the threads.
+// examples/paradt.c has one for POSIX threads. Its threads call the allocator concurrently, and the progress callback
+// one at a time. parallel_for is called some ten times, for large sets up to forty times: insertion proceeds in legs,
+// and between two legs regions move from slow threads to fast ones. Near surfaces, where regions exchange what they
+// lack, it is called some dozens of times more. One region a thread is right where the points are alike everywhere; a
+// few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
 //
-// Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
-// points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
-// 1.
+// Insertion abandons the division where regions would have to ask each other for longer than all the rest takes: among
+// points exactly on a sphere, or almost on a line. One region then takes in the points of the others, and stats.regions
+// is 1.
 //
-// Any number of calls may run at once from any threads, each with its own result; points may be shared.
+// Any number of calls may run concurrently on any threads, each with its own result. They may share points.
 //
 //
 // DEGENERATE INPUT
 //
 // Ties. The Delaunay triangulation is the lower hull of the points lifted to the height |x|^2 - w. Where an empty
-// sphere has more points on it than a cell has vertices there are several, and one is chosen: the heights are raised by
-// infinitesimal amounts, that of a lexicographically larger point (by x, then y, ...) infinitely more than that of a
-// smaller one. Only heights move, never places: no cell is flat, and the hull is that of the points. With s the exact
-// in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
+// sphere has more points on it than a cell has vertices there are several such triangulations, and one is chosen: all
+// heights are raised by infinitesimal amounts, the height of a lexicographically larger point (by x, then y, ...) by
+// infinitely more than that of a smaller one. Only heights move, never places: no cell is flat, and the hull is that of
+// the points. With s the exact in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
 //
 //     s > 0 (inside), or s = 0 and, going through p0..pd and q from the lexicographically largest downward:
 //         q:  no conflict
 //         pi: let o be the orientation of the cell with q in the place of pi;
 //             o > 0: conflict, o < 0: no conflict, o = 0: go on
 //
-// and the triangulation is the set of cells that no point is in conflict with. The rule knows places and weights only,
-// no index and no history, so it decides alike for everybody. Weights have no part in the order.
-// paradt_insphere_perturbed is this test. (Devillers and Teillaud's rule, in every dimension.)
+// and the triangulation is the set of cells that no point is in conflict with. The rule looks at places and weights
+// only, at no index and no history, so whoever applies it decides alike. Weights play no part in the order.
+// paradt_insphere_perturbed is this test. (The rule of Devillers and Teillaud, in every dimension.)
 //
-// Equal points are one vertex. The smallest index stands for them; with weights that of the largest weight, and among
-// these the smallest index. stats.duplicates counts the others, `representative` names who stands for each.
+// Equal points are one vertex. The point of the smallest index stands for it; with weights the point of the largest
+// weight, and among these of the smallest index. stats.duplicates counts the others, and `representative` says who
+// stands for each.
 //
 // Hidden points. A weighted point may be a vertex of no cell; it and its duplicates have the representative -1.
 // stats.hidden counts places, not duplicates.
 //
-// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
-// cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
+// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and cells
+// have k + 1 vertices. Their orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
-// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for lower dimensions sets
+// PARADT_FULL_DIM in options.flags: then such points give PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
 //
-// What decides is the sign of a determinant. A filter in floating point settles nearly all of them, with an error bound
-// that holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with
-// subnormals flushed to zero; it is not used where the input's exponents could make it overflow. What it leaves open is
-// computed in integers, on the bits of the doubles, in three stages: small integers, a fixed number of words, any
+// Every decision is the sign of a determinant. A floating-point filter settles nearly all of them. Its error bound
+// holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with subnormals
+// flushed to zero; the filter is not used where the input's exponents could make it overflow. What it leaves open is
+// computed in integers, from the bits of the doubles, in three stages: small integers, a fixed number of words, any
 // number of words. So -O3, -Ofast, -ffast-math, -march=native, -m32 and a changed rounding mode change the time, not
 // the cells. Floats are widened exactly.
 //
-// The coordinates of lattices have few bits: for them even ties are settled in the filter or in small integers.
+// Coordinates of lattices have few bits: there the filter or small integers settle even ties.
 //
 //
 // MEMORY
 //
-// Everything comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Its
-// blocks must be aligned as malloc aligns them; it returns NULL when there is no more. It must be safe to call from
-// several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
-// keeps a copy of it for paradt_free.
+// All memory comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Blocks
+// must be aligned as those of malloc; the allocator returns NULL when there is no more. Where a parallel_for uses
+// several threads, the allocator must be safe to call concurrently. It has to live as long as the result, which keeps a
+// copy of it for paradt_free.
 //
 // Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
-// has them ready, and adds a third on a virtual machine whose host has to provide them anew. On Linux from 5.14 on
-// small pages are made somewhat ahead of their use, by madvise; that takes 3 to 5 hundredths off.
+// has them ready, and adds a third on a virtual machine whose host has to provide them first. On Linux from 5.14 on,
+// small pages are made somewhat ahead of their use, by madvise.
 //
-// The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// The arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
-// Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
-// don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
-// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and take a tenth to a fifth more
-// time; points that crowd as in a star cluster take a third to a half more.
-// memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
-// the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
-// an upper bound, the sum of their peaks).
+// The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
+// arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
+//
+// memory_limit bounds the bytes that one call holds at any time, the result included. Regions get equal shares of what
+// the points leave of it, so the more regions, the sooner the limit is reached. stats.peak_bytes is the most that was
+// held (with regions an upper bound: the sum of their peaks).
+//
+// With PARADT_NO_NEIGHBORS, insertion in two and three dimensions builds regions one after another unless they run
+// concurrently: as many as were asked for, or five from 500,000 points on. Each gives its links back before the next
+// begins. That takes a third off the memory, and adds a tenth to a fifth to the time, a third to a half where points
+// crowd as in a star cluster.
+//
+// paradt_memory_estimate says beforehand about how much a call will hold. Measured on uniform points, in bytes a point:
+//
+//                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
+//     PARADT_AUTO                                79            295        1,390        7,280
+//        2 regions                               90            327        2,740       14,560
+//        4 regions                               92            383        2,720       16,570
+//        8 regions                               95            728        2,800       21,640
+//     PARADT_INCODE                             109            295        1,390        7,280
+//        8 regions                              146            550        2,800       21,640
+//     PARADT_NO_NEIGHBORS, 8 regions,
+//        one after another                       68            225
 //
 // The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
-// is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
-// are not told: wasm-ld -z stack-size=262144.
+// is as deep as the logarithm of the number of points. 256 KB are enough in every dimension. Linkers for WebAssembly
+// give 64 KB unless they are told otherwise: wasm-ld -z stack-size=262144.
 //
 //
 // ERRORS
 //
-// Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
+// Functions that can fail return a paradt_status; PARADT_OK is 0. paradt_status_string describes the others, and
+// error_text in the result, or reason in paradt_fault, says more: for each ARGUMENT error which argument and why.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
-//     value;
-//                              error_text, and reason in paradt_fault, say which
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of range, a small stride, an unknown value
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
-//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
+//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit was reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
 //     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
-// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
-// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
-// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
-// leaks what the call holds.
+// harm). error_point, error_text and stats are filled. After PARADT_ERROR_MEMORY stats.peak_bytes is the most that was
+// held, and stats.needed_bytes what it would have been with the block that was refused: a smaller memory_limit fails at
+// this block again, and one of this size gets past it. Callbacks must return: an exception or longjmp out of them leaks
+// what the call holds.
 //
 //
 // COST
 //
-// For points that are spread without structure the work on a cell is expected not to grow with n: InCoDe and DeWall
-// look at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is
-// proportional to the number of cells, but for sorting the points. Exceptions: when all points lie exactly on one
-// sphere, or in a slanting plane but for rounding, every point ties with every sphere, and a search of InCoDe or DeWall
-// looks at all of them; and points whose coordinates or weights are too large or too far apart in size for floating
-// point (see NUMBERS) are searched one by one. Insertion has neither. How many cells there are depends on the points:
-// proportional to n for most input in a fixed dimension, with a factor that grows quickly with the dimension; at worst
-// they grow like n^ceil(d/2), for which a moment curve in any dimension, or two skew lines in space, are examples. The
-// counters of paradt_stats tell what a run cost in terms that do not depend on the machine:
+// For points that are spread without structure the expected work on a cell does not grow with n: InCoDe and DeWall look
+// at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is proportional to
+// the number of cells, apart from sorting the points. InCoDe and DeWall have two exceptions, which insertion has not.
+// When all points lie exactly on one sphere, or in a slanting plane but for rounding, every point ties with every
+// sphere, and a search looks at all of them. And points whose coordinates or weights are too large for floating point,
+// or too far apart in size (see NUMBERS), are searched one by one.
+//
+// The number of cells depends on the points. For most input in a fixed dimension it is proportional to n, with a factor
+// that grows quickly with the dimension. At worst it grows like n^ceil(d/2): examples are a moment curve in any
+// dimension, and two skew lines in space. The counters of paradt_stats tell what a run cost in terms that do not depend
+// on the machine:
 //
 //     distance_evaluations / cells   candidates looked at for a cell, eight a grid cell (InCoDe, DeWall; with regions
 //                                    insertion, too)
 //     grid_cells_visited / cells     how far these searches went
 //     exact_* / cells                predicates too close for floating point, orientations included
 //     perturbed                      ties
-//     cells_recomputed / cells       the price of regions, but for those that were given up
+//     cells_recomputed / cells       the price of regions, except where the division was abandoned
 //     active_peak                    the size of the front (InCoDe, DeWall)
 //
-// paradt_check takes expected linear time. The predicates alone (paradt_orient, paradt_insphere) measure their
-// arguments anew at each call; the triangulation does that once for all points, and is faster for each of them.
+// paradt_check takes expected linear time. The public predicates measure their arguments anew at each call; the
+// triangulation does that once for all points, and is faster for each of them. paradt_orient2, paradt_orient3 and the
+// like are the fastest to call from outside.
 //
 //
 // LIMITS
 //
-//     dimension   2 to 8
-//     points      2^30 - 1, with PARADT_INDEX64 as many as memory holds
-//     cells       cells * (dim + 1) below 2^31 (536,870,911 tetrahedra), with PARADT_INDEX64 as many as memory holds;
-//                 in Bowyer-Watson's method the facets of the hull count as cells too
-//     changes     a triangulation is computed as a whole; points are not added to it or taken away later
-//     constraints none: no edges or facets can be demanded
-//     methods     those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
-//     right shift of negative integers has to be arithmetic, doubles IEEE 754, as on all platforms met so far
+//     dimension    2 to 8
+//     points       2^30 - 1; with PARADT_INDEX64 as many as memory holds
+//     cells        cells * (dim + 1) below 2^31 (536,870,911 tetrahedra); with PARADT_INDEX64 as many as memory holds;
+//                  for insertion the facets of the hull count as cells too
+//     changes      a triangulation is computed as a whole; points are not added to it or taken away later
+//     constraints  none: no edges or facets can be demanded
+//     methods      those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
+//     machine      right shift of negative integers is arithmetic, doubles are IEEE 754, as on all platforms met so far
 //
 //
 // THE THESIS
 //
-// InCoDe, DeWall and their parallel forms as in "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
+// InCoDe, DeWall and their parallel forms follow "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
 // its parts are:
 //
-//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__guess_simplex grows it from the nearest
-//                                        neighbour by smallest spheres (paradt__smallest_sphere), descent makes it sure
+//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
+//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
-//                 active face list       struct paradt__active, a hash table: paradt__active_match
+//                 active face list       struct paradt__facets, a hash table: paradt__facets_match
 //                 update of the AFL      paradt__front_add
 //                 uniform grid           paradt__grid_build: a hierarchy of boxes that adapts to the points
 //                 the loop               paradt__incode, with paradt__front_expand for each facet
@@ -330,15 +383,15 @@
 //                 simplex wall           paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
 //                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                 recursion              paradt__wall_build, from paradt__dewall
-//     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
+//     ParaInCoDe  regions                paradt__build_by_front; one of them: paradt__front_task
 //                 owner                  paradt__cell_owner, the box with most vertices instead of the one with the
 //                                        ULF vertex, and which facets a region needs for that: paradt__needs
 //                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
 //                 adaptive partition     the same with PARADT_BISECTION
-//                 joining                paradt__region_compact, paradt__regions_join
+//                 joining                paradt__collect_fronts
 //
 // Here every decision is exact, ties follow the perturbation, and one code serves all dimensions, with and without
-// weights. That a region reaches all the cells it owns is shown in >>incode.
+// weights. Why a region reaches all the cells that it owns is shown in >>reach.
 //
 //
 // CREDITS
@@ -372,12 +425,12 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+// These macros change the declarations, which are read at the first include.
 #if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
-#error                                                                                                                 \
-    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#error "PARADT_STATIC is defined after the first include of paradt.h in this file: define it before"
 #endif
 #if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
-#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#error "PARADT_INDEX64 is defined after the first include of paradt.h in this file: define it before"
 #endif
 
 #ifndef PARADT_H
@@ -412,11 +465,12 @@ extern "C" {
 
 #ifdef PARADT_INDEX64
 #define PARADT__IS_INDEX64
-typedef int64_t paradt_index; // a point or a cell; negative: none
-// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
+// The functions have other names, so that the linker refuses files that differ in PARADT_INDEX64.
 #define paradt_points_f64         paradt_points_f64_64
 #define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
+#define paradt_memory_estimate    paradt_memory_estimate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -436,7 +490,7 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_insphere2f         paradt_insphere2f_64
 #define paradt_insphere3f         paradt_insphere3f_64
 #else
-typedef int32_t paradt_index; // a point or a cell; negative: none
+typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
 
 // What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
@@ -448,7 +502,7 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
     X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
-    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
+    X(PARADT_ERROR_FLAT, "the points lie in a flat of lower dimension, and PARADT_FULL_DIM is set")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -462,43 +516,45 @@ typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATU
 
 typedef enum paradt_method { PARADT_METHOD_LIST(PARADT__ENUM_FIRST) PARADT_METHOD_COUNT } paradt_method;
 
-// What a coordinate is: a double or a float.
+// The type of coordinates and weights: double or float
 typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 
-// How space is divided into regions: into boxes of equal numbers of points, or of equal size.
+// How space is divided into regions: into boxes of equal numbers of points, or of equal size
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
-    PARADT_FACETS = 2,       // neighbors are half-facets: where the neighbour has the facet, too (see RESULT)
-    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
+    PARADT_FACETS = 2,       // neighbors are half-facets (see RESULT), not cells; not with PARADT_NO_NEIGHBORS
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
-// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
-// from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
+// Tasks do not wait for each other, so one thread is enough. It is called for one step of the work after another (for
+// how many, see REGIONS AND THREADS), from the thread that called paradt_triangulate.
+//   user  that of the options
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// fraction: 0..1, the part of the whole call's work that is done; an estimate that never falls, and 1 at the end. A
-// nonzero return cancels. With a parallel_for it is called from any of its threads, but never by two at a time. user:
-// that of the options.
+// Is told how far a call is. A nonzero return cancels it. With a parallel_for any of its threads makes the call, but
+// never two of them concurrently.
+//   user      that of the options
+//   fraction  0..1, the part of the whole call's work that is done: an estimate that never falls, and 1 at the end
 typedef int (*paradt_progress)(void *user, double fraction);
 
-// Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
+// Where memory comes from. Give both functions or neither. The threads of a parallel_for call them concurrently.
 typedef struct paradt_allocator {
-    void *(*alloc)(void *user, size_t size); // NULL: malloc; bytes, never 0; aligned as malloc does, or NULL on failure
+    void *(*alloc)(void *user, size_t size); // NULL: malloc; size: bytes, never 0; aligned as by malloc; NULL: no more
     void (*free)(void *user, void *memory);  // NULL: free; never called with NULL
     void *user;                              // handed to both
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;     // first coordinate of the first point; may be NULL when count is 0
-    size_t count;         // number of points
-    int dim;              // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;        // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar; // type of the coordinates; PARADT_F64
-    const void *weights; // weight of the first point, the square of a length, any sign; NULL: Delaunay, without weights
+    const void *data;            // first coordinate of the first point; may be NULL when count is 0
+    size_t count;                // number of points
+    int dim;                     // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;               // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar;        // type of the coordinates; PARADT_F64
+    const void *weights;         // weight of the first point, the square of a radius, any sign; NULL: without weights
     size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
     paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
@@ -510,7 +566,7 @@ typedef struct paradt_options {
     paradt_parallel_for parallel_for; // NULL: regions run one after another in the calling thread
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
-    size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
+    size_t memory_limit;              // bytes that a call may hold at any time; 0: no limit
     unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
@@ -520,24 +576,24 @@ typedef struct paradt_stats {
     uint64_t cells;                // cells of the triangulation
     uint64_t hull_facets;          // facets with a cell on one side only
     uint64_t duplicates;           // points at the place of another
-    uint64_t hidden;               // places of weighted points that are no vertex
+    uint64_t hidden;               // places of weighted points that are not vertices
     uint64_t distance_evaluations; // Delaunay distances computed by searches, in lanes of eight
     uint64_t grid_cells_visited;   // grid cells whose points were looked at
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
-    uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
+    uint64_t insphere_calls;       // in-sphere predicates; in 3D insertion those that cached spheres could not decide
     uint64_t exact_small;          // predicates settled in small integers, or found to be 0 by the filter on lattices
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
-    uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
+    uint64_t cells_recomputed;     // cells that regions made and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
-    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
-    double seconds_build;          // making cells, with regions joining them too
-    double seconds_finish;         // hidden points, translating indices
+    double seconds_build;          // making cells, and joining those of regions
+    double seconds_finish;         // finding hidden points, freeing memory
     double seconds;                // all of it
 } paradt_stats;
 
@@ -545,103 +601,118 @@ typedef struct paradt_triangulation {
     int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
     size_t cell_count;            // number of cells
     paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex, or its half-facet; -1: hull
+    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex; -1: hull; NULL: not wanted
     size_t point_count;           // number of points, as given
-    paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
+    paradt_index *representative; // [point_count] the point itself, or the one that stands for it; -1: hidden
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
-    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
+    const char *error_text;       // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
     paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
+// What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
 
-// Points in an array of doubles, or of floats: [count][dim], without weights. The compiler sees that the type is right.
-// Thread-safe.
+// Return points without weights that are tightly packed in an array: [count][dim]. The compiler checks that their type
+// is the right one. Thread-safe.
 PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
 PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
 
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
-//            0, but error_point, error_text and stats are filled.
-//   points   read during the call only.
-//   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
-// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+//   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
+//   are
+//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//   points   read during the call only
+//   options  NULL: the defaults
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
+// with its own `out`. Cost: sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
-// NULL and all zero are fine. Thread safety: as free.
+// Returns about how many bytes paradt_triangulate would hold at most if it were called with the same arguments: for
+// points spread evenly in all dimensions rather too many than too few, by up to a half in two and three dimensions and
+// up to twice beyond. Other points may take more. Of the points only count and dim matter; data may be NULL. Returns 0
+// where an argument is wrong. Thread-safe.
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
+
+// Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
+// -1. NULL, and a triangulation that is all zero, are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
 
-// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+// Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
 PARADT_DEF int paradt_version(void);
 
-// A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
+// Returns a sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
 
-// The method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
+// Returns the method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_method_string(paradt_method method);
 
+#ifndef PARADT_NO_CHECK
 // Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
-// representatives, hidden points, dimension. PARADT_OK: it is. PARADT_ERROR_INVALID: it is not, and *fault says what
-// was found first.
-//   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
-//   points         those it was made of.
-//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags:
-//                  what neighbors hold. The rest is only checked.
-//   fault          NULL: not wanted. Says what is wrong with an argument, too.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
-// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+// representatives, hidden points, dimension. Returns PARADT_OK if it is. Returns PARADT_ERROR_INVALID if it is not, and
+// *fault says what was found first.
+//   triangulation  of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
+//   points         those that it was made from
+//   options        NULL: the defaults. allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags,
+//                  which says what neighbors hold. The rest is only checked.
+//   fault          NULL: not wanted. It says which argument is wrong, too.
+// Errors: INVALID; and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of concurrent calls. Cost: expected linear time. It shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
+#endif
 
-// A hash of the set of cells as sets of point indices: the sum of paradt_hash_cell over the cells. It does not depend
-// on the order of cells and vertices, the size of indices, nor the machine, and needs no neighbours. Without cells it
-// is 0. Thread-safe. Cost: linear time.
+// Returns a hash of the set of cells, each as a set of point indices: the sum of paradt_hash_cell over the cells, 0
+// without cells. It depends neither on the order of cells and vertices nor on the size of indices or the machine, and
+// needs no neighbours. Thread-safe. Cost: linear time.
 PARADT_DEF uint64_t paradt_hash(const paradt_triangulation *triangulation);
 
-// The hash of one cell. vertices: [count] in any order; count: 0..PARADT_MAX_DIM + 1. For programs that hold the cells
-// in parts, or with other numbers: sums of the parts add up to the hash of the whole. Thread-safe.
+// Returns the hash of one cell. For programs that hold the cells in parts, or with other numbers: sums of the parts add
+// up to the hash of the whole. Thread-safe.
+//   vertices  [count] in any order
+//   count     0..PARADT_MAX_DIM + 1
 PARADT_DEF uint64_t paradt_hash_cell(const uint64_t *vertices, int count);
 
-// The predicates: exact for all finite doubles; others are undefined behaviour, and so is a dim out of
-// 2..PARADT_MAX_DIM. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. Each call costs a
-// pass over its arguments and the filter; the exact stages only when that can't decide.
+// The predicates are exact for all finite doubles. Other values, and a dim out of 2..PARADT_MAX_DIM, are undefined
+// behaviour. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. A call costs a pass over
+// its arguments and the filter; the exact stages only when the filter can not decide.
 
-// The sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1: positively
-// oriented, in the plane counterclockwise; 0: flat.
+// Returns the sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1:
+// positively oriented, in the plane counterclockwise; 0: flat.
 PARADT_DEF int paradt_orient(int dim, const double *const *points /* [dim + 1] */);
 
-// 1 when points[dim + 1] is inside of the sphere through the first dim + 1, which are positively oriented; 0 on it; -1
-// outside. With the first dim + 1 negatively oriented, the opposite. weights: NULL, or [dim + 2]; then inside means
-// below the hyperplane through the first dim + 1 when all are lifted to |x|^2 - weight (the power test).
+// Returns 1 when points[dim + 1] is inside the sphere through the first dim + 1 points, which are positively oriented;
+// 0 when it is on the sphere; -1 when it is outside. Where the first dim + 1 are negatively oriented, the opposite.
+//   weights  NULL, or [dim + 2]: then inside means below the hyperplane through the first dim + 1 when all are lifted
+//   to
+//            |x|^2 - weight (the power test)
 PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
-// The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
-// 1 points must be positively oriented, and none of them equal to points[dim + 1].
+// Returns the same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The
+// first dim + 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
-// The same for points of two and three dimensions that are given by their coordinates, also as floats: the sign of
-// paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q. Made to be called
-// by the million, as a walk does.
+// Return the signs of paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q,
+// in two and three dimensions, of doubles and floats. Coordinates instead of pointers to pointers, and much faster: for
+// programs that call them by the million, as a walk does.
 PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
-PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
 PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
 PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
                                 const double q[3]);
-PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
-PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
-PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
                                  const float q[3]);
+#endif
 
 #ifdef __cplusplus
 }
@@ -649,8 +720,140 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 
 #endif // PARADT_H
 
-// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each begins
-// with what it is for, what it relies on and where the idea comes from. Each uses only what stands above it.
+// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name". Each begins with
+// what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
+
+// READING THE IMPLEMENTATION
+//
+// A POINT'S WAY through the file, from the caller's array to the caller's cells:
+//
+//       the caller's points                                            index
+//             |
+//             |  >>reading, >>sorting: finite, distinct, along Hilbert's curve, box after box
+//             |  >>scale and axes: the axes that orient, a scale for the filters
+//             v
+//       a set of records                                               position
+//             |
+//             +---------------- facet by facet ---+---------------- point by point -----+
+//             |                                   |                                     |
+//             |  >>grid          cells of eight   |  >>order of insertion   rounds      |
+//             |  >>first simplex where to begin   |  >>insertion     walk, dig, star    |
+//             |  >>search        the apex         |  >>kept spheres  tests by one       |
+//             |  >>front         the AFL          |                  product, in space  |
+//             |  >>incode, >>dewall               |                                     |
+//             v                                   v                                     |
+//       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
+//             |                                   |                                     |
+//             +-----------------+-----------------+                                     |
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>patches and
+//                               |  >>regions of insertion
+//                               |
+//                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
+//                               |  handles become numbers
+//                               v
+//       paradt_triangulation                                           index, number
+//
+// INDEX SPACES. All are paradt_index or size_t; a variable's name says of which space it is.
+//
+//     index      a point as the caller counts. set.origin[position] gives it
+//     position   a point in a set: its record is records + position * width. The vertices of a mesh are positions until
+//                the mesh is closed. A region's patch counts its own points first, then others' (vertex)
+//     place      a cell in a mesh, a point in a grid: its row, wherever the cell or point moves from
+//     handle     a facet as one of its cells sees it: corners * place + i, opposite vertex i. Links are handles
+//     number     a cell as delivered
+//     slot       of a hash table
+//     region     0 to regions - 1, a box of space; a rank in paradt_mpi.h
+//
+// SENTINELS
+//
+//     PARADT__HULL      a link: no cell is on the other side        PARADT__INFINITE  a vertex: that of ghosts
+//     PARADT__OPEN      a link: the cell there is not known;        PARADT__DEAD      a vertex: the place is free
+//                       a list's end                                PARADT__NOWHERE   no position, no place
+//     PARADT__GAVE_UP   a status: another way is to be tried        PARADT__FAR       a bound: there is none
+//
+// VOCABULARY. The field's words: cell, facet, ridge (a facet of a facet), vertex, apex (the vertex opposite a facet),
+// star and link of a vertex, conflict, cavity, hull, circumsphere, active face list (AFL). And of this file:
+//
+//     ghost           the cell on the outer side of a hull facet, with the infinite vertex
+//     half-facet      a facet as one of its cells sees it; its mirror: as the other cell does
+//     rim             the cavity's facets; to star the cavity: to join the point with the rim
+//     update          what a change did: cells killed, cells made
+//     region, owner   a box of space; the region that delivers a cell which several make
+//     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     seam            facets between the first region's cells and others'
+//     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
+//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
+//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     filter          floating point that decides, or says that it can't
+//
+// THREE READING PATHS
+//
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//                       where it is fast; >>inserting
+//     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>patches and the sections behind it,
+//                       >>regions of insertion; then paradt_mpi.h
+//
+// CONTENTS, with the lines of each section
+//
+//   ground
+//     memory                       173   the account of every byte
+//     numbers                      200   bit patterns, integers, small helpers
+//     tasks                        182   progress, teams, pauses, the clock
+//   predicates
+//     space                        233   what the predicates know of a set
+//     filters                      196   signs in floating point, with error bounds
+//     digits                       132   integers of many digits
+//     exact                        584   signs in integers
+//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//   points
+//     curve                        324   Hilbert's curve, sorting along it
+//     points                       162   the caller's points, records
+//     measures                     144   points that span, spacing
+//     cuts                         220   boxes of space
+//     reading                      199   the first pass over the points
+//     sorting                      372   along the curve, box after box
+//     scale and axes               102   the scale, the axes that orient
+//     reference sphere             195   sagittas near a sphere
+//   mesh
+//     mesh                         666   cells, links, ghosts, free places; closing
+//     facets                       255   the table of facets: AFL, ridges, open facets
+//     scene                        115   conflict test, walk, update
+//   search
+//     grid                         320   a hierarchy of boxes over a set
+//     search kernels               388   tests of eight boxes or points together
+//     pencil                       444   the spheres through a facet
+//     search                       353   the apex of a facet, a point in a sphere
+//     questions                     75   the same of cells of others' points
+//   making
+//     first simplex                139   a cell to begin with
+//     reach                         96   which cells a region makes and owns, facet by facet
+//     front                        408   what facet by facet has in common
+//     incode                        28   incremental construction
+//     dewall                       145   divide and conquer, merge first
+//     order of insertion           144   rounds along the curve
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 507   conflict tests by one product, in space
+//     insertion in space           651   dig and star with kept spheres
+//     insertion in space by AVX2   463   its inner functions for four lanes
+//     inserting                    169   insertions from begin to end
+//   division
+//     regions                      112   @@
+//     patches                      560   @@
+//     telling                      269   @@
+//     seam                         262   @@
+//     known points                 246   what a rank builds
+//     call                         178   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         544   the steps of a divided insertion
+//   entry
+//     methods                      213   one row a method; AUTO's choice
+//     triangulate                  343   the entry
+//   check
+//     check                        495   the certificate
+//   division
+//     check of the hull            285   @@
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -746,11 +949,22 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
-// 1 if dim, at most PARADT_MAX_DIM, is k. It is a constant 0 for larger k, so that the code for those is not compiled.
+// Unrolls the loop that follows. Short loops of constant length are only fast unrolled, and GCC does it below -O3 on
+// request alone. Loops of variable length are unrolled four times: ten copies are much code for little speed.
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
+#else
+#define PARADT__UNROLL
+#define PARADT__UNROLL_4
+#endif
+
+// Is dim, which is at most PARADT_MAX_DIM, equal to the constant k? A constant 0 if k is more than PARADT_MAX_DIM, so
+// that the compiler drops the code for k.
 #define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
 
-// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
-// function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
+// Prefetches an element of an array. The element need not exist: the address is just a number. A function that only
+// prefetches must be PARADT__INLINE: otherwise GCC takes it for one without effect and drops the calls.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
@@ -776,25 +990,27 @@ extern "C" {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
 //
-// Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
-// needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
-// its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
-// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
-// paradt__make_pages, paradt__alloc_filled.
+// Allocates from the caller's allocator and accounts for every byte. A block is preceded by its size, so that a release
+// needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
+// of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
+// paradt__grow, paradt__release, paradt__make_pages, paradt__block_bytes.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
-    uint64_t limit; // bytes; UINT64_MAX: none
-    uint64_t held;
-    uint64_t peak;
+    uint64_t limit;  // bytes; UINT64_MAX: none
+    uint64_t held;   // bytes. Wraps below zero while the task has released more than it allocated
+    uint64_t peak;   // the most bytes held so far
     uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
     uint64_t base;   // of a share: what the parent held,
     uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
-enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
+// Bytes in front of the payload: the block's size and padding, which keeps the payload as aligned as the allocator's
+// memory, up to a cache line.
+enum { PARADT__BLOCK_HEADER = 64 };
 
-// The address sanitizer is told that the rest of the header is nobody's: an index just before an array is seen then.
+// Tells the address sanitizer that the padding is nobody's, so that it detects an index just below an array's start.
 #if defined(__SANITIZE_ADDRESS__)
 #define PARADT__ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -821,6 +1037,7 @@ static void paradt__default_free(void *user, void *memory) {
     free(memory);
 }
 
+// Opens an account by the allocator and the limit of the options, which may be NULL.
 static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
     memset(memory, 0, sizeof *memory);
     memory->limit = UINT64_MAX;
@@ -834,9 +1051,10 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
     }
 }
 
-// The account of one of `shares` tasks that may run at once.
+// Returns the account of one of `shares` tasks that may run concurrently.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
+    PARADT_ASSERT(shares > 0);
     memory.held = memory.peak = memory.needed = 0;
     memory.base = parent->held;
     memory.shares = shares;
@@ -844,7 +1062,8 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
     return memory;
 }
 
-// Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
+// Adds what the child holds to the parent's account, and the child's peak to *sum_of_peaks. The tasks may have run
+// concurrently, so that the sum of their peaks is an upper bound of the true peak.
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
@@ -861,8 +1080,8 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
     return NULL;
 }
 
-// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
-// account is below zero, so that it wraps, while its task has given back more than it took.
+// Returns `count` elements of `size` bytes, not cleared; NULL if the limit, the allocator or size_t does not admit so
+// many. Even zero elements get a block.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     size_t bytes;
     uint64_t held;
@@ -881,6 +1100,7 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     return block + PARADT__BLOCK_HEADER;
 }
 
+// Returns a block to the allocator. payload: NULL or a block of this account or of one joined with it
 static void paradt__release(paradt__memory *memory, void *payload) {
     size_t bytes;
     char *block;
@@ -892,18 +1112,26 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
-enum { PARADT__PAGE = 4096 }; // bytes of the pages that most systems have
+// The bytes of a block, which begins with its size
+PARADT__OPTIONAL size_t paradt__block_bytes(const void *payload) {
+    size_t bytes = 0;
+    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
+    return bytes;
+}
 
-// The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
-// are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
-// be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
-// it is, and where pages are larger than is thought here the system refuses.
+enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
+
+// Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
+// Otherwise it provides them one at a time, at the first write to each, which takes longer. The call never changes
+// memory that has its pages already, whatever the caller's allocator returned; where pages are larger than
+// PARADT__PAGE, the system refuses the call, and nothing is lost.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
     enum { FEWEST = 8, POPULATE_WRITE = 23 /* not in all headers */ };
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PARADT__PAGE * PARADT__PAGE;
     uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
     int before = errno;
+    PARADT_ASSERT(first <= end);
     if (from < begin) from += PARADT__PAGE;
     if (to > from && (to - from) / PARADT__PAGE >= FEWEST && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
         errno = before;
@@ -912,9 +1140,11 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #endif
 }
 
-// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+// Replaces *array by a block of `count` elements of `size` bytes and copies its first `used` elements. Returns 0, with
+// *array as it was, if there is no memory.
 static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
     void *larger = paradt__alloc(memory, count, size);
+    PARADT_ASSERT(used <= count);
     if (!larger) return 0;
     paradt__make_pages(larger, 0, used * size);
     if (used) memcpy(larger, *array, used * size);
@@ -923,7 +1153,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
     return 1;
 }
 
-// paradt__alloc for a block that one thread is about to fill.
+// Does the same as paradt__alloc for a block that one thread is about to fill.
 static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t size) {
     void *block = paradt__alloc(memory, count, size);
     if (block) paradt__make_pages(block, 0, count * size);
@@ -933,9 +1163,14 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // ---------------------------------------------------------------------------------------------------------------------
 // >>numbers
 //
-// Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
-// the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
-// shifts of negative integers are taken to be arithmetic, as all compilers have them.
+// Doubles as bit patterns, small helpers for integers and doubles, and a hash. Every decision in this file comes down
+// to bit patterns and integers, or to floating-point values beyond a bound on their error: so neither the rounding mode
+// nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right shifts of negative
+// integers are assumed to be arithmetic, as they are with all compilers.
+// Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
+// paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
+// paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
+// paradt__largest, PARADT__DIMENSIONS, paradt__widen.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -954,14 +1189,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 #define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
 #endif
 
-// The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL   _Pragma("GCC unroll 10")
-#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
-#else
-#define PARADT__UNROLL
-#define PARADT__UNROLL_4
-#endif
+// --- bit patterns
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
     uint64_t bits;
@@ -983,7 +1211,7 @@ PARADT__INLINE int paradt__is_finite(double x) {
     return paradt__biased_exponent(x) < 2047;
 }
 
-// A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
+// Maps finite doubles to integers in the same order; both -0.0 and 0.0 become 0.
 PARADT__INLINE int64_t paradt__ordered_bits(double x) {
     uint64_t bits = paradt__bits(x), negative = 0 - (bits >> 63);
     return (int64_t)((bits ^ negative >> 1) - negative);
@@ -994,12 +1222,14 @@ PARADT__INLINE double paradt__from_ordered_bits(int64_t x) {
     return paradt__from_bits(x < 0 ? (0 - (uint64_t)x) | (uint64_t)1 << 63 : (uint64_t)x);
 }
 
-// 2^exponent, exponent in -1022..1023
+// Returns 2^exponent. exponent: -1022..1023
 PARADT__INLINE double paradt__power(int exponent) {
+    PARADT_ASSERT(exponent >= -1022 && exponent <= 1023);
     return paradt__from_bits((uint64_t)(exponent + 1023) << 52);
 }
 
-PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
+PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x: not 0
+    PARADT_ASSERT(x);
 #if defined(__GNUC__) || defined(__clang__)
     return __builtin_ctzll(x);
 #else
@@ -1010,7 +1240,8 @@ PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
 #endif
 }
 
-PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
+// The number of bits from the highest one set; 0 for 0
+PARADT__INLINE int paradt__bit_length(uint64_t x) {
 #if defined(__GNUC__) || defined(__clang__)
     return x ? 64 - __builtin_clzll(x) : 0;
 #else
@@ -1021,7 +1252,7 @@ PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
 #endif
 }
 
-// |x| = mantissa * 2^exponent, mantissa < 2^53, exponent in -1074..971
+// Returns the mantissa of |x| = mantissa * 2^*exponent, mantissa < 2^53, *exponent in -1074..971.
 PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), normal = biased != 0;
@@ -1029,140 +1260,65 @@ PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     return (bits & 0xfffffffffffffu) | (uint64_t)normal << 52;
 }
 
-// x * 2^exponent. *exact is cleared when bits are lost (they are cut off) or it overflows (to the largest double).
+// Returns x * 2^exponent. Clears *exact if bits are lost, which are cut off, or if the product overflows: then it
+// becomes the largest double of its sign.
 static double paradt__scale(double x, int exponent, int *exact) {
     int e, drop;
     uint64_t sign = paradt__bits(x) & (uint64_t)1 << 63, mantissa = paradt__split(x, &e);
     if (!mantissa) return x;
     int normalize = 53 - paradt__bit_length(mantissa);
     mantissa <<= normalize;
-    // by more than 4200 all of it is gone either way
+    // beyond 4200 everything is shifted out in either direction
     e += (exponent < -4200 ? -4200 : exponent > 4200 ? 4200 : exponent) - normalize;
     if (e > 971) {
         *exact = 0;
         return paradt__from_bits(sign | 0x7fefffffffffffffu);
     }
     if (e >= -1074) return paradt__from_bits(sign | (uint64_t)(e + 1075) << 52 | (mantissa & 0xfffffffffffffu));
-    drop = -1074 - e < 53 ? -1074 - e : 53; // a subnormal result
+    drop = -1074 - e < 53 ? -1074 - e : 53; // the result is subnormal
     if (mantissa & (((uint64_t)1 << drop) - 1)) *exact = 0;
     return paradt__from_bits(sign | mantissa >> drop);
 }
 
-// Wide integers are the widest that the compiler computes with. Longer ones are rows of digits in base 2^PARADT__RADIX,
-// least significant first, balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1) (the last may be larger where stated). So
-// there is no carry and no sign to care for while products are summed in wide integers, digit by digit; the sign of a
-// number is that of its highest digit other than 0; and the difference of two doubles has few nonzero digits, however
-// far apart their exponents are.
-#ifdef __SIZEOF_INT128__
-__extension__ typedef __int128 paradt__wide;
-typedef int64_t paradt__digit;
-#define PARADT__WIDE_BITS 127 // without the sign
-#define PARADT__RADIX     60
-#else
-typedef int64_t paradt__wide;
-typedef int32_t paradt__digit;
-#define PARADT__WIDE_BITS 63
-#define PARADT__RADIX     28
-#endif
-
-// So many products of two balanced digits fit into a wide integer, and a carry besides: 508.
-#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
-
-// Digits of a number below 2^bits in size, the last one balanced too
-PARADT__INLINE int paradt__digit_count(int bits) {
-    return bits / PARADT__RADIX + 1;
-}
-
-// x = digit + 2^PARADT__RADIX * carry, the digit balanced
-PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
-    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
-    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
-}
-
-PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
-    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
-}
-
-// digits[count] = the number whose digits are summed up in sum; the last digit takes all that remains.
-PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    PARADT__UNROLL
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// Balances sum[count] in place.
-PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
-    for (int i = 0; i + 1 < count; i++) {
-        sum[i + 1] += paradt__carry(sum[i]);
-        sum[i] = paradt__low_digit(sum[i]);
-    }
-}
-
-// The sign of a number
-PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
-    while (count > 1 && !digits[count - 1]) count--;
-    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
-}
-
-// sum[] += sign * a[an] * b[bn]. Every element of sum grows by at most min(an, bn) products of digits.
-PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                         const paradt__digit *b, int bn) {
-    PARADT__UNROLL
-    for (int i = 0; i < an; i++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (bn <= 6 || x) // long differences have few digits other than 0
-            PARADT__UNROLL
-        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
-    }
-}
-
-// The same with numbers of any length
-PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                             const paradt__digit *b, int bn) {
-    for (int i = 0; i < an; i++, sum++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (!x) continue; // long differences have few digits other than 0
-        PARADT__UNROLL_4
-        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
-    }
-}
-
-PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
-PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
-    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
-    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
-        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
-        *sum++ += sign < 0 ? -part : part;
-    }
-}
-
-// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
-#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+// --- integers and doubles
 
 PARADT__INLINE int paradt__max(int a, int b) {
     return a > b ? a : b;
 }
+
 PARADT__INLINE int paradt__min(int a, int b) {
     return a < b ? a : b;
 }
 
-PARADT__INLINE double paradt__larger(double a, double b) {
-    return a > b ? a : b;
+// Returns a hash of h.
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+// Unit roundoff: no operation on doubles errs by more, relative to its result. It is 2^-52, that of directed rounding,
+// for the FPU's mode is the host's; double rounding by x87 registers stays below it, too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+// Does arithmetic have at least that precision? x87 registers can be set to round to single precision, and some hosts
+// set them so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// Rounds x to a double where arithmetic may keep more digits in a register. Needed for a value that is used or compared
+// in several places, which must all see the same number.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
 }
 
 PARADT__INLINE double paradt__abs(double x) {
@@ -1173,29 +1329,15 @@ PARADT__INLINE double paradt__abs(double x) {
 #endif
 }
 
-// The largest size among count values
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+// Returns the largest |x[i]| of count > 0 values.
 PARADT__INLINE double paradt__largest(const double *x, int count) {
     double m = paradt__abs(x[0]);
     for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
     return m;
-}
-
-// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
-// and hosts have done so.
-static int paradt__precise(void) {
-#if defined(__i386__) || defined(_M_IX86)
-    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
-    return above > one;
-#else
-    return 1;
-#endif
-}
-
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
-// in several places: all must see the same.
-PARADT__INLINE double paradt__rounded(double x) {
-    volatile double rounded = x;
-    return rounded;
 }
 
 // Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
@@ -1216,14 +1358,6 @@ static double paradt__widen(uint32_t bits) {
     }
     memcpy(&x, &wide, sizeof x);
     return x;
-}
-
-static uint64_t paradt__mix(uint64_t h) {
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    return h ^ h >> 32;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1409,24 +1543,31 @@ static double paradt__now(void) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>predicates
+// >>space
 //
-// Signs of determinants of doubles, exact for all finite ones. Doors: paradt__space_begin, _add, _end, paradt__orient,
-// paradt__insphere, paradt__conflict, paradt__compare.
+// What the predicates know of a set of points: the exponents of its numbers, its extents, and bounds for the filters.
+// This section and the next four give the signs of determinants of doubles, exactly for all finite ones.
 //
-// The determinants are those of the differences to one of the points: of k columns for the orientation, and for the
-// in-sphere test of one more, the lift |x - base|^2 - (w - w_base), which differs from |x|^2 - w by a linear function
-// of x only, so that the determinant is the same. Stages, each giving up only when it can not be sure:
-//   filter   in doubles, with a bound on its error for whatever order, contraction and rounding the compiler and the
-//            FPU choose. A determinant is a multiple of its quantum, the product of its columns' units: when the
-//            quantum exceeds value and error together, it is 0. So lattices hardly ever leave the filter.
-//   small    in wide integers (128 bits, or 64 where there are none), by minors
-//   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
-//   general  any exponents, any dimension: as many digits as it takes.
-// No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
-// more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
+// The determinants are those of the differences between some points and one of them, the base: k columns of
+// coordinates for the orientation, and one more for the in-sphere test, the lift |x - base|^2 - (w - w_base). The lift
+// differs from |x|^2 - w by a linear function of x, so that the determinant is the same. A determinant is a multiple of
+// its quantum, the product of its columns' units. There are four stages; each passes on what it cannot decide:
+//   filter   in doubles (>>filters), with an error bound that holds for every order, contraction and rounding that the
+//            compiler and the FPU may choose. If the quantum exceeds value and error together, the determinant is 0: so
+//            lattices hardly ever need another stage.
+//   small    by minors in wide integers (>>exact): 128 bits, or 64 where there are no such integers
+//   fixed    for 2 and 3 columns, differences of at most 60 or 117 bits (one or two digits): loops of constant length
+//   general  for any exponents and any dimension, with as many digits as it takes
+// No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
+// dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
+// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
+// more; the other stages take 9 KB.
+// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
+// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
+// paradt__space_end, paradt__compare, paradt__rounding.
 
-// Columns and rows of the largest determinant. At least four and five: code for so many names them by constants.
+// Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
 #define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
@@ -1434,48 +1575,45 @@ typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
 
-// The exponents found in some doubles. All of them 0: unit > top.
+// The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
-    int unit;   // every one is a multiple of 2^unit
-    int bottom; // every one that is not 0 is at least 2^bottom in size
-    int top;    // every one is less than 2^top in size
+    int unit;   // each is a multiple of 2^unit
+    int bottom; // each is 0 or at least 2^bottom in size
+    int top;    // each is less than 2^top in size
 } paradt__range;
 
-// A filter's error for determinants of one kind
+// A filter's bounds for determinants of one kind
 typedef struct paradt__bounds {
-    double factor;  // error by rounding: this times the product of the columns' largest entries
+    double factor;  // the error by rounding is at most this times the product of the columns' largest entries
     double certain; // an error bound for all points of the set
-    double quantum; // every determinant is a multiple of more than this
+    double quantum; // a bit less than the quantum, of which each determinant is a multiple
 } paradt__bounds;
 
-// What the predicates know about a set of points: all that they are asked about must have been measured. One per
-// thread, for they count into it. Once measured, dim and ambient may be lowered and the axes of the points be permuted.
+// The predicates may only be asked about points that were measured. Each thread needs a space of its own, as the
+// predicates count their calls in it. After measuring, dim and ambient may be lowered and the axes of all points be
+// permuted.
 typedef struct paradt__space {
-    int dim;      // k: the first k coordinates of a point orient
-    int ambient;  // d >= k: all d coordinates enter the lift |x|^2 (points in a k-flat that is a graph over those k)
-    int weighted; // 1: a point's weight follows its d coordinates, and is taken from its lift
-    int filtered; // 1: every coordinate is 0 or 2^-120..2^120 in size, every weight 0 or 2^-240..2^240
-    int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
+    int dim;      // k: orientations are those of the first k coordinates
+    int ambient;  // d >= k: all d coordinates enter the lift (the points lie in a k-flat, a graph over the first k)
+    int weighted; // 1: a point's weight follows its d coordinates and is subtracted from its lift
+    int filtered; // 1: each coordinate is 0 or 2^-120..2^120 in size, each weight 0 or 2^-240..2^240
+    int bounded;  // 1: the filters cannot overflow. They need no lower bound of sizes: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];              // ... largest coordinate of each axis, as measured
-    double per_unit;                           // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                               // no filter's error by underflow exceeds it
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest ...
+    int64_t high[PARADT_MAX_DIM];              // ... and the largest coordinate on each axis, as measured
+    double per_unit;                           // 2^-unit if all coordinates are below 2^59 units in size, else 0
+    double tiny;                               // no filter errs by more than this by underflow
     paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
     paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
-    double orient_certain;                     // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                     // the smallest of orient's
+    double orient_certain;                     // the largest `certain` of all orientations, k = 1..d
+    double orient_quantum;                     // the smallest `quantum` of all orientations
     paradt__counters counters;
 } paradt__space;
 
-#define PARADT__UNDECIDED 2
-
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
-// ceil(log2(n!))
-static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
-
+// Extends the range to x, whatever x is.
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1486,7 +1624,8 @@ PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
-// Most numbers change nothing, which their exponents and last bits tell. Those that are not finite count as 2^1024.
+// Extends the range to x. Most numbers do not extend it, which their exponents and last bits show. Numbers that are not
+// finite count as 2^1024.
 PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
@@ -1495,7 +1634,7 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
         paradt__measure_anew(range, x);
 }
 
-// Are all points that were measured numbers?
+// Are all coordinates and weights that were measured finite?
 static int paradt__space_is_finite(const paradt__space *s) {
     return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
@@ -1506,8 +1645,9 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
+    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
@@ -1519,6 +1659,7 @@ static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weig
     }
 }
 
+// Measures a point: its coordinates and, in a weighted space, its weight.
 PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     for (int j = 0; j < s->ambient; j++) {
         int64_t x = paradt__ordered_bits(p[j]);
@@ -1529,38 +1670,40 @@ PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     if (s->weighted) paradt__measure(&s->weights, p[s->ambient]);
 }
 
-// A bit less than 2^exponent, for comparisons with rounded values; 0 when it is too small to be told apart
+// Returns a bit less than 2^exponent, for comparisons with rounded values; 0 if that is too small for the filters.
 static double paradt__quantum(int exponent) {
     return exponent < -900 ? 0 : paradt__power(paradt__min(exponent, 1000)) * (1 - 8 * PARADT__ROUNDOFF);
 }
 
-// The filters' error by rounding, to be multiplied with P, the product of the largest sizes m_j in the n columns. Let u
-// be the roundoff.
+// Returns the factor of a filter's error by rounding: the error is at most the factor times P, the product of the m_j,
+// where m_j is the largest size in column j of n columns. Let u be the roundoff.
 //
-// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials (an entry of the lift counts as one value). A computed
-// monomial has gone through at most c roundings, whichever way sums are ordered and products contracted: one a product,
-// and for a sum one less than the number of its terms.
-//   k = 2  2 differences, 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, product and
+// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
+// computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
+// product, and by a sum once less than the sum has terms.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
 //          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
-// so the error is at most c u S to first order, S the sum of the monomials' sizes, and S <= n! P. Twice that is taken,
-// for the higher orders, for m_j being computed values and for the roundings of the bound itself.
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
+// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
 //
-// Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
-// 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
-// an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most 2^(n-1) u m_j, and so do, three
-// times, the multipliers: the computed pivots are exactly those of a matrix with entries perturbed by at most e m_j,
-// e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound its determinant differs by at most n e h P to first order,
-// h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
+// Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
+// most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
+// reciprocal, errs by 3 u. Each of an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most
+// 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
+// matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
+// that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
+// Again the factor is twice as large.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
-// Adds what another has measured.
+// Adds what another space has measured.
 static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     for (int j = 0; j < s->ambient; j++) {
         if (other->low[j] < s->low[j]) s->low[j] = other->low[j];
@@ -1570,11 +1713,14 @@ static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     paradt__range_join(&s->weights, &other->weights);
 }
 
-// Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
-// of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
-// n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
-// column without a pivot above 1e-300 makes the determinant less than 2^36 1e-300 Q: all below 2^-959 Q. No value
-// exceeds 2^36 Q, so that nothing overflows while 2^36 Q < 2^1023.
+// Ends measuring: derives the bounds.
+//
+// Underflow, or flushing results and operands to zero, adds an error of at most 2^-1022 for each operation. Let Q be
+// the product of the max(1, m_j). With minors there are less than 2^13 operations, and each error is multiplied by
+// other entries, at most Q in size together, in at most n! < 2^19 monomials. With elimination an error is multiplied by
+// pivots, in at most n h 2^n < 2^36 ways (2^n because pivots grow) of 2^3 operations each. A column without a pivot
+// above 1e-300 makes the determinant less than 2^36 1e-300 Q. All of that is below 2^-959 Q. No value exceeds 2^36 Q,
+// so that nothing overflows if 2^36 Q < 2^1023.
 static void paradt__space_end(paradt__space *s) {
     const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
     const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
@@ -1585,12 +1731,12 @@ static void paradt__space_end(paradt__space *s) {
                   s->weights.bottom >= -240;
     s->bounded = precise && growth <= 940;
     s->tiny = s->bounded ? paradt__power(growth - 950) : 0;
-    // such products and conversions are exact in any rounding mode, and there is nothing to flush to zero
+    // these products and conversions are exact in any rounding mode, and none of them can be flushed to zero
     s->per_unit = 0;
     if (precise && unit >= -900 && unit < s->coordinates.top && s->coordinates.top <= paradt__min(unit + 59, 900))
         s->per_unit = paradt__power(-unit);
     if (!s->bounded) return;
-    for (int j = 0; j < d; j++) { // extents in descending order: the product of the first k is that of any k at most
+    for (int j = 0; j < d; j++) { // extents in descending order: no k of them have a larger product than the first k
         double extent = 0;
         int i = j;
         if (s->low[j] < s->high[j])
@@ -1616,10 +1762,10 @@ static void paradt__space_end(paradt__space *s) {
     }
 }
 
-// -1, 0, 1: the lexicographic order by the first dim coordinates
+// Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
 PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
     for (int j = 0; j < s->dim; j++) {
-        if (s->filtered) { // nothing that could be flushed to zero
+        if (s->filtered) { // no number is so small that it could be flushed to zero
             if (a[j] != b[j]) return a[j] < b[j] ? -1 : 1;
         } else {
             int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
@@ -1632,9 +1778,16 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filters
 //
-// Doors: to be listed.
+// Determinants in doubles. A filter returns the determinant's sign, or PARADT__UNDECIDED if rounding may have changed
+// it. The space must be bounded, so that nothing overflows, and its points measured. A filter first compares with the
+// error bound for all points of the set, which costs nothing; only where that does not decide, it computes the bound
+// for its points. The bounds are derived in >>space.
+// Doors: paradt__filter_orient2, paradt__filter_orient3, paradt__filter_insphere2, paradt__filter_insphere3,
+// paradt__filter4, paradt__filter_any.
 
-// The filters' last step. largest: the product of the columns' largest entries
+#define PARADT__UNDECIDED 2
+
+// The last step of each filter. largest: the product of the columns' largest entries
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
     double error = b->factor * largest + s->tiny;
     if (value > error) return 1;
@@ -1644,6 +1797,7 @@ PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest
     return 0;
 }
 
+// The orientation of p[0..2]
 PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
@@ -1653,6 +1807,7 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
+// The orientation of p[0..3]
 PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2], *c = p[3];
     double x[3] = {a[0] - o[0], b[0] - o[0], c[0] - o[0]};
@@ -1664,7 +1819,8 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
 }
 
-// The rest of a lift whose first k squares are summed already: further coordinates and weights. *size bounds all of it.
+// Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
+// first k squares, and subtracts the weights' difference. *size: a bound of the lift's size, for the error
 PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d, int weighted, const double *a,
                                         const double *o) {
     for (int j = k; j < d; j++) lift += (a[j] - o[j]) * (a[j] - o[j]);
@@ -1672,6 +1828,7 @@ PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d,
     return weighted ? lift - (a[d] - o[d]) : lift;
 }
 
+// Is p[3] inside the circle of p[0..2]? d >= 2: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[3];
     double x[3], y[3], lift[3], size[3], det;
@@ -1687,8 +1844,8 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
                           &s->insphere[2]);
 }
 
-// The sum of the sizes of all monomials of four rows: never larger than 24 times the product of the columns' largest
-// entries, and much smaller where some rows are, as among points on a curve.
+// The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
+// entries, and much less if some rows are small, as those of points on a curve are.
 static double paradt__monomials4(const double *x, const double *y, const double *z, const double *lift) {
     double a[4], b[4], c[4], sum = 0;
     for (int i = 0; i < 4; i++) {
@@ -1704,6 +1861,7 @@ static double paradt__monomials4(const double *x, const double *y, const double 
     return sum;
 }
 
+// Is p[4] inside the sphere of p[0..3]? d >= 3: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[4];
     double x[4], y[4], z[4], lift[4], size[4], det;
@@ -1717,7 +1875,7 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xy30 = x[3] * y[0] - x[0] * y[3], xy02 = x[0] * y[2] - x[2] * y[0], xy13 = x[1] * y[3] - x[3] * y[1];
     double xyz012 = xy01 * z[2] + xy12 * z[0] - xy02 * z[1], xyz123 = xy12 * z[3] + xy23 * z[1] - xy13 * z[2];
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
-    // minus the determinant of the rows (x, y, z, lift), as it takes in odd dimensions
+    // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
@@ -1726,15 +1884,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
 }
 
-// Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
-// out, by the pairs of the first two columns and those of the next two.
+// The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
+// first two and in the last two columns
 PARADT__INLINE double paradt__without(double (*xy)[5], double (*zw)[5], int out) {
     const int a = out == 0, b = 1 + (out <= 1), c = 2 + (out <= 2), d = 3 + (out <= 3);
     return (xy[a][b] * zw[c][d] - xy[a][c] * zw[b][d]) + (xy[a][d] * zw[b][c] + xy[b][c] * zw[a][d]) +
            (xy[c][d] * zw[a][b] - xy[b][d] * zw[a][c]);
 }
 
-// Four dimensions: n = 4 for the orientation (base p[0]), 5 for the in-sphere test (base p[5])
+// Either determinant in 4 dimensions, of rows p[0..n-1] - base: n = 4 for the orientation, 5 for the in-sphere test
 PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, const double *base, int n, int d) {
     double x[4][5], xy[5][5], zw[5][5], lift[5], size[5], det, largest = 1;
     const paradt__bounds *b = n == 4 ? &s->orient[4] : &s->insphere[4];
@@ -1764,14 +1922,14 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
     return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
 }
 
-// Determinant of n rows by elimination with pivots; 0 also when there is no pivot
+// Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     double det = 1;
     for (int t = 0; t < n; t++) {
         int pivot = t;
         for (int i = t + 1; i < n; i++)
             if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot this small is noise of underflow; its reciprocal would overflow
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
         if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
         if (pivot != t) {
             det = -det;
@@ -1790,10 +1948,12 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     return det;
 }
 
-// Rows p[0..n-1] - base: k coordinates and, when n > k, the lift
+// Either determinant in any dimension, of rows p[0..n-1] - base: k coordinates and, if n > k, the lift over d
+// coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
     double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
         double lift = 0, size;
         for (int j = 0; j < k; j++) {
@@ -1812,18 +1972,158 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>exact stages
+// >>digits
 //
-// Doors: to be listed.
+// Integers of any length, for determinants that no machine integer holds. paradt__wide is the widest integer that the
+// compiler computes with. A longer number is an array of digits in base 2^PARADT__RADIX, least significant first, and
+// balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1), where the last digit may be larger if that is stated. Products
+// are summed digit by digit in an array of wide integers, a sum; PARADT__SUMMANDS products fit before carries must be
+// taken. So a sum has neither a carry nor a sign to care for, the sign of a number is that of its highest digit other
+// than 0, and the difference of two doubles has few digits other than 0, however far apart their exponents are.
+// Functions whose names end in _any are for numbers of any length; the others are unrolled, for constant lengths.
+// Doors: paradt__digit_count, paradt__low_digit, paradt__carry, paradt__sign, paradt__clear, paradt__clear_any,
+// paradt__multiply_add, paradt__multiply_add_any, paradt__add_shifted, paradt__make_room, paradt__store,
+// paradt__store_any.
 
-// What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
-// n > k, the lift over d coordinates.
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 paradt__wide;
+typedef int64_t paradt__digit;
+#define PARADT__WIDE_BITS 127 // without the sign
+#define PARADT__RADIX     60
+#else
+typedef int64_t paradt__wide;
+typedef int32_t paradt__digit;
+#define PARADT__WIDE_BITS 63
+#define PARADT__RADIX     28
+#endif
+
+// The number of products of two balanced digits that fit into a wide integer beside a carry: 508
+#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
+
+// The number of digits, the last one balanced too, of an integer below 2^bits in size
+PARADT__INLINE int paradt__digit_count(int bits) {
+    return bits / PARADT__RADIX + 1;
+}
+
+// Returns the balanced digit of x = digit + 2^PARADT__RADIX * carry.
+PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
+    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
+    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
+}
+
+// Returns the carry of the same sum.
+PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
+    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
+}
+
+// The sign of a number, -1, 0 or 1
+PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
+    PARADT_ASSERT(count > 0);
+    while (count > 1 && !digits[count - 1]) count--;
+    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
+}
+
+PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
+    PARADT__UNROLL
+    for (int i = 0; i < count; i++) sum[i] = 0;
+}
+
+PARADT__INLINE void paradt__clear_any(paradt__wide *sum, int count) {
+    memset(sum, 0, (size_t)count * sizeof *sum);
+}
+
+// Adds sign * a[an] * b[bn] to the sum. Each of its elements receives at most min(an, bn) products of digits.
+PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                         const paradt__digit *b, int bn) {
+    PARADT__UNROLL
+    for (int i = 0; i < an; i++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        PARADT__UNROLL
+        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+// Adds sign * mantissa * 2^shift to the sum; mantissa < 2^53, shift >= 0. A summand of an element is below
+// 2^(2 RADIX - 1).
+PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
+    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
+    PARADT_ASSERT(shift >= 0);
+    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
+        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
+        *sum++ += sign < 0 ? -part : part;
+    }
+}
+
+// Takes the carries of sum[count] in place.
+PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
+    for (int i = 0; i + 1 < count; i++) {
+        sum[i + 1] += paradt__carry(sum[i]);
+        sum[i] = paradt__low_digit(sum[i]);
+    }
+}
+
+// Prepares sum[count] for another `products` products an element. *used counts those since the last carries.
+PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
+    PARADT_ASSERT(products <= PARADT__SUMMANDS);
+    *used += products;
+    if (*used <= PARADT__SUMMANDS) return;
+    paradt__balance(sum, count);
+    *used = products;
+}
+
+// Takes the carries of sum[count] and writes the digits of the number. The last digit is what remains, balanced or not.
+PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    PARADT__UNROLL
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>exact
+//
+// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
+// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
+// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+
+// ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+
+// The determinant of the n rows row[i] - base: k columns of coordinates and, if n > k, the lift over d coordinates
 typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
 } paradt__determinant;
 
+// The range of the coordinates (or weights) first..end - 1 of all rows and the base
 static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
@@ -1833,7 +2133,7 @@ static paradt__range paradt__measure_columns(const paradt__determinant *q, int f
     return range;
 }
 
-// |x| / 2^unit = mantissa * 2^*shift for a multiple of 2^unit
+// Returns the mantissa of |x| / 2^unit = mantissa * 2^*shift. x: a multiple of 2^unit
 PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1841,16 +2141,18 @@ PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     return mantissa ? mantissa >> paradt__max(unit - e, 0) : 0;
 }
 
-// The numbers of a task as integers: differences of at most 60 bits and a sign
+// --- numbers that fit: the small stage
+
+// The entries of a determinant as integers: differences of at most 60 bits and a sign
 typedef struct paradt__fixed {
-    int unit;      // of the coordinates; 2 * unit is the lifts'
-    int bits;      // differences are below 2^bits
-    int lift_bits; // lifts are below 2^lift_bits
+    int unit;      // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits;      // differences are below 2^bits in size
+    int lift_bits; // lifts are below 2^lift_bits in size
     int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
-// x / 2^unit for |x| < 2^(unit + 59); *lost collects the bits below the unit
+// Returns x / 2^unit, for |x| < 2^(unit + 59), and adds the bits below the unit to *lost.
 PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     int e, drop;
     uint64_t mantissa = paradt__split(x, &e) << 10;
@@ -1859,7 +2161,7 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     return paradt__bits(x) >> 63 ? -(int64_t)(mantissa >> drop) : (int64_t)(mantissa >> drop);
 }
 
-// Fills f->x in the unit of the set.
+// Fills f->x in the unit of the set, which s->per_unit must allow.
 PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
                                        int columns) {
     f->unit = s->coordinates.unit;
@@ -1872,7 +2174,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
     }
 }
 
-// Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
+// Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
+// weight needs a smaller unit.
 PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
@@ -1905,19 +2208,19 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determina
     return 1;
 }
 
-// Fills f but for the lifts. 0: differences or weights do not fit.
+// Fills f without the lifts. Returns 0 if differences or weights do not fit.
 PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
     if (s->per_unit > 0 && 2 * s->coordinates.unit <= weights.unit) paradt__fix_by_set(f, s, q, columns);
     else if (!paradt__fix_by_bits(f, q, columns, &weights)) return 0;
-    // the sum of up to 8 squares, and a difference of weights
+    // a sum of up to 8 squares, and the difference of two weights
     f->lift_bits = paradt__max(2 * f->bits + 3, weights.top + 1 - 2 * f->unit) + (weights.top > weights.bottom);
     return 1;
 }
 
-// Fills f->lift, which must fit in wide integers.
+// Fills f->lift. f->lift_bits must be at most PARADT__WIDE_BITS - 5.
 PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
@@ -1933,11 +2236,12 @@ PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinan
     }
 }
 
-// Determinants of the rows in wide integers. pair(i, j): of their first two columns
+// The determinant of rows i and j in the first two columns
 PARADT__INLINE paradt__wide paradt__wide_pair(const paradt__fixed *f, int i, int j) {
     return (paradt__wide)f->x[i][0] * f->x[j][1] - (paradt__wide)f->x[j][0] * f->x[i][1];
 }
 
+// The determinant of all rows, which must fit in a wide integer, for k = 2 or 3
 PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, int k) {
     paradt__wide p01 = paradt__wide_pair(f, 0, 1), p02, p12, p03, p13, p23, z0, z1, z2, z3;
     if (n == 2) return p01;
@@ -1950,7 +2254,7 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
            f->lift[1] * (z0 * p23 - z2 * p03 + z3 * p02) - f->lift[0] * (z1 * p23 - z2 * p13 + z3 * p12);
 }
 
-// The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
+// The same for any k. minor[mask] is the determinant of the rows in the mask and of as many first columns.
 PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
@@ -1961,34 +2265,40 @@ PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, in
         for (unsigned rest = mask; rest; rest &= rest - 1) {
             int i = paradt__trailing_zeros(rest);
             paradt__wide x = column < k ? f->x[i][column] : f->lift[i];
-            sum = x * minor[mask ^ 1u << i] - sum; // along the last column, whose last row counts positive
+            sum = x * minor[mask ^ 1u << i] - sum; // along the last column: the sign of its last row is positive
         }
         minor[mask] = sum;
     }
     return minor[(1 << n) - 1];
 }
 
-// few: k is 2 or 3
+// few: is k 2 or 3?
 PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k, int few) {
     paradt__wide det = few ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
     return (det > 0) - (det < 0);
 }
 
-// --- general
+// --- numbers of any length: the general stage
 
-// The lengths of a task's numbers
+// The lengths of a determinant's entries. Units are exponents.
 typedef struct paradt__layout {
     int unit, bits, digits;                // of the coordinates' differences
     int lift_unit, lift_bits, lift_digits; // of the lifts; 2 unit - lift_unit is a multiple of PARADT__RADIX
 } paradt__layout;
 
-// Places on the stack for all numbers of a task, and for sums. The largest task, 8 columns of differences of 2099 bits,
-// takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
+// Two sizes of room on the stack, each for all numbers of a determinant and for sums. Differences have at most 2099
+// bits (from 2^-1074 to 2^1025), lifts 4202 (from 2^-2148 to 2^2054): 35 and 71 digits of 60 bits, or 75 and 151 of 28.
+//   small  Every determinant of up to 3 columns of coordinates fits. The largest is the weighted in-sphere test with
+//          k = 3: rows take 4 (3 35 + 71) = 704 digits, minors of 1 or 3 columns 4 106 = 424, of 2 columns 6 70 = 420,
+//          together 1548, and sums 177 elements. With digits of 28 bits: 1504 + 904 + 900 = 3308, and 377.
+//   large  Every determinant fits. The largest, with k = 8, takes 5768 digits of 60 bits and sums of 562 elements, or
+//          12328 and 1202 of 28 bits, when it is made from halves (paradt__general_halves).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
 #define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
 #define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
+// Finds the lengths: from the set's range or, if that is long, from the points'.
 static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
@@ -2006,20 +2316,7 @@ static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__dete
     return y;
 }
 
-// Room for more products in the sums of count elements: *used of PARADT__SUMMANDS are taken
-PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
-    *used += products;
-    if (*used <= PARADT__SUMMANDS) return;
-    paradt__balance(sum, count);
-    *used = products;
-}
-
-PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
-    PARADT__UNROLL
-    for (int i = 0; i < count; i++) sum[i] = 0;
-}
-
-// sum += sign * (a - b) / 2^unit
+// Adds sign * (a - b) / 2^unit to the sum.
 PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a, double b, int unit) {
     int shift;
     uint64_t mantissa = paradt__mantissa(a, unit, &shift);
@@ -2028,7 +2325,7 @@ PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a
     paradt__add_shifted(sum, paradt__bits(b) >> 63 ? sign : -sign, mantissa, shift);
 }
 
-// digits = a - b; a wide integer holds it
+// Writes the digits of (a - b) / 2^unit, which must fit in a wide integer.
 PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, double a, double b, int unit) {
     int shift;
     paradt__wide x, y;
@@ -2041,22 +2338,22 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
     digits[count - 1] = (paradt__digit)x;
 }
 
-// Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
-// it uses as much as y->digits; sum has place for all of a lift and y->digits more.
+// Writes the rows one after another: each k numbers of y->digits and, with the lift, one of y->lift_digits. Uses
+// another y->digits behind the rows. sum: room for a lift and y->digits more
 PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
                                         const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
-        int used = 8; // weights add less than so many products
-        if (lifted) memset(lift, 0, (size_t)y->lift_digits * sizeof *lift);
+        int used = 8; // the weights add less than 8 products
+        if (lifted) paradt__clear_any(lift, y->lift_digits);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                memset(sum, 0, (size_t)y->digits * sizeof *sum);
+                paradt__clear_any(sum, y->digits);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
                 paradt__store_any(x, sum, y->digits);
             }
@@ -2072,22 +2369,23 @@ PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, c
     }
 }
 
-// Where the minors of the columns first, first + 1, ... of a task are made
+// The minors of a determinant that consist of columns first, first + 1, ...
 typedef struct paradt__minors {
-    const paradt__determinant *task;
+    const paradt__determinant *whole;
     const paradt__layout *layout;
-    const paradt__digit *rows;
+    const paradt__digit *rows; // as paradt__load_rows writes them
     int first;
 } paradt__minors;
 
-// Digits of a minor of so many columns
+// The number of digits of a minor of so many columns
 PARADT__INLINE int paradt__minor_digits(const paradt__minors *m, int columns) {
-    int lifted = m->first + columns > m->task->k;
+    int lifted = m->first + columns > m->whole->k;
     return paradt__digit_count((columns - lifted) * m->layout->bits + lifted * m->layout->lift_bits +
                                paradt__log_factorial[columns]);
 }
 
-// Digits that the minors of so many rows need at most, of an odd (parity 1) or even number of columns
+// The most digits that all minors of one size take together, among sizes of odd (parity 1) or even parity, if they are
+// made of so many rows
 static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     int most = 0;
     for (int columns = 1, binomial = rows; columns <= rows; columns++) {
@@ -2097,18 +2395,19 @@ static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     return most;
 }
 
-// The next larger number with as many bits set (Gosper's hack)
+// Returns the next larger number with as many bits set (Gosper's hack).
 PARADT__INLINE unsigned paradt__next_subset(unsigned set) {
     unsigned low = set & (0 - set), ripple = set + low;
     return ripple | ((set ^ ripple) >> 2) / low;
 }
 
-// The determinant of the rows in the set, as many columns from m->first on: its digits, in work, and their number. Of
-// every size all minors are made from those one column smaller, in two places that take turns.
+// Computes the minor of the rows in the set and of as many columns from m->first. Returns its digits, in work, and
+// their number in *digits. All minors of each size are made from those that are one column smaller, in two areas of
+// work that take turns.
 static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set, paradt__digit *work, paradt__wide *sum,
                                           int *digits) {
     const paradt__layout *y = m->layout;
-    int k = m->task->k, row_digits = k * y->digits + (m->task->n > k ? y->lift_digits : 0);
+    int k = m->whole->k, row_digits = k * y->digits + (m->whole->n > k ? y->lift_digits : 0);
     int row[PARADT__MAX_ROWS], rows = 0, previous = 0;
     uint16_t place[1 << PARADT__MAX_ROWS];
     paradt__digit *places[2], *from = NULL;
@@ -2121,7 +2420,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            memset(sum, 0, (size_t)length * sizeof *sum);
+            paradt__clear_any(sum, length);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2143,14 +2442,14 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The determinant of all rows is the sum over sets of half the rows: minors of the first columns in these times minors
-// of the other columns in the others (Laplace). For 9 rows that takes six times as long and a sixth of the
-// space.
+// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
+// a sixth of the room and six times as long.
 static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
-    int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
+    int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    memset(sum, 0, (size_t)digits * sizeof *sum);
+    paradt__clear_any(sum, digits);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2165,7 +2464,7 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
     return paradt__sign(work, digits);
 }
 
-// 1: so many digits, and sums of so many, are room for all minors at once
+// Do all minors fit together into so many digits, and the sums into so many elements?
 static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
@@ -2174,6 +2473,7 @@ static int paradt__general_fits(const paradt__determinant *q, const paradt__layo
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
+// whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
 PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
                                      paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
@@ -2200,15 +2500,16 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
     return paradt__general(q, y, work, sum, whole);
 }
 
-// --- fixed
+// --- one or two digits: the fixed stage
 
 #ifdef __SIZEOF_INT128__
-// Rows as paradt__load_rows makes them, w digits a coordinate and 2 w a lift: every product of numbers has just as many
-// digits as they have together, for
-//   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
-//          (below 2^122) 2^62, sums of four products of them below 2^126.7
-//   w = 2  numbers of 117 bits, all digits balanced
-// p[2 w] = the determinant of the first two columns of two rows
+// The rows are as paradt__load_rows writes them, with w digits a coordinate and 2 w a lift, and every product of
+// numbers gets as many digits as its factors have together. That suffices for
+//   w = 1  differences of 60 bits. Last digits may exceed the radix: they are at most 2^61 for pairs, 2^62.6 for
+//          triples and 2^62 for lifts (which are below 2^122), so that a sum of four of their products is below 2^126.7
+//   w = 2  differences of 117 bits, with all digits balanced
+
+// Computes p[2 w], the determinant of the rows a and b in the first two columns.
 PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
@@ -2217,7 +2518,8 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
-// t[2 w + third] = the determinant of three rows, whose third entries have `third` digits, by those of two
+// Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
+// third: digits of an entry in the third column
 PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
                                          const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
                                          const paradt__digit *ab, int w) {
@@ -2229,7 +2531,7 @@ PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const para
     paradt__store(t, sum, 2 * w + third);
 }
 
-// w: a constant
+// The sign of the determinant. w: a constant, 1 or 2
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
     const int stride = k * w + (n > k ? 2 * w : 0);
     const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
@@ -2273,13 +2575,13 @@ PARADT__INLINE int paradt__fixed_one(const paradt__fixed *f, int n, int k) {
     return paradt__fixed_sign(rows, n, k, 1);
 }
 
-// 1: two digits do for the coordinates, four for the lifts
+// Do two digits suffice for the differences, and four for the lifts?
 PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     if ((k != 2 && k != 3) || y->bits > 117) return 0;
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-// Rows of two digits a coordinate and four a lift
+// Writes rows of two digits a coordinate and four a lift.
 PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
     const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
     for (int i = 0; i < q->n; i++) {
@@ -2304,11 +2606,14 @@ PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const parad
 }
 #endif
 
-// The sign of the task's determinant. few: k is 2 or 3, and n, k and d are constants, for only then the loops of the
-// ways for few columns are unrolled into code that is short and fast.
+// --- which stage
+
+// The sign of the determinant. few: k is 2 or 3, and n, k and d are constants, so that the compiler unrolls the loops
+// of the small stage and of the fixed stage with one digit.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
     const paradt__determinant q = {n, k, d, s->weighted, row, base};
+    PARADT_ASSERT((n == k || n == k + 1) && k >= 1 && k <= d && d <= PARADT_MAX_DIM);
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2356,7 +2661,7 @@ PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *con
     return -paradt__exact_inline(s, p, p[4], 4, 3, 3, 1);
 }
 
-// Points of a plane in space
+// The in-sphere test for points of a plane in space
 PARADT__NOINLINE int paradt__exact_flat3(paradt__space *s, const double *const *p) {
     return paradt__exact_inline(s, p, p[3], 3, 2, 3, 1);
 }
@@ -2365,12 +2670,14 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
     return paradt__exact_inline(s, row, base, n, s->dim, s->ambient, 0);
 }
 
+// The orientation of p[0..k], k = s->dim
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
+// The in-sphere test of p[k + 1] with p[0..k]
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
     if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
@@ -2383,10 +2690,23 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>signs
 //
-// Doors: to be listed.
+// The predicates: orientation, in-sphere test, and the test for conflict, which is the in-sphere test with its ties
+// broken. Each asks a filter first and the exact stages if the filter is undecided. All points must have been measured
+// into the space, and the cell of an in-sphere test must be positively oriented.
+// The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
+// CGTA 44, 2011. The public predicates measure the points of each call.
+// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
 
+// Was the set measured, up to the end, and are the dimensions among those measured?
+PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
+    return s->dim >= 1 && s->dim <= s->ambient && s->ambient <= PARADT_MAX_DIM &&
+           (!s->bounded || s->insphere[s->dim].factor > 0);
+}
+
+// The orientation by the first k coordinates. k: s->dim, as a constant where code for it alone is wanted
 PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
@@ -2404,8 +2724,10 @@ static int paradt__orient(paradt__space *s, const double *const *p) {
     return paradt__orient_any(s, p, s->dim);
 }
 
+// The in-sphere test. k, d: s->dim and s->ambient, as constants where code for them alone is wanted
 PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p, int k, int d) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.insphere_calls++;
     if (s->bounded)
         sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
@@ -2415,15 +2737,15 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
-// Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
+// Returns 1 if p[k + 1] is inside the sphere of the cell p[0..k], 0 if it is on the sphere, -1 if it is outside.
 static int paradt__insphere(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
-// The lexicographically largest of p[0..query], but for those in the mask `done`. In three dimensions without branches,
-// for in lattices they can't be foreseen.
+// Returns the place of the lexicographically largest of p[0..query] that is not in the mask `done`. In 3 dimensions it
+// does not branch on comparisons, as the processor could not predict the branches in lattices.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
     if (PARADT__IS(s->dim, 3) && s->filtered) {
@@ -2443,14 +2765,15 @@ PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *c
     return largest;
 }
 
-// What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
-// going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
-// raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
-// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, CGTA 44, 2011).
+// Decides an in-sphere test of sign 0: 1 in conflict, 0 not. The query is p[k + 1]. The perturbation raises the lifts
+// of all points, those of lexicographically larger points overwhelmingly more: going down from the largest point, the
+// first one whose lift matters decides. Raising the query's lift moves the query outside. Raising the lift of p[i]
+// moves the query inside if the cell stays positively oriented when the query takes the place of p[i].
 PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p) {
     const int query = s->dim + 1;
     const double *other[PARADT__MAX_ROWS];
     unsigned done = 0;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.perturbed++;
     for (;;) {
         int largest = paradt__largest_point(s, p, query, done), sign;
@@ -2462,7 +2785,7 @@ PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p)
     }
 }
 
-// Of k + 2 points: 1 when p[k + 1] is in conflict with the cell of the positively oriented p[0..k], else 0
+// Is p[k + 1] in conflict with the cell p[0..k]? 1 or 0; there are no ties.
 static int paradt__conflict(paradt__space *s, const double *const *p) {
     int sign = paradt__insphere(s, p);
     return sign ? sign > 0 : paradt__perturbed(s, p);
@@ -2476,12 +2799,15 @@ PARADT_DEF int paradt_orient(int dim, const double *const *points) {
     return paradt__orient(&s, points);
 }
 
-// Copies of the points with their weights behind them
+// --- the public predicates
+
+// Copies of points, each with its weight behind it
 typedef struct paradt__joined {
     double memory[PARADT_MAX_DIM + 2][PARADT_MAX_DIM + 1];
     const double *points[PARADT_MAX_DIM + 2];
 } paradt__joined;
 
+// Copies dim + 2 points and their weights, and measures them. weights: NULL: none
 static void paradt__join(paradt__joined *joined, paradt__space *s, int dim, const double *const *points,
                          const double *weights) {
     paradt__space_begin(s, dim, dim, weights != NULL);
@@ -2546,20 +2872,9 @@ PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double
     return paradt__orient_few(p, 2);
 }
 
-PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
-    const double *p[] = {a, b, c, d};
-    return paradt__orient_few(p, 3);
-}
-
 PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
     const double *p[] = {a, b, c, q};
     return paradt__insphere_few(p, 2);
-}
-
-PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
-                                const double q[3]) {
-    const double *p[] = {a, b, c, d, q};
-    return paradt__insphere_few(p, 3);
 }
 
 // Points of floats as doubles
@@ -2587,18 +2902,30 @@ PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c
     return paradt__orient_few(w.points, 2);
 }
 
-PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
-    const float *p[] = {a, b, c, d};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 3);
-    return paradt__orient_few(w.points, 3);
-}
-
 PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
     const float *p[] = {a, b, c, q};
     paradt__widened w;
     paradt__widen_points(&w, p, 4, 2);
     return paradt__insphere_few(w.points, 2);
+}
+
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
 }
 
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
@@ -2608,6 +2935,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
     paradt__widen_points(&w, p, 5, 3);
     return paradt__insphere_few(w.points, 3);
 }
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
@@ -2631,9 +2959,10 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
     PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
-    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
+    PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
+    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
 };
 
 // --- sorting by keys
@@ -3025,8 +3354,12 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t i
     return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
+enum {
+    // Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a
+    // page.
+    PARADT__POINTS_AHEAD = 64,
+    PARADT__PACE = 1 << 15 // points between two looks at whether the call is cancelled
+};
 
 // Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
 // lines.
@@ -3183,8 +3516,7 @@ static int paradt__is_among(int number, const int *numbers, int count) {
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
                                    const paradt_index *basis, const int *axes, paradt__counters *counters,
-                                   const paradt__team *team) {
-    enum { PACE = 1 << 14 }; // points between two looks at whether the call is cancelled
+                                   paradt__meter *meter) {
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -3192,7 +3524,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
-        if (team && step % PACE == PACE - 1 && paradt__team_cancels(team, 0, 1.0)) break;
+        if (meter && step % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -3207,9 +3539,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
-//   team      NULL, or its caller is asked now and then whether to cancel; if so, the rest is not looked at
+//   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters, const paradt__team *team) {
+                             int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3225,7 +3557,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, team);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, meter);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3416,9 +3748,10 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
-static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
-                                   int axis, const double *low, const double *high) {
+// Returns the coordinate at which to cut a box, above for the first half of `boxes`, one of which is to have `extra`
+// points more.
+static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                        int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
@@ -3440,7 +3773,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
     cut->axis = paradt__longest_axis(below, above, c->dim, 0);
-    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    cut->at = paradt__cutter_coordinate(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index position = c->order[i];
         c->order[i] = c->order[middle];
@@ -3470,9 +3803,6 @@ enum {
     PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-// Points between two looks at whether the call is cancelled
-enum { PARADT__LOADER_PACE = 1 << 15 };
-
 // The passes over the points, and where each begins in the progress of them all
 enum {
     PARADT__SURVEY = 0,
@@ -3492,13 +3822,14 @@ typedef struct paradt__loader {
     size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
     size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
-    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;               // bits of a key's first digit, at most
-    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;                // values that the first digit may have
+    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;   // [points.count]
+    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;         // bits of a key's first digit, at most
+    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;          // values that the first digit may have
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
@@ -3516,9 +3847,9 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
     paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
-// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
-// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+// Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
+// the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
+// its pages are touched only once.
 static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
@@ -3538,9 +3869,9 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
+    // that fill the records has as many new pages to touch.
+    loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
@@ -3687,7 +4018,7 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3702,25 +4033,25 @@ static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
     for (i = 0; i < count; i++) {
-        if (i % PARADT__LOADER_PACE == PARADT__LOADER_PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
     }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
-// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
-// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
-// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
-// 64 / levels passes.
+// Ends the sorting: points with equal keys are sorted again, until they differ or are known to be equal. On return a
+// key is 1 if the point equals the one before, else 0. The longest run is left to the loop, so that the recursion is no
+// deeper than the logarithm of count. If most points stay together pass after pass, the reason is a few distant points,
+// with others behind them, on scale after scale. After many such passes the lattice goes by steps from one double to
+// the next, which leaves at most 64 / levels passes.
 static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
                            size_t count) {
     enum { PASSES = 20 };
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__sort_cancels(loader, task)) return;
+        if (count > PARADT__PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3782,9 +4113,9 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
-// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
-// all: measured on uniform points.
+// Returns how many points of the sample box 0 is to get more than other boxes. By insertion its region takes no points
+// of others and asks about no cell, which saves the work for some 2.2 times the points in a margin beside a cut through
+// all, as measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
     int64_t *keys = (int64_t *)(void *)loader->keyed;
@@ -3827,9 +4158,9 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
-// places if they lie on surfaces. Where they fill space they share more, but still few.
+// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
+// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
+// large a part of them share places. Where points fill space a larger part does, but still a small one.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -3861,7 +4192,7 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int d
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
             return;
         paradt__coordinates(&points, i, x);
@@ -3880,7 +4211,7 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task.
 static void paradt__place_digits(const paradt__loader *loader) {
     size_t digit, task, before = 0;
     for (digit = 0; digit < loader->digits; digit++) {
@@ -3893,19 +4224,20 @@ static void paradt__place_digits(const paradt__loader *loader) {
     PARADT_ASSERT(before == loader->source->points.count);
 }
 
+// Scatters the keys of a task by their first digits, into the scratch buffer.
 static void paradt__scatter_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__keyed *keyed = loader->keyed;
-    paradt__keyed *other = loader->other;
+    paradt__keyed *scratch = loader->scratch;
     size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
     for (; i < end; i++) {
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
-        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+        scratch[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
     }
 }
 
@@ -3920,8 +4252,8 @@ static void paradt__sort_task(void *context, size_t task) {
         if (!count || ends[digit] <= first || ends[digit] > last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+        paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->scratch + begin, count);
     }
 }
 
@@ -3948,6 +4280,7 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
+// Reads the records of a task's positions, and counts those that repeat the one before.
 static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
@@ -3956,7 +4289,7 @@ static void paradt__gather_task(void *context, size_t task) {
               first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
             return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
@@ -4118,7 +4451,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4259,11 +4592,12 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
-// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points. On
+// return set->grade_limit is the largest sagitta, and set->grade_error the error by cutting off:
+// paradt__set_grade_bounds makes bounds of them. *nearby: whether all points are so near to the sphere; if not, or
+// after an error, the set is as it was. meter: NULL, or asked now and then.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
-                                          paradt__memory *memory, int *nearby) {
+                                          paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
@@ -4280,6 +4614,10 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
+        if (meter && i % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) {
+            paradt__release(memory, records);
+            return PARADT_ERROR_CANCELLED;
+        }
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
@@ -4303,14 +4641,16 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+// Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
+// nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                       paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
     if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
     if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
-    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, meter, memory, &nearby);
     if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
     return status;
 }
@@ -4345,10 +4685,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
-// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row, PARADT__VERIFY,
-// PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
+// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
+// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
+// PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4439,6 +4779,23 @@ PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t use
 PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
                                                paradt__memory *memory) {
     return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
+}
+
+typedef struct paradt__list {
+    paradt_index *items; // [capacity]
+    size_t count, capacity;
+} paradt__list;
+
+// Appends an item.
+PARADT__INLINE paradt_status paradt__list_append(paradt__list *list, paradt_index item, paradt__memory *memory) {
+    paradt_status status = paradt__list_room(&list->items, list->count, &list->capacity, list->count + 1, memory);
+    if (!status) list->items[list->count++] = item;
+    return status;
+}
+
+static void paradt__list_free(paradt__list *list, paradt__memory *memory) {
+    paradt__release(memory, list->items);
+    memset(list, 0, sizeof *list);
 }
 
 static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
@@ -4587,6 +4944,22 @@ PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, si
     mesh->spare[mesh->spare_count++] = place;
 }
 
+// The place on the other side of a facet of the cell or ghost at a place
+PARADT__INLINE size_t paradt__mesh_across(const paradt__mesh *mesh, size_t corners, size_t place, size_t facet) {
+    return (size_t)mesh->links[place * corners + facet] / corners;
+}
+
+// Sets a mark of the cell at a place. Returns 0 if it was set already.
+PARADT__INLINE int paradt__mesh_mark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    if (mesh->marks[place] & mark) return 0;
+    mesh->marks[place] |= mark;
+    return 1;
+}
+
+PARADT__INLINE void paradt__mesh_unmark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    mesh->marks[place] &= (unsigned char)~mark;
+}
+
 // Number of the vertices of a cell or ghost that are in [0, end)
 PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
     int count = 0;
@@ -4628,6 +5001,20 @@ PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
         if (cell[i] == PARADT__INFINITE) return i;
     }
     return -1;
+}
+
+// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number in
+// that cell; else *facet is -1.
+PARADT__INLINE int paradt__mesh_behind_ghost(const paradt__mesh *mesh, size_t corners, size_t *place, int *facet) {
+    const paradt_index *vertices = mesh->vertices + *place * corners;
+    size_t mirror;
+    *facet = -1;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mirror = (size_t)mesh->links[*place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)];
+    *place = mirror / corners;
+    *facet = (int)(mirror % corners);
+    return 1;
 }
 
 // The vertices of the facet opposite `opposite`, in the cell's order.
@@ -5203,7 +5590,8 @@ static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *m
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+// Doors: paradt__scene_record, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
+// paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -5231,6 +5619,26 @@ static void paradt__update_free(paradt__update *update, paradt__memory *memory) 
 PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, paradt_index point) {
     PARADT_ASSERT(point >= 0);
     return scene->records + (size_t)point * scene->width;
+}
+
+// The vertices of a cell, and their records
+PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corners, size_t place, paradt_index *vertices,
+                                       const double **records) {
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        vertices[i] = scene->mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(scene, vertices[i]);
+    }
+}
+
+// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
+    const paradt_index *vertices = scene->mesh.vertices + place * corners;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(scene, vertices[i]));
+        PARADT__PREFETCH(scene->mesh.marks + paradt__mesh_across(&scene->mesh, corners, place, i));
+    }
 }
 
 // Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
@@ -5443,8 +5851,10 @@ static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set,
     }
 }
 
-// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range. Returns 1 when
+// the meter cancels, else 0.
+static int paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around,
+                             paradt__meter *meter) {
     double bounds[2 * PARADT_MAX_DIM];
     memcpy(bounds, around, sizeof bounds);
     for (;;) {
@@ -5453,7 +5863,8 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
             paradt__grid_keep_bounds(grid, set, begin, end, bounds);
-        if (end - begin <= PARADT__LANES) return;
+        if (end - begin <= PARADT__LANES) return 0;
+        if (meter && end - begin > PARADT__PACE / 4 && paradt__meter_cancels(meter)) return 1;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
         switch (set->width) { // the same code with the width known
@@ -5463,7 +5874,7 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         }
         high = bounds[2 * axis + 1];
         bounds[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, bounds);
+        if (paradt__grid_sort(grid, set, begin, cut, bounds, meter)) return 1;
         bounds[2 * axis + 1] = high;
         bounds[2 * axis] = at;
         begin = cut;
@@ -5577,15 +5988,17 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+// Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
+// error the caller frees the grid.
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                                  paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
     PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
     for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, bounds);
+    if (paradt__grid_sort(grid, set, 0, set->count, bounds, meter)) return PARADT_ERROR_CANCELLED;
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
@@ -5616,7 +6029,8 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
 // of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
 // one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
-// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
+// bounds; K is PARADT__ROUND.
+// Doors: paradt__kernels_choose, PARADT__ROUND.
 
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
 // at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
@@ -6119,8 +6533,8 @@ static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count
 // Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
 // Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
 // first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
-static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                                   int dim) {
+PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                             double dual[][PARADT_MAX_DIM], int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -6140,7 +6554,7 @@ static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_
     // Dual vector i is y Q with L y = unit i.
     for (i = 0; i < dim - 1; i++) {
         double y[PARADT_MAX_DIM];
-        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        memset(dual[i], 0, sizeof dual[i]);
         for (k = i; k < dim - 1; k++) {
             double rest = k == i ? 1.0 : 0.0;
             for (j = i; j < k; j++) rest -= l[k][j] * y[j];
@@ -6382,15 +6796,16 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
     return paradt__orient(&p->space, points) * p->outside > 0;
 }
 
-// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
-// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
-// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
-// ruled out.
-static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
-    for (lane = 0; lane < PARADT__LANES; lane++) {
+// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u)
+// and its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in
+// u_j. Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a
+// flat hull are ruled out.
+PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
+    unsigned left, beyond = 0;
+    int j;
+    if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
+    for (left = mask; left; left &= left - 1) {
+        int lane = paradt__trailing_zeros(left);
         double most = 0.0;
         for (j = 0; j < p->space.dim; j++) {
             double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
@@ -6399,9 +6814,9 @@ static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const doubl
             double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
             most += a > b ? a : b;
         }
-        mask |= (unsigned)(most > 0.0) << lane;
+        beyond |= (unsigned)(most > 0.0) << lane;
     }
-    return mask;
+    return beyond;
 }
 
 // Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
@@ -6629,7 +7044,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
-    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
+    if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -6838,7 +7253,7 @@ PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const do
     unsigned mask;
     if (!s->pencil.space.filtered) return 255u;
     mask = s->kernels.group(&s->pencil.q, group, &bounds);
-    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+    return s->aim == PARADT__AIM_BEYOND ? paradt__pencil_boxes_beyond(&s->pencil, group, mask) : mask;
 }
 
 // Is the point an answer?
@@ -7680,7 +8095,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
 // a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
 // one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
-// Doors: paradt__round_order, paradt__merged_order.
+// Doors: paradt__round_order, paradt__merged_order, paradt__late_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -7790,6 +8205,30 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     paradt__release(memory, other);
     paradt__release(memory, sorted);
     return r.order;
+}
+
+// Returns the order in which to insert points that come late: by rounds, and in each along a curve. A new block, or
+// NULL when there is no memory.
+PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
+    paradt_index *order = paradt__round_order(set->count, memory);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
+    size_t i;
+    if (keyed && other && order) {
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, keyed);
+    paradt__release(memory, other);
+    return order;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9981,66 +10420,73 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
 // they tell of their neighbours.
 // Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_show, paradt__patch_hear_all, paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_judge,
-// paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
+// paradt__patch_publish, paradt__patch_learn_all, paradt__patch_list_seam, paradt__patch_has_cells,
+// paradt__patch_apply_seam, paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
 
 // The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
-// a curve, under a grid. Behind them, up to begin + room, there is place for others' points that only the region sees.
+// a curve, under a grid. Behind them, up to begin + capacity, there is place for others' points that only the region
+// sees.
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
-    size_t begin, room;
+    size_t begin, capacity;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
-    const struct paradt__patch *patch;                // what the region has built, where others may look at it; or NULL
-    paradt_index *seam; // [seam_count][dim + 1] the seam: vertices of a facet and apex, as positions in the set
-    size_t seam_count;
-    int has_cells; // some cell or ghost of T(P) has a vertex of the region
+    const struct paradt__patch *published;            // what the region has built, where others may look at it; or NULL
+    paradt__mesh seam; // the seam as the region sees it, see there; vertices are positions in the set
+    int has_cells;     // some cell or ghost of T(P) has a vertex of the region
 } paradt__field;
 
 typedef struct paradt__patch {
+    // what it is of
     const paradt__set *set;
-    paradt__set everyone;        // the same without a bound on positions: fields have gaps between them
     const paradt__field *fields; // [field_count]
-    size_t field_count, own;     // own: the region's number
-    paradt__search search;       // for the questions about a cell, which are put to the fields one by one
+    size_t field_count;
+    const paradt__field *own; // the region's
+    int own_points_only;      // it is the first region, begins with its own points alone, and asks about nothing
     paradt__memory *memory;
+
+    // the insertion and its points: vertices are the region's points, in their order, then others'
     paradt__insertion build;
-    size_t capacity;                 // points that the arrays below have room for
-    double *records;                 // [capacity][build.scene.width]
-    int lent;                        // these are those of the field
-    paradt_index *others;            // [capacity - own points] positions of others' points in the set
-    paradt_index *origin;            // at the end, the caller's indices of all points:
-    paradt_index *table;             // in this, or, if it is NULL, in the field's part of set.origin
-    double room[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    size_t outer;                    // vertices from this one on may be outside of K
-    int roomy;                       // there is a margin: all points in K are in the set, with those on its border
-    paradt_index *list; // [list_capacity] cells waiting, or wrong; at the end, facets behind which others go on
-    size_t list_count, list_capacity;
-    // [fringe_capacity] places of all cells and ghosts that have not only vertices of the region; some more than once,
-    // and some where such ones have been
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-    int facets;           // links are delivered as half-facets
-    int asks;             // 1: the points that it begins with are inserted
-    size_t asked;         // so many of the list have been taken from it
-    size_t dropped;       // cells and ghosts, at the end
-    int trusts;           // it is the first region, has its own points alone, and asks about nothing
-    paradt_index *border; // [border_capacity] cells that were on the seam when they were asked about
-    size_t border_count, border_capacity;
-    paradt_index *seam; // [seam_capacity] see paradt__field
-    size_t seam_count, seam_capacity;
-    paradt_index *order;  // of the insertion of the first points
-    paradt_index *around; // [own points] one of the cells around each, for others to look at; or NULL
-    paradt_index *late;   // [late_capacity] cells waiting for what is not told yet
-    size_t late_count, late_capacity;
-    paradt_index *told; // [told_capacity] for the first told_count of others' points where their neighbours end
-    size_t told_count, told_capacity;
-    paradt_index *nearby; // [nearby_capacity] these neighbours, as positions in the set; none where there are too many
-    size_t nearby_count, nearby_capacity;
-    uint64_t looked;      // groups of neighbours
-    size_t late_cells;    // made by answers
-    size_t made;          // cells of the triangulation, of which build.scene.mesh are owned in the end
-    uint64_t hull_facets; // of the hull of T(P), whose ghosts the region owns
+    paradt_index *order;               // of the insertion of the first points
+    size_t capacity;                   // points that the arrays below have room for
+    double *records;                   // [capacity][build.scene.width]
+    int records_lent;                  // these are those of the field
+    paradt_index *others;              // [capacity - own points] positions of others' points in the set
+    paradt__list margin;               // while the points are collected, positions of others' points in K
+    double bounds[2 * PARADT_MAX_DIM]; // K: low and high of each axis
+    int has_margin;                    // all points in K are in the set, with those on its border
+    size_t outer;                      // vertices from this one on may be outside of K
+
+    // the questions about cells
+    paradt__search search;     // is put to the fields one by one
+    paradt__set unbounded_set; // the set without a bound on positions: fields have gaps between them
+    paradt__list waiting;      // cells to be asked about
+    paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
+    int is_asking;             // the points that it begins with are inserted
+    size_t questions;          // cells taken from `waiting`
+    size_t answer_cells;       // made by the insertion of answers
+
+    // neighbours learned from other regions
+    paradt_index *a_cell;       // [own points] one of the cells at each, for others to look at; or NULL
+    paradt__list neighbor_ends; // for each of the first of others' points, where its neighbours end
+    paradt__list neighbors;     // as positions in the set; none where there are too many
+    uint64_t neighbor_effort;   // groups of them that have been looked at
+
+    // the seam
+    paradt__list seam_cells; // cells that were on the seam when they were asked about
+    paradt__mesh seam;       // see paradt__field
+    paradt__list wrong;      // the first region's cells that are not of T(P)
+
+    // what it delivers
+    paradt__list fringe;        // places of all cells and ghosts that have not only vertices of the region; some more
+                                // than once, and some where such ones have been
+    size_t dropped;             // cells and ghosts
+    paradt_index *origin;       // the caller's indices of all points:
+    paradt_index *origin_block; // in this, or, if it is NULL, in the field's part of set.origin
+    int facets;                 // links are delivered as half-facets
+    paradt__list open;          // facets delivered without a mirror, numbered as in the result
+    size_t cells_built;         // cells of the triangulation, of which build.scene.mesh are owned
+    uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
 // A field of `count` points of the set, without a grid.
@@ -10060,12 +10506,13 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
 
 // Room for `capacity` points. Others read what the field lent, so that stays as it is.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
-    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->fields[patch->own].set.count;
-    void *records = patch->lent ? NULL : patch->records, *others = patch->others;
-    if (!paradt__grow(patch->memory, &records, patch->lent ? 0 : used * width, capacity * width, sizeof(double)))
+    size_t used = patch->build.count, width = patch->build.scene.width, own = patch->own->set.count;
+    void *records = patch->records_lent ? NULL : patch->records, *others = patch->others;
+    if (!paradt__grow(patch->memory, &records, patch->records_lent ? 0 : used * width, capacity * width,
+                      sizeof(double)))
         return PARADT_ERROR_MEMORY;
-    if (patch->lent) memcpy(records, patch->records, used * width * sizeof(double));
-    patch->lent = 0;
+    if (patch->records_lent) memcpy(records, patch->records, used * width * sizeof(double));
+    patch->records_lent = 0;
     patch->records = (double *)records;
     patch->build.scene.records = patch->records;
     used = used > own ? used - own : 0;
@@ -10077,13 +10524,13 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
 
 // Begins with the region's own points, in the field: the insertion uses its records.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
-    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->room - own->set.count, sizeof *patch->others);
+    const paradt__field *own = patch->own;
+    patch->others = (paradt_index *)paradt__alloc(patch->memory, own->capacity - own->set.count, sizeof *patch->others);
     if (!patch->others) return PARADT_ERROR_MEMORY;
     patch->records = own->set.records;
     patch->build.scene.records = patch->records;
-    patch->capacity = own->room;
-    patch->lent = 1;
+    patch->capacity = own->capacity;
+    patch->records_lent = 1;
     return PARADT_OK;
 }
 
@@ -10092,37 +10539,38 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
     paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
     if (status) return status;
     paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
-    patch->others[at - patch->fields[patch->own].set.count] = (paradt_index)position;
+    patch->others[at - patch->own->set.count] = (paradt_index)position;
     patch->build.count++;
     return PARADT_OK;
 }
 
 // Adds the region's own points, for which there is room.
 static void paradt__patch_add_own(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t width = patch->build.scene.width, i;
-    for (i = 0; i < own->set.count && !patch->lent; i++)
+    for (i = 0; i < own->set.count && !patch->records_lent; i++)
         paradt__copy_record(patch->records + i * width, own->set.records + i * own->set.width, width);
     patch->build.count = own->set.count;
 }
 
 // The position of a vertex in the set
 PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     if ((size_t)vertex < own->set.count) return (paradt_index)own->begin + vertex;
     return patch->others[(size_t)vertex - own->set.count];
 }
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t count = own->set.count, i;
     patch->origin = patch->set->origin + own->begin;
-    if (patch->build.count > own->room) {
-        patch->table = (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->table);
-        if (!patch->table) return PARADT_ERROR_MEMORY;
-        memcpy(patch->table, patch->origin, count * sizeof *patch->table);
-        patch->origin = patch->table;
+    if (patch->build.count > own->capacity) {
+        patch->origin_block =
+            (paradt_index *)paradt__alloc(patch->memory, patch->build.count, sizeof *patch->origin_block);
+        if (!patch->origin_block) return PARADT_ERROR_MEMORY;
+        memcpy(patch->origin_block, patch->origin, count * sizeof *patch->origin_block);
+        patch->origin = patch->origin_block;
     }
     for (i = count; i < patch->build.count; i++) {
         paradt_index position = patch->others[i - count];
@@ -10132,24 +10580,13 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
 }
 
 // Is the point in K?
-static int paradt__within(const double *x, const double *low, const double *high, int dim) {
+static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
     int axis;
     for (axis = 0; axis < dim; axis++) {
         if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
     }
     return 1;
 }
-
-static paradt_status paradt__patch_append(paradt__patch *patch, paradt_index **list, size_t *count, size_t *capacity,
-                                          paradt_index item) {
-    paradt_status status = paradt__list_room(list, *count, capacity, *count + 1, patch->memory);
-    if (!status) (*list)[(*count)++] = item;
-    return status;
-}
-
-// Appends to one of the patch's lists.
-#define PARADT__PATCH_LIST(patch, which, item)                                                                         \
-    paradt__patch_append(patch, &(patch)->which, &(patch)->which##_count, &(patch)->which##_capacity, item)
 
 // Lists the points of a field's box that are in K.
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
@@ -10166,8 +10603,9 @@ static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__fi
         if (level) {
             if (i >= field->grid.box_count[level - 1]) break;
             status = paradt__patch_gather(patch, field, level - 1, i, low, high);
-        } else if (i < field->set.count && paradt__within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)(field->begin + i));
+        } else if (i < field->set.count &&
+                   paradt__is_within(field->set.records + i * field->set.width, low, high, dim)) {
+            status = paradt__list_append(&patch->margin, (paradt_index)(field->begin + i), patch->memory);
         }
     }
     return status;
@@ -10186,21 +10624,22 @@ static double paradt__margin(const paradt__field *field) {
 
 // Lists the points of the others in the margin, which K has then.
 static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     double margin = paradt__margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     paradt_status status = PARADT_OK;
     size_t i;
     int axis;
     for (axis = 0; axis < patch->set->space.dim; axis++) {
-        patch->room[2 * axis] = low[axis] = own->low[axis] - margin;
-        patch->room[2 * axis + 1] = high[axis] = own->high[axis] + margin;
+        patch->bounds[2 * axis] = low[axis] = own->low[axis] - margin;
+        patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
-    patch->roomy = margin > 0.0;
-    for (i = 0; i < patch->field_count && patch->roomy && !status; i++) {
+    patch->has_margin = margin > 0.0;
+    for (i = 0; i < patch->field_count && patch->has_margin && !status; i++) {
         const paradt__field *field = patch->fields + i;
         int level = field->grid.levels - 1;
         size_t box;
-        for (box = 0; i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status; box++) {
+        for (box = 0; patch->fields + i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status;
+             box++) {
             status = paradt__patch_gather(patch, field, level, box, low, high);
         }
     }
@@ -10233,7 +10672,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
     int i;
     size_t j;
     paradt_status status = PARADT_OK;
-    patch->outer = patch->roomy ? known.count : patch->fields[patch->own].set.count;
+    patch->outer = patch->has_margin ? known.count : patch->own->set.count;
     if (paradt__spans(&known)) return PARADT_OK;
     for (i = 0; i <= known.space.dim && !status; i++) {
         for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != whole[i];) j++;
@@ -10244,7 +10683,7 @@ static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_i
 
 // The order of insertion: points in the margin along with the region's
 static paradt_status paradt__patch_sort(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__set known = paradt__patch_known(patch);
     const paradt__space *space = &patch->set->space;
     paradt__curve curve;
@@ -10267,19 +10706,20 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
 // The points to begin with. Vertices are the region's first, in their order, then those in the margin. The region that
 // has no margin sorts its points at once, while the others look for theirs; these do it when they build.
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     size_t needed, i;
     paradt_status status;
-    status = patch->trusts ? PARADT_OK : paradt__patch_find_margin(patch);
+    status = patch->own_points_only ? PARADT_OK : paradt__patch_find_margin(patch);
     if (!status) status = paradt__patch_lend(patch);
-    needed = own->set.count + (patch->trusts ? 0 : patch->list_count + (size_t)patch->set->space.dim + 1);
+    needed = own->set.count + (patch->own_points_only ? 0 : patch->margin.count + (size_t)patch->set->space.dim + 1);
     if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
     if (status) return status;
     paradt__patch_add_own(patch);
-    for (i = 0; i < patch->list_count && !status; i++) status = paradt__patch_add(patch, (size_t)patch->list[i]);
-    patch->list_count = 0;
+    for (i = 0; i < patch->margin.count && !status; i++)
+        status = paradt__patch_add(patch, (size_t)patch->margin.items[i]);
+    paradt__list_free(&patch->margin, patch->memory);
     if (!status) status = paradt__patch_add_span(patch, whole);
-    return status || !patch->trusts ? status : paradt__patch_sort(patch);
+    return status || !patch->own_points_only ? status : paradt__patch_sort(patch);
 }
 
 // --- cells
@@ -10289,13 +10729,13 @@ PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch
 }
 
 // Is the vertex a point of the region? These are the first.
-PARADT__INLINE int paradt__patch_has(const paradt__patch *patch, paradt_index vertex) {
-    return (size_t)vertex < patch->fields[patch->own].set.count;
+PARADT__INLINE int paradt__patch_is_own(const paradt__patch *patch, paradt_index vertex) {
+    return (size_t)vertex < patch->own->set.count;
 }
 
 // How many vertices of the cell are the region's? If none, the cell does not matter to it.
-static int paradt__patch_share(const paradt__patch *patch, paradt_index cell) {
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+static int paradt__patch_own_vertices(const paradt__patch *patch, paradt_index cell) {
+    paradt_index own = (paradt_index)patch->own->set.count;
     return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
 }
 
@@ -10316,24 +10756,31 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
     int i, share = 0;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         if (vertices[i] < 0) continue;
-        if (paradt__patch_has(patch, vertices[i])) share++;
+        if (paradt__patch_is_own(patch, vertices[i])) share++;
         else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
     }
-    return share == 1 && patch->own > 0;
+    return share == 1 && patch->own != patch->fields;
 }
 
 // Puts a cell into the list of those to be asked about, if nothing is known of it.
-static paradt_status paradt__patch_wait(paradt__patch *patch, paradt_index cell) {
+static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
     if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
     patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
-    return PARADT__PATCH_LIST(patch, list, cell);
+    return paradt__list_append(&patch->waiting, cell, patch->memory);
+}
+
+// Puts a cell into the list of wrong ones, unless it is there.
+static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
+    if (patch->build.scene.mesh.marks[cell] & PARADT__WRONG) return PARADT_OK;
+    patch->build.scene.mesh.marks[cell] |= PARADT__WRONG;
+    return paradt__list_append(&patch->wrong, cell, patch->memory);
 }
 
 // Could a cell or ghost be wrong that has not only vertices of the region?
 static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
     int share = 0, outer = 0, i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        share += vertices[i] >= 0 && paradt__patch_has(patch, vertices[i]);
+        share += vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
         outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
     }
     return share == 1 || (share && outer);
@@ -10342,13 +10789,13 @@ static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_ind
 // Lists the fringe, and of it the cells that could be wrong.
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
     const paradt__mesh *cells = &patch->build.scene.mesh;
-    paradt_index own = (paradt_index)patch->fields[patch->own].set.count;
+    paradt_index own = (paradt_index)patch->own->set.count;
     size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
     paradt_status status = PARADT_OK;
     for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
         if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_waiting(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -10362,7 +10809,7 @@ static paradt_status paradt__patch_suspects(paradt__patch *patch) {
 }
 
 // States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
-static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost) {
+static void paradt__patch_state_question(paradt__patch *patch, paradt_index cell, int ghost) {
     const paradt__insertion *build = &patch->build;
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     const double *corners[PARADT_MAX_DIM + 1];
@@ -10383,8 +10830,8 @@ static void paradt__patch_aim(paradt__patch *patch, paradt_index cell, int ghost
 }
 
 // Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
-static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__field *field,
-                                            const paradt_index *positions) {
+static paradt_index paradt__patch_ask_grid(paradt__patch *patch, const paradt__field *field,
+                                           const paradt_index *positions) {
     paradt_index places[PARADT_MAX_DIM + 1], found;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
@@ -10398,12 +10845,12 @@ static paradt_index paradt__patch_ask_boxes(paradt__patch *patch, const paradt__
 
 // The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
 // the question, or -1.
-static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    size_t i = told ? (size_t)patch->told[told - 1] : 0, end = (size_t)patch->told[told];
-    patch->looked += 1 + (end - i) / PARADT__LANES;
-    paradt__question_redirect(&patch->search, &patch->everyone, NULL, positions);
+static paradt_index paradt__patch_ask_neighbors(paradt__patch *patch, size_t told, const paradt_index *positions) {
+    size_t i = told ? (size_t)patch->neighbor_ends.items[told - 1] : 0, end = (size_t)patch->neighbor_ends.items[told];
+    patch->neighbor_effort += 1 + (end - i) / PARADT__LANES;
+    paradt__question_redirect(&patch->search, &patch->unbounded_set, NULL, positions);
     for (; i < end; i++) {
-        if (paradt__question_fits(&patch->search, (size_t)patch->nearby[i])) return patch->nearby[i];
+        if (paradt__question_fits(&patch->search, (size_t)patch->neighbors.items[i])) return patch->neighbors.items[i];
     }
     return -1;
 }
@@ -10412,25 +10859,25 @@ static paradt_index paradt__patch_ask_near(paradt__patch *patch, size_t told, co
 // neighbours are told, or else one of which they are not told yet, or SIZE_MAX.
 static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    size_t own = patch->fields[patch->own].set.count, untold = SIZE_MAX;
+    size_t own = patch->own->set.count, untold = SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
         size_t other = (size_t)vertices[i] - own;
         if (vertices[i] < 0) continue;
         if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
-        if (other >= patch->told_count) untold = other;
-        else if (patch->told[other] > (other ? patch->told[other - 1] : 0)) return other;
+        if (other >= patch->neighbor_ends.count) untold = other;
+        else if (patch->neighbor_ends.items[other] > (other ? patch->neighbor_ends.items[other - 1] : 0)) return other;
     }
     return untold;
 }
 
 // Is there a region of which the patch is not told yet what the cell needs?
-static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) {
+static int paradt__patch_must_defer(const paradt__patch *patch, paradt_index cell) {
     size_t i, witness;
     for (i = 0; i < patch->field_count; i++) {
-        if (i == patch->own || !patch->fields[i].patch) continue;
+        if (patch->fields + i == patch->own || !patch->fields[i].published) continue;
         witness = paradt__patch_witness(patch, patch->fields + i, cell);
-        if (witness != SIZE_MAX && witness >= patch->told_count) return 1;
+        if (witness != SIZE_MAX && witness >= patch->neighbor_ends.count) return 1;
     }
     return 0;
 }
@@ -10439,20 +10886,20 @@ static int paradt__patch_is_late(const paradt__patch *patch, paradt_index cell) 
 static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     paradt_index positions[PARADT_MAX_DIM + 1];
-    size_t witness = field->patch ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
+    size_t witness = field->published ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++)
         positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
-    return witness == SIZE_MAX ? paradt__patch_ask_boxes(patch, field, positions)
-                               : paradt__patch_ask_near(patch, witness, positions);
+    return witness == SIZE_MAX ? paradt__patch_ask_grid(patch, field, positions)
+                               : paradt__patch_ask_neighbors(patch, witness, positions);
 }
 
 // Notes of a cell that it is around its vertices, for those that are the region's.
-PARADT__INLINE void paradt__patch_note_around(paradt__patch *patch, paradt_index cell) {
+PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index cell) {
     const paradt_index *vertices = paradt__patch_cell(patch, cell);
     int i;
     for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) patch->around[vertices[i]] = cell;
+        if (vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i])) patch->a_cell[vertices[i]] = cell;
     }
 }
 
@@ -10462,15 +10909,15 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
-    patch->late_cells += build->update.made_count;
+    patch->answer_cells += build->update.made_count;
     for (i = 0; i < build->update.killed_count && !status; i++)
         build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
     for (i = 0; i < build->update.made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
         build->scene.mesh.marks[made] = 0;
-        if (patch->around) paradt__patch_note_around(patch, made);
-        status = PARADT__PATCH_LIST(patch, fringe, made);
-        if (!status && paradt__patch_share(patch, made)) status = paradt__patch_wait(patch, made);
+        if (patch->a_cell) paradt__patch_note_cell(patch, made);
+        status = paradt__list_append(&patch->fringe, made, patch->memory);
+        if (!status && paradt__patch_own_vertices(patch, made)) status = paradt__patch_add_waiting(patch, made);
     }
     return status;
 }
@@ -10483,20 +10930,20 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     paradt_index answer = -1;
     size_t i;
     paradt_status status = PARADT_OK;
-    if (paradt__patch_is_late(patch, cell)) return PARADT__PATCH_LIST(patch, late, cell);
+    if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
     build->scene.mesh.marks[cell] = PARADT__ASKED;
-    if (paradt__patch_on_seam(patch, cell)) status = PARADT__PATCH_LIST(patch, border, cell);
+    if (paradt__patch_on_seam(patch, cell)) status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
     if (status) return status;
-    paradt__patch_aim(patch, cell, ghost);
-    if (patch->roomy && paradt__question_is_confined(&patch->search, patch->room)) return PARADT_OK;
+    paradt__patch_state_question(patch, cell, ghost);
+    if (patch->has_margin && paradt__question_is_confined(&patch->search, patch->bounds)) return PARADT_OK;
     for (i = 0; i < patch->field_count && answer < 0; i++) {
-        if (i != patch->own && patch->fields[i].set.count)
+        if (patch->fields + i != patch->own && patch->fields[i].set.count)
             answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
     }
     if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
     if (ghost < 0) return PARADT_OK;
     // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_wait(
+    return paradt__patch_add_waiting(
         patch,
         paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
 }
@@ -10516,34 +10963,36 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
 // other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
 
 // Makes ready to be looked at by others.
-static paradt_status paradt__patch_show(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
-    patch->around = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->around);
-    if (!patch->around) return PARADT_ERROR_MEMORY;
+static paradt_status paradt__patch_publish(paradt__patch *patch) {
+    size_t own = patch->own->set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
+    patch->a_cell = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->a_cell);
+    if (!patch->a_cell) return PARADT_ERROR_MEMORY;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
-            paradt__patch_note_around(patch, (paradt_index)cell);
+            paradt__patch_note_cell(patch, (paradt_index)cell);
     }
     return PARADT_OK;
 }
 
 // Lists the neighbours of another region's own point in its triangulation, each at least once.
-static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
+static paradt_status paradt__patch_learn(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
     const paradt__mesh *mesh = &other->build.scene.mesh;
-    paradt_index first = other->around[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt_index first = other->a_cell[vertex], base = first * (paradt_index)mesh->corners, i;
     paradt__star star;
     size_t next;
     paradt_status status = PARADT_OK;
     paradt__star_of(mesh, first, vertex, &star);
-    patch->looked += PARADT__LANES + star.count / 4;
+    patch->neighbor_effort += PARADT__LANES + star.count / 4;
     if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
     for (i = base; i < base + mesh->corners && !status; i++) {
         if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
-            status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, mesh->vertices[i]));
+            status =
+                paradt__list_append(&patch->neighbors, paradt__patch_position(other, mesh->vertices[i]), patch->memory);
     }
     for (next = 1; next < star.count && !status; next++) {
         paradt_index neighbor = mesh->vertices[star.handles[next]];
-        if (neighbor >= 0) status = PARADT__PATCH_LIST(patch, nearby, paradt__patch_position(other, neighbor));
+        if (neighbor >= 0)
+            status = paradt__list_append(&patch->neighbors, paradt__patch_position(other, neighbor), patch->memory);
     }
     return status;
 }
@@ -10552,28 +11001,31 @@ static paradt_status paradt__patch_hear(paradt__patch *patch, const paradt__patc
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__kept_free(patch->build.kept, patch->memory);
     paradt__release(patch->memory, patch->order);
-    if (!patch->lent) paradt__release(patch->memory, patch->records);
+    if (!patch->records_lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->build.scene.mesh.marks);
-    paradt__release(patch->memory, patch->around);
-    paradt__release(patch->memory, patch->late);
-    paradt__release(patch->memory, patch->told);
-    paradt__release(patch->memory, patch->nearby);
-    paradt__release(patch->memory, patch->border);
+    paradt__release(patch->memory, patch->a_cell);
+    paradt__list_free(&patch->waiting, patch->memory);
+    paradt__list_free(&patch->deferred, patch->memory);
+    paradt__list_free(&patch->neighbor_ends, patch->memory);
+    paradt__list_free(&patch->neighbors, patch->memory);
+    paradt__list_free(&patch->seam_cells, patch->memory);
     patch->build.kept = NULL;
     patch->build.order = patch->order = NULL;
     patch->records = NULL;
-    patch->around = patch->late = patch->told = patch->nearby = patch->border = NULL;
+    patch->a_cell = NULL;
     patch->build.scene.mesh.marks = NULL;
 }
 
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
-    paradt__release(patch->memory, patch->list);
-    paradt__release(patch->memory, patch->fringe);
-    paradt__release(patch->memory, patch->seam);
+    paradt__list_free(&patch->margin, patch->memory);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    paradt__list_free(&patch->open, patch->memory);
+    paradt__mesh_free(&patch->seam, patch->memory);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
-    paradt__release(patch->memory, patch->table);
+    paradt__release(patch->memory, patch->origin_block);
     paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
 }
 
@@ -10582,13 +11034,14 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     size_t i;
     memset(patch, 0, sizeof *patch);
     patch->set = set;
-    patch->everyone = *set;
-    patch->everyone.count = (size_t)PARADT__NOWHERE;
+    patch->unbounded_set = *set;
+    patch->unbounded_set.count = (size_t)PARADT__NOWHERE;
     patch->fields = fields;
     patch->field_count = field_count;
-    patch->own = own;
+    patch->own = fields + own;
     patch->memory = patch->build.memory = memory;
     paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
+    paradt__mesh_begin(&patch->seam, set->space.dim + 1, 0);
     patch->build.scene.space = set->space;
     memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
     paradt__insertion_layout(&patch->build, set);
@@ -10613,7 +11066,7 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
         patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
         paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
     } else {
-        patch->made++;
+        patch->cells_built++;
         for (j = 0; j < corners; j++) paradt__patch_cut(patch, links[j], PARADT__OPEN);
     }
     vertices[0] = PARADT__DEAD;
@@ -10623,8 +11076,8 @@ static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
 // Drops what the region does not own, all of it in the fringe.
 PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
     const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
-    const paradt_index *fringe = patch->fringe, own = (paradt_index)patch->fields[patch->own].set.count;
-    size_t count = patch->fringe_count, i;
+    const paradt_index *fringe = patch->fringe.items, own = (paradt_index)patch->own->set.count;
+    size_t count = patch->fringe.count, i;
     for (i = 0; i < count; i++) {
         const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
         int share;
@@ -10640,22 +11093,21 @@ PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corne
 // Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
 // of them is not the region's.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
-    const paradt__field *own = patch->fields + patch->own;
+    const paradt__field *own = patch->own;
     paradt__insertion *build = &patch->build;
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
     size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    for (i = 0; i < patch->list_count; i++) paradt__patch_drop(patch, (size_t)patch->list[i], 0);
+    for (i = 0; i < patch->wrong.count; i++) paradt__patch_drop(patch, (size_t)patch->wrong.items[i], 0);
     if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
     else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
     build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
     paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->list, patch->list_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe, patch->fringe_count, &end);
-    patch->list_count = 0;
-    paradt__release(patch->memory, patch->fringe);
-    patch->fringe = NULL;
-    patch->made += build->scene.mesh.count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->wrong.items, patch->wrong.count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe.items, patch->fringe.count, &end);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    patch->cells_built += build->scene.mesh.count;
     return PARADT_OK;
 }
 
@@ -10665,7 +11117,7 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
         if (to->links[cell * corners + j] == PARADT__OPEN)
-            status = PARADT__PATCH_LIST(patch, list, (paradt_index)((first + cell) * corners + j));
+            status = paradt__list_append(&patch->open, (paradt_index)((first + cell) * corners + j), patch->memory);
     }
     return status;
 }
@@ -10693,22 +11145,22 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
 }
 
 // Looks for answers so far
-static uint64_t paradt__patch_looked(const paradt__patch *patch) {
-    return paradt__search_effort(&patch->search) + patch->looked;
+static uint64_t paradt__patch_effort(const paradt__patch *patch) {
+    return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
 // Would it be sooner to be told by others? To hear of a point takes as long as some looks.
-static int paradt__patch_is_hasty(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->fields[patch->own].set.count;
-    return paradt__patch_looked(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+static int paradt__patch_learning_pays(const paradt__patch *patch) {
+    size_t others = patch->build.count - patch->own->set.count;
+    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
 }
 
 // Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
 // where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
 // seam: exactly cospherical points are.
-static int paradt__patch_is_stuck(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_looked(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
-    return looked + patch->late_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
+static int paradt__patch_gives_up(const paradt__patch *patch) {
+    uint64_t looked = paradt__patch_effort(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
+    return looked + patch->answer_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
 }
 
 // Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
@@ -10720,45 +11172,48 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
     if (!status && build->inserted < build->count) return PARADT_OK;
     paradt__release(patch->memory, patch->order);
     build->order = patch->order = NULL;
-    patch->asks = 1;
-    return status || patch->trusts ? status : paradt__patch_suspects(patch);
+    patch->is_asking = 1;
+    return status || patch->own_points_only ? status : paradt__patch_suspects(patch);
 }
 
 // So many questions, with what is inserted for them, take as long as to insert a point.
 enum { PARADT__QUESTIONS_A_POINT = 2 };
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
-// wait for what others have to tell; or until it pauses. If it is hasty, no longer than others would take to tell.
-static paradt_status paradt__patch_complete(paradt__patch *patch, int hasty, const paradt__progress *progress) {
+// wait for what others have to tell; or until it pauses. If it is may_wait, no longer than others would take to tell.
+static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, const paradt__progress *progress) {
     paradt_status status = PARADT_OK;
-    while (!status && patch->list_count && !(hasty && paradt__patch_is_hasty(patch))) {
-        paradt_index cell = patch->list[--patch->list_count];
+    while (!status && patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch))) {
+        paradt_index cell = patch->waiting.items[--patch->waiting.count];
         if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
-        if (!status && paradt__patch_is_stuck(patch)) status = PARADT__GAVE_UP;
-        if (++patch->asked % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->build.relay, patch->asked, 64 / PARADT__QUESTIONS_A_POINT)) break;
+        if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
+        if (++patch->questions % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
+        if (paradt__relay_pauses(patch->build.relay, patch->questions, 64 / PARADT__QUESTIONS_A_POINT)) break;
     }
     return status;
 }
 
 // Has it paused, inserting or asking?
-static int paradt__patch_pauses(const paradt__patch *patch, int hasty) {
-    return !patch->asks || (patch->list_count && !(hasty && paradt__patch_is_hasty(patch)));
+static int paradt__patch_pauses(const paradt__patch *patch, int may_wait) {
+    return !patch->is_asking || (patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch)));
 }
 
 // Hears of all points that it has from others. The cells that waited for that go on.
-static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
-    size_t own = patch->fields[patch->own].set.count, i;
+static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
+    size_t own = patch->own->set.count, i;
     paradt_status status = PARADT_OK;
-    while (own + patch->told_count < patch->build.count && !status) {
-        paradt_index position = patch->others[patch->told_count];
+    while (own + patch->neighbor_ends.count < patch->build.count && !status) {
+        paradt_index position = patch->others[patch->neighbor_ends.count];
         const paradt__field *field = patch->fields;
         while ((size_t)position - field->begin >= field->set.count) field++;
-        if (field->patch) status = paradt__patch_hear(patch, field->patch, position - (paradt_index)field->begin);
-        if (!status) status = PARADT__PATCH_LIST(patch, told, (paradt_index)patch->nearby_count);
+        if (field->published)
+            status = paradt__patch_learn(patch, field->published, position - (paradt_index)field->begin);
+        if (!status)
+            status = paradt__list_append(&patch->neighbor_ends, (paradt_index)patch->neighbors.count, patch->memory);
     }
-    for (i = 0; i < patch->late_count && !status; i++) status = PARADT__PATCH_LIST(patch, list, patch->late[i]);
-    patch->late_count = 0;
+    for (i = 0; i < patch->deferred.count && !status; i++)
+        status = paradt__list_append(&patch->waiting, patch->deferred.items[i], patch->memory);
+    patch->deferred.count = 0;
     return status;
 }
 
@@ -10783,22 +11238,32 @@ static paradt_status paradt__patch_hear_all(paradt__patch *patch) {
 // is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
 // right.
 
-// Lists the facets of the seam, when all cells have been asked about.
-static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+// Adds a cell or ghost to the seam. Its facet opposite the apex is open, and no other.
+static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
     int corners = patch->build.scene.mesh.corners, i;
-    size_t at;
+    const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    size_t base;
+    paradt_status status = paradt__mesh_room(&patch->seam, patch->memory);
+    if (status) return status;
+    base = (size_t)paradt__mesh_take(&patch->seam) * (size_t)corners;
+    for (i = 0; i < corners; i++) {
+        int own = vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
+        patch->seam.vertices[base + (size_t)i] =
+            vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
+        patch->seam.links[base + (size_t)i] = own ? PARADT__OPEN : PARADT__HULL;
+    }
+    return PARADT_OK;
+}
+
+// Lists the seam, when all cells have been asked about.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
+    size_t i;
     paradt_status status = PARADT_OK;
-    for (at = 0; at < patch->border_count && !status; at++) {
-        paradt_index cell = patch->border[at], apex = -1;
-        const paradt_index *vertices = paradt__patch_cell(patch, cell);
+    for (i = 0; i < patch->seam_cells.count && !status; i++) {
+        paradt_index cell = patch->seam_cells.items[i];
         if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
         patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
-        for (i = 0; i < corners && !status; i++) {
-            paradt_index position = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
-            if (vertices[i] >= 0 && paradt__patch_has(patch, vertices[i])) apex = position;
-            else status = PARADT__PATCH_LIST(patch, seam, position);
-        }
-        if (!status) status = PARADT__PATCH_LIST(patch, seam, apex);
+        status = paradt__patch_add_to_seam(patch, cell);
     }
     return status;
 }
@@ -10808,111 +11273,75 @@ static int paradt__patch_has_cells(paradt__patch *patch) {
     size_t cell;
     for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
-            paradt__patch_share(patch, (paradt_index)cell))
+            paradt__patch_own_vertices(patch, (paradt_index)cell))
             return 1;
     }
     return 0;
 }
 
-// What the other regions say of the seam
+// What the other regions say of the seam. Links of facets that have been listed twice are handles. PARADT__OPEN is the
+// link of a facet that has been listed once and whose wrong cell has not been reached.
 typedef struct paradt__seam {
-    size_t dim;           // vertices of a facet; the infinite one is among them where two ghosts meet
-    paradt_index *facets; // [count][dim + 1] the vertices in order, and the apex; or what follows
-    paradt_index *table;  // [capacity] hash table of facets; -1: free
-    size_t count, capacity;
-    size_t single; // facets that have been listed once
+    paradt__mesh mesh;
+    paradt__facets once; // by keys
 } paradt__seam;
 
-enum {
-    PARADT__MET = -1,  // the wrong cell on its side has been reached
-    PARADT__TWICE = -2 // it has been listed twice
-};
-
-// Puts a vertex among those before it, which are in order.
-PARADT__INLINE void paradt__facet_add(paradt_index *facet, size_t count, paradt_index vertex) {
-    for (; count > 0 && facet[count - 1] > vertex; count--) facet[count] = facet[count - 1];
-    facet[count] = vertex;
-}
-
-// Where the table has the facet, or would have it. dim: the seam's; inlined with a constant.
-PARADT__INLINE paradt_index *paradt__seam_place(const paradt__seam *seam, const paradt_index *facet, size_t dim) {
-    size_t mask = seam->capacity - 1, i;
-    size_t place = paradt__facet_hash(paradt__cell_sum(facet, (int)dim)) & mask;
-    for (; seam->table[place] >= 0; place = (place + 1) & mask) {
-        const paradt_index *other = seam->facets + (size_t)seam->table[place] * (dim + 1);
-        for (i = 0; i < dim && other[i] == facet[i];) i++;
-        if (i == dim) break;
-    }
-    return seam->table + place;
-}
-
-static void paradt__seam_add(paradt__seam *seam, const paradt_index *listed) {
-    paradt_index *facet = seam->facets + seam->count * (seam->dim + 1), *place;
-    size_t i;
-    for (i = 0; i < seam->dim; i++) paradt__facet_add(facet, i, listed[i]);
-    facet[seam->dim] = listed[seam->dim];
-    place = paradt__seam_place(seam, facet, seam->dim);
-    if (*place >= 0) {
-        seam->facets[(size_t)*place * (seam->dim + 1) + seam->dim] = PARADT__TWICE;
-        seam->single--;
-        return;
-    }
-    *place = (paradt_index)seam->count++;
-    seam->single++;
-}
-
 static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
-    paradt__release(memory, seam->facets);
-    paradt__release(memory, seam->table);
+    paradt__mesh_free(&seam->mesh, memory);
+    paradt__facets_free(&seam->once, memory);
 }
 
 static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
     const paradt__field *end = patch->fields + patch->field_count, *field;
+    int corners = patch->build.scene.mesh.corners;
     size_t count = 0, i;
+    paradt_status status;
     memset(seam, 0, sizeof *seam);
-    seam->dim = (size_t)patch->build.scene.mesh.corners - 1;
-    for (field = patch->fields + 1; field < end; field++) count += field->seam_count;
-    for (seam->capacity = 16; seam->capacity < 2 * count;) seam->capacity *= 2;
-    seam->facets = (paradt_index *)paradt__alloc(patch->memory, count, (seam->dim + 1) * sizeof *seam->facets);
-    seam->table = (paradt_index *)paradt__alloc(patch->memory, seam->capacity, sizeof *seam->table);
-    if (!seam->facets || !seam->table) return PARADT_ERROR_MEMORY;
-    memset(seam->table, -1, seam->capacity * sizeof *seam->table);
+    paradt__mesh_begin(&seam->mesh, corners, 0);
+    for (field = patch->fields + 1; field < end; field++) count += field->seam.count;
+    status = paradt__mesh_reserve(&seam->mesh, count, count, patch->memory);
+    if (!status) status = paradt__facets_begin(&seam->once, 0, 1, patch->memory);
+    if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
+    if (status) return status;
     for (field = patch->fields + 1; field < end; field++) {
-        for (i = 0; i < field->seam_count; i++) paradt__seam_add(seam, field->seam + i * (seam->dim + 1));
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
     }
+    for (i = 0; i < count * (size_t)corners; i++) {
+        paradt_index facet = (paradt_index)i;
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
+                           corners);
+    }
+    PARADT__VERIFY(&seam->mesh, 0, 0);
     return PARADT_OK;
 }
 
-// Has the facet of a wrong cell, of so many corners, been listed once, so that the cell on its other side is right? It
-// is met then.
-PARADT__INLINE int paradt__seam_meets(const paradt__seam *seam, const paradt_index *vertices, size_t corners,
-                                      size_t without) {
-    paradt_index facet[PARADT_MAX_DIM], place, *apex;
-    size_t count = 0, i;
-    for (i = 0; i < corners; i++) {
-        if (i != without) paradt__facet_add(facet, count++, vertices[i]);
-    }
-    place = *paradt__seam_place(seam, facet, corners - 1);
-    if (place < 0) return 0;
-    apex = seam->facets + (size_t)place * corners + corners - 1;
-    if (*apex == PARADT__TWICE) return 0;
-    *apex = PARADT__MET;
+// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is reached then. sum:
+// of the cell
+PARADT__INLINE int paradt__seam_has(const paradt__seam *seam, const paradt__mesh *mesh, paradt_index handle,
+                                    uint64_t sum, int corners) {
+    paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
+    paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
+    if (facet < 0) return 0;
+    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN);
+    seam->mesh.links[facet] = PARADT__HULL;
     return 1;
 }
 
 // Lists those cells that are reached without passing the seam from those in the list, the first `next` apart.
 PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
-                                                        size_t corners) {
+                                                        int corners) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_status status = PARADT_OK;
-    size_t i;
-    for (; next < patch->list_count && !status; next++) {
-        size_t base = (size_t)patch->list[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->list, patch->list_count, next);
+    int i;
+    for (; next < patch->wrong.count && !status; next++) {
+        paradt_index base = patch->wrong.items[next] * corners;
+        uint64_t sum = paradt__cell_sum(mesh->vertices + base, corners);
+        paradt__mesh_fetch_listed(mesh, patch->wrong.items, patch->wrong.count, next);
         for (i = 0; i < corners && !status; i++) {
-            size_t other = (size_t)patch->build.scene.mesh.links[base + i] / corners;
-            if (!(patch->build.scene.mesh.marks[other] & PARADT__WAITING) &&
-                !paradt__seam_meets(seam, patch->build.scene.mesh.vertices + base, corners, i))
-                status = paradt__patch_wait(patch, (paradt_index)other);
+            paradt_index other = mesh->links[base + i] / corners;
+            if (!(mesh->marks[other] & PARADT__WRONG) && !paradt__seam_has(seam, mesh, base + i, sum, corners))
+                status = paradt__patch_add_wrong(patch, other);
         }
     }
     return status;
@@ -10920,11 +11349,11 @@ PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, co
 
 // Lists a wrong cell, and those that are reached from it without passing the seam.
 static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    size_t next = patch->list_count;
-    paradt_status status = paradt__patch_wait(patch, first);
+    size_t next = patch->wrong.count;
+    paradt_status status = paradt__patch_add_wrong(patch, first);
     if (status) return status;
-    if (seam->dim == 3) return paradt__patch_spread_wrong(patch, seam, next, 4);
-    return paradt__patch_spread_wrong(patch, seam, next, seam->dim + 1);
+    if (seam->mesh.corners == 4) return paradt__patch_spread_wrong(patch, seam, next, 4);
+    return paradt__patch_spread_wrong(patch, seam, next, seam->mesh.corners);
 }
 
 // Lists all cells and ghosts.
@@ -10933,7 +11362,7 @@ static paradt_status paradt__patch_list_all(paradt__patch *patch) {
     paradt_status status = PARADT_OK;
     for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
         if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
-            status = paradt__patch_wait(patch, (paradt_index)cell);
+            status = paradt__patch_add_wrong(patch, (paradt_index)cell);
     }
     return status;
 }
@@ -10946,11 +11375,10 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
     int others = 0;
     paradt_status status = PARADT_OK;
     for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
-    if (others && !seam->single) return paradt__patch_list_all(patch);
-    for (i = 0; i < seam->count && !status; i++) {
-        paradt_index apex = seam->facets[i * (seam->dim + 1) + seam->dim];
-        if (apex < 0) continue;
-        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, apex));
+    if (others && !seam->once.count) return paradt__patch_list_all(patch);
+    for (i = 0; i < seam->mesh.count * (size_t)seam->mesh.corners && !status; i++) {
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
         status = paradt__patch_list_wrong(patch, seam, cell);
     }
     return status;
@@ -10961,16 +11389,16 @@ static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
     paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
-    for (next = 0; next < patch->fringe_count && !status; next++) {
-        paradt_index base = patch->fringe[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe, patch->fringe_count, next);
+    for (next = 0; next < patch->fringe.count && !status; next++) {
+        paradt_index base = patch->fringe.items[next] * corners;
+        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe.items, patch->fringe.count, next);
         for (i = base; i < base + corners && !status; i++) {
             paradt_index other = patch->build.scene.mesh.links[i] / corners;
             if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
                 patch->build.scene.mesh.marks[other] & PARADT__LISTED)
                 continue;
             patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
-            status = PARADT__PATCH_LIST(patch, fringe, other);
+            status = paradt__list_append(&patch->fringe, other, patch->memory);
         }
     }
     return status;
@@ -10983,20 +11411,20 @@ static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
     int corners = cells->corners;
     size_t cell;
     paradt_status status = PARADT_OK;
-    if (patch->list_count && paradt__ghost_place(paradt__patch_cell(patch, patch->list[0]), corners) >= 0) {
-        patch->build.scene.mesh.marks[patch->list[0]] |= PARADT__LISTED;
-        status = PARADT__PATCH_LIST(patch, fringe, patch->list[0]);
+    if (patch->wrong.count && paradt__ghost_place(paradt__patch_cell(patch, patch->wrong.items[0]), corners) >= 0) {
+        patch->build.scene.mesh.marks[patch->wrong.items[0]] |= PARADT__LISTED;
+        status = paradt__list_append(&patch->fringe, patch->wrong.items[0], patch->memory);
         return status ? status : paradt__patch_spread_ghosts(patch);
     }
     cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
     for (; cell < cells->count && !status;
          cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
-        status = PARADT__PATCH_LIST(patch, fringe, (paradt_index)cell);
+        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
     return status;
 }
 
 // Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
-static paradt_status paradt__patch_judge(paradt__patch *patch) {
+static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
     paradt__seam seam;
     paradt_status status = paradt__seam_begin(&seam, patch);
     if (!status) status = paradt__patch_find_wrong(patch, &seam);
@@ -11052,14 +11480,259 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>known points
+//
+// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
+// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
+// the own points are the first. It is compiled where paradt_mpi.h is implemented.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
+
+typedef struct paradt__known {
+    paradt__insertion build;
+    paradt_index *order; // of the insertion of the first points
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
+    // such ones have been, and few more than once
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
+} paradt__known;
+
+static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
+    known->build.memory = memory;
+    paradt__insertion_end(&known->build);
+    paradt__release(memory, known->fringe);
+    paradt__release(memory, known->order);
+    memset(known, 0, sizeof *known);
+}
+
+// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
+// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
+// box, as ordered bits
+static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
+                                         const int64_t *high, paradt__memory *memory,
+                                         const paradt__progress *progress) {
+    paradt__curve curve;
+    memset(known, 0, sizeof *known);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    known->order = paradt__merged_order(set, own, &curve, memory);
+    if (!known->order) return PARADT_ERROR_MEMORY;
+    paradt__insertion_begin(&known->build, set, known->order, memory);
+    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&known->build, progress);
+}
+
+// Puts a place on the list of the fringe.
+PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
+    size_t count = known->fringe_count;
+    paradt_status status =
+        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
+    if (status) return status;
+    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
+    known->fringe[known->fringe_count++] = (paradt_index)place;
+    return PARADT_OK;
+}
+
+// Forgets the list of the fringe, to make it anew.
+static void paradt__known_relist(paradt__known *known) {
+    size_t i;
+    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
+    known->fringe_count = 0;
+}
+
+// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
+// positions are the own points'.
+PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
+    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+}
+
+// Lists all of it.
+static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
+        status = paradt__known_list(known, own, &place);
+    return status;
+}
+
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
+// where such cells were.
+static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
+    paradt__insertion *build = &known->build;
+    size_t i;
+    paradt_status status;
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+    }
+    return status;
+}
+
+// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
+// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
+// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
+PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
+                                             const unsigned char *outer) {
+    int suspect = share == 1;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        int other = vertices[j] >= own;
+        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
+    }
+    return suspect;
+}
+
+// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
+    paradt__insertion_rest(&known->build);
+    paradt__release(memory, known->order);
+    known->order = NULL;
+}
+
+// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
+// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+enum {
+    PARADT__NO_VERTEX = 0,
+    PARADT__VERTEX = 1,
+    PARADT__OF_OWN_CELL = 2,
+    PARADT__OF_NONE_DROPPED = 4,
+    PARADT__OF_LATER_RANK = 8
+};
+
+PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
+                                          paradt_index bits) {
+    size_t j;
+    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
+}
+
+// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
+// are the own points'; mark: of all points, says which are a later rank's.
+PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                       const paradt_index *mark) {
+    paradt_index bits = 0;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        share |= vertices[j] < own;
+        bits |= mark[vertices[j]];
+    }
+    return share && !(bits & PARADT__OF_LATER_RANK);
+}
+
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
+// marked as dropped. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
+                                            paradt_index *mark) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    size_t count = known->fringe_count, i, j, left = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index place = known->fringe[i];
+        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
+        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        if (vertices[0] == PARADT__DEAD) continue;
+        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+            continue;
+        }
+        if (known->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        for (j = 0; j < corners && is_cell; j++)
+            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        others += (uint64_t)is_cell;
+        known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
+        known->fringe[left++] = place;
+    }
+    known->fringe_count = left;
+    return others;
+}
+
+// Is a vertex of the cell an own point that was not found to be one of an own cell?
+PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
+                                        const paradt_index *mark) {
+    int leaves = 0;
+    size_t j;
+    for (j = 0; j < corners; j++)
+        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
+    return leaves;
+}
+
+// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
+// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
+// others' points have had their vertices marked already.
+PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
+    paradt__mesh *cells = &known->build.scene.mesh;
+    size_t i, j, count = known->fringe_count;
+    for (i = 0; i < count; i++) {
+        size_t base = (size_t)known->fringe[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        for (j = 0; j < corners; j++) {
+            paradt_index link = cells->links[base + j];
+            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
+            if (PARADT__LIKELY(known->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
+            if (paradt__known_leaves(cells->vertices + base, corners, own, mark) &&
+                paradt__vertices_among(across, (int)corners, 0, own))
+                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+    }
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+}
+
+PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
+                                                  paradt_index *mark) {
+    uint64_t others = paradt__known_judge(known, own, corners, mark);
+    paradt__known_drop(known, own, corners, mark);
+    return others;
+}
+
+// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
+// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
+// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
+// cells are dropped since others own them.
+static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
+                                  paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &known->build;
+    paradt_index own = (paradt_index)set->count;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    uint64_t others;
+    // of points without weights none is hidden
+    for (i = 0; i < set->count; i++)
+        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
+    others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
+                          : paradt__known_drop_others(known, own, corners, mark);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
+    paradt__release(memory, known->fringe);
+    *cells = build->scene.mesh;
+    memset(known, 0, sizeof *known);
+    return others;
+}
+
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>call
 //
 // What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
 // the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
 // memory are joined, and what is left of the limit is shared among them anew.
-// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
-// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
-// paradt__region_view_of, paradt__may_insert, paradt__build_front.
+// Doors: paradt__count_predicates, paradt__count_region, paradt__begin_way, paradt__whole_progress,
+// paradt__region_progress, paradt__region_count, paradt__run_step, paradt__begin_regions, paradt__share_memory.
 
 struct paradt__front;
 struct paradt__work;
@@ -11292,8 +11965,8 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
 // Prepares for fronts: the reference sphere and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
-    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->meter, &work->memory);
     work->stats->seconds_grid += paradt__now() - begun;
     return status;
 }
@@ -11364,7 +12037,7 @@ static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory
     paradt__patch *patch = &region->patch;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
     patch->facets = work->facets;
-    patch->trusts = work->first_alone && index == 0;
+    patch->own_points_only = work->first_alone && index == 0;
     region->status = paradt__patch_points(patch, work->basis);
 }
 
@@ -11428,9 +12101,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->waits = 0;
     region->status = paradt__patch_list_seam(patch);
     field->seam = patch->seam;
-    field->seam_count = patch->seam_count / (size_t)patch->build.scene.mesh.corners;
-    field->has_cells = field->seam_count || paradt__patch_has_cells(patch);
-    patch->seam = NULL;
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    memset(&patch->seam, 0, sizeof patch->seam);
 }
 
 // Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
@@ -11441,13 +12113,13 @@ static void paradt__build_task(void *context, size_t index) {
     paradt__patch *patch = &region->patch;
     int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
     paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->asks ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->asks) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    region->status = patch->is_asking ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->is_asking) region->status = paradt__patch_complete(patch, can_learn, &progress);
     if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
     region->built = 1;
-    region->waits = !region->status && patch->list_count;
+    region->waits = !region->status && patch->waiting.count;
     paradt__count_patch(region);
-    if (region->status || region->waits || patch->trusts) return;
+    if (region->status || region->waits || patch->own_points_only) return;
     paradt__end_questions(work, index);
     paradt__patch_rest(patch);
 }
@@ -11455,14 +12127,14 @@ static void paradt__build_task(void *context, size_t index) {
 static void paradt__publish_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
-    region->status = paradt__patch_show(&region->patch);
-    work->fields[index].patch = &region->patch;
+    region->status = paradt__patch_publish(&region->patch);
+    work->fields[index].published = &region->patch;
 }
 
 // No region changes while others look at it.
 static void paradt__learn_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->waits) region->status = paradt__patch_hear_all(&region->patch);
+    if (region->waits) region->status = paradt__patch_learn_all(&region->patch);
 }
 
 static void paradt__complete_task(void *context, size_t index) {
@@ -11472,16 +12144,16 @@ static void paradt__complete_task(void *context, size_t index) {
     if (!region->waits) return;
     region->status = paradt__patch_complete(&region->patch, 0, &progress);
     paradt__count_patch(region);
-    if (!region->status && !region->patch.late_count) paradt__end_questions(work, index);
+    if (!region->status && !region->patch.deferred.count) paradt__end_questions(work, index);
 }
 
 static void paradt__compact_task(void *context, size_t index) {
     paradt__region *region = ((paradt__work *)context)->region + index;
     paradt__patch *patch = &region->patch;
-    region->status = patch->trusts ? paradt__patch_judge(patch) : PARADT_OK;
+    region->status = patch->own_points_only ? paradt__patch_apply_seam(patch) : PARADT_OK;
     paradt__count_patch(region);
     if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->made - patch->build.scene.mesh.count;
+    region->stats.cells_recomputed = patch->cells_built - patch->build.scene.mesh.count;
     region->hull_facets = patch->hull_facets;
     paradt__patch_rest(patch);
 }
@@ -11497,13 +12169,14 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
     size_t i, j, end;
-    for (i = 0; i < patch->list_count && !status; i = end) {
-        end = patch->list_count - i < PARADT__JOINED ? patch->list_count : i + PARADT__JOINED;
-        for (j = end; j < patch->list_count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->mesh.vertices + patch->list[j]);
-            PARADT__PREFETCH(work->mesh.links + patch->list[j]);
+    for (i = 0; i < patch->open.count && !status; i = end) {
+        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
+        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
         }
-        status = paradt__facets_join(&work->open_facets, &work->mesh, patch->list + i, end - i, !work->facets, memory);
+        status =
+            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
     }
     return status;
 }
@@ -11528,7 +12201,7 @@ static void paradt__emit_task(void *context, size_t index) {
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
     region->status = paradt__patch_emit(&region->patch, &to, region->offset);
     if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->open_facets, region->patch.list_count, 0, &region->memory);
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
 }
 
@@ -11558,13 +12231,13 @@ static size_t paradt__region_left(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     const paradt__insertion *build = &patch->build;
     if (work->region[index].built) return 0;
-    if (patch->asks) return patch->list_count / PARADT__QUESTIONS_A_POINT;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
     return build->count - build->inserted + build->count - work->fields[index].set.count;
 }
 
 // What a region has done, in points inserted
 static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->asked / PARADT__QUESTIONS_A_POINT;
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
 }
 
 static void paradt__leg_task(void *context, size_t index) {
@@ -11632,8 +12305,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
     for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
         const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->list_count; j++) {
-            paradt_index *link = work->mesh.links + patch->list[j];
+        for (j = 0; j < patch->open.count; j++) {
+            paradt_index *link = work->mesh.links + patch->open.items[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
@@ -11794,8 +12467,8 @@ static size_t paradt__place_fields(paradt__work *work, int with_room) {
     for (i = 0; i < work->regions; i++) {
         size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].room = with_room && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].room;
+        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].capacity;
     }
     return total;
 }
@@ -11862,7 +12535,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         region->patch.memory = region->patch.build.memory = &work->memory;
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__release(&work->memory, work->fields[i].seam);
+        paradt__mesh_free(&work->fields[i].seam, &work->memory);
     }
     paradt__mesh_free(&work->slices, &work->memory);
     paradt__facets_free(&work->open_facets, &work->memory);
@@ -11874,7 +12547,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // >>methods
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
-// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+// Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
+// paradt__release_helpers.
 
 // --- do regions pay?
 //
@@ -11985,9 +12659,9 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
     if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
     if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
     if (!status) status = paradt__build_by_patches(work);
     if (status != PARADT__GAVE_UP) return status;
@@ -12212,6 +12886,44 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
+// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    double each = (double)points->count / (double)work->regions;
+    int several = work->regions > 1;
+    if (first->front) {
+        if (points->dim == 2) return several ? 3.0 : 2.2;
+        return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
+    }
+    if (points->dim > 3) return several ? 5.0 : 2.0;
+    if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
+    if (!several) return 1.45;
+    if (work->one_by_one) return 1.2;
+    // Slices of the result that few points leave too empty are copied, so that both are held.
+    return each > 40000.0 ? 1.8 : each > 5000.0 ? 3.0 + 10000.0 / each : 5.0;
+}
+
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
+    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
+    paradt__work work;
+    paradt_points given;
+    const char *text;
+    double count, cells, bytes;
+    if (!points) return 0;
+    given = *points;
+    given.data = &given; // something
+    if (paradt__check_arguments(&given, options, &text)) return 0;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__plan(&work, &given);
+    count = (double)given.count;
+    cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
+    bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
+    bytes *= paradt__memory_factor(&work, &given);
+    if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    return (uint64_t)bytes + FIXED;
+}
+
 // Reads the points into the set.
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
@@ -12386,405 +13098,65 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-// ---------------------------------------------------------------------------------------------------------------------
-// >>remote
-//
-// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
-// region built alone.
-//
-// It is only compiled where paradt_mpi.h is implemented.
-//
-// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
-// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
-
-#ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__REMOTE 1
-
-// Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
-// the set.
-typedef struct paradt__remote_engine {
-    paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-} paradt__remote_engine;
-
-static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->build.memory = memory;
-    paradt__insertion_end(&engine->build);
-    paradt__release(memory, engine->fringe);
-    paradt__release(memory, engine->order);
-    memset(engine, 0, sizeof *engine);
-}
-
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 const int64_t *low, const int64_t *high, paradt__memory *memory,
-                                                 const paradt__progress *progress) {
-    paradt__curve curve;
-    memset(engine, 0, sizeof *engine);
-    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
-                        set->count / 8);
-    engine->order = paradt__merged_order(set, own, &curve, memory);
-    if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__insertion_begin(&engine->build, set, engine->order, memory);
-    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__insertion_run(&engine->build, progress);
-}
-
-// The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
-// there is no memory.
-static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__memory *memory) {
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
-    paradt_index *order = paradt__round_order(set->count, memory);
-    const paradt__space *space = &set->space;
-    paradt__curve curve;
-    size_t i;
-    if (keyed && other && order) {
-        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
-                            set->count);
-        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
-    } else {
-        paradt__release(memory, order);
-        order = NULL;
-    }
-    paradt__release(memory, keyed);
-    paradt__release(memory, other);
-    return order;
-}
-
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
-    size_t count = engine->fringe_count;
-    paradt_status status =
-        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
-    if (status) return status;
-    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    engine->fringe[engine->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
-// Forgets the list of the fringe, to make it anew.
-static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
-    size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
-    engine->fringe_count = 0;
-}
-
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
-PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
-                                                        size_t *place) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
-}
-
-// Lists all of it.
-static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
-        status = paradt__remote_engine_list(engine, own, &place);
-    return status;
-}
-
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
-static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
-                                                  paradt_index position) {
-    paradt__insertion *build = &engine->build;
-    size_t i;
-    paradt_status status;
-    build->scene.records = set->records;
-    build->count++;
-    status = paradt__insert_one_more(build, position, -1);
-    for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
-    }
-    return status;
-}
-
-// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
-// there; else *facet is -1.
-PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
-                                               int *facet) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t base = *place * corners;
-    int ghost;
-    *facet = -1;
-    if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
-    return 1;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
-}
-
-// The place on the other side of a facet of what is at a place
-PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                                   size_t facet) {
-    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
-}
-
-// Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
-PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->build.scene.mesh.marks + place;
-    if (*mark & PARADT__WAITING) return 0;
-    *mark |= PARADT__WAITING;
-    return 1;
-}
-
-static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
-}
-
-// Fetches what is at a place ahead of its use.
-PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
-}
-
-// The same of its vertices' records, and of the marks of what is around it.
-PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
-                                                       size_t place) {
-    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
-        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
-    }
-}
-
-// The vertices of the cell at a place, as positions in the set, and their records.
-PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                               paradt_index *vertices, const double **records) {
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
-        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
-    }
-}
-
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
-static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt__insertion_rest(&engine->build);
-    paradt__release(memory, engine->order);
-    engine->order = NULL;
-}
-
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
-enum {
-    PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
-};
-
-PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
-                                          paradt_index bits) {
-    size_t j;
-    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
-}
-
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
-PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
-                                       const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
-}
-
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
-PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                    paradt_index *mark) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t count = engine->fringe_count, i, j, left = 0;
-    uint64_t others = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index place = engine->fringe[i];
-        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        if (vertices[0] == PARADT__DEAD) continue;
-        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
-            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-            continue;
-        }
-        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
-        for (j = 0; j < corners && is_cell; j++)
-            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
-        others += (uint64_t)is_cell;
-        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        engine->fringe[left++] = place;
-    }
-    engine->fringe_count = left;
-    return others;
-}
-
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
-PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
-                                                const paradt_index *mark) {
-    int leaves = 0;
-    size_t j;
-    for (j = 0; j < corners; j++)
-        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
-    return leaves;
-}
-
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
-PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                               paradt_index *mark) {
-    paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t i, j, count = engine->fringe_count;
-    for (i = 0; i < count; i++) {
-        size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        for (j = 0; j < corners; j++) {
-            paradt_index link = cells->links[base + j];
-            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->links[link] = PARADT__OPEN;
-            if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
-                paradt__vertices_among(across, (int)corners, 0, own))
-                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-        }
-    }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)engine->fringe[i] * corners] = PARADT__DEAD;
-}
-
-PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
-                                                          size_t corners, paradt_index *mark) {
-    uint64_t others = paradt__remote_engine_judge(engine, own, corners, mark);
-    paradt__remote_engine_drop(engine, own, corners, mark);
-    return others;
-}
-
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
-static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__mesh *cells, paradt_index *mark) {
-    paradt__insertion *build = &engine->build;
-    paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
-    uint64_t others;
-    // of points without weights none is hidden
-    for (i = 0; i < set->count; i++)
-        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
-    others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
-                          : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
-                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, engine->fringe);
-    *cells = build->scene.mesh;
-    memset(engine, 0, sizeof *engine);
-    return others;
-}
-
-// The bytes that a result holds: each block begins with its size.
-static size_t paradt__remote_bytes(const paradt_triangulation *t) {
-    const void *blocks[3] = {t->cells, t->neighbors, t->representative};
-    size_t bytes, sum = 0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        if (!blocks[i]) continue;
-        memcpy(&bytes, (const char *)blocks[i] - PARADT__BLOCK_HEADER, sizeof bytes);
-        sum += bytes;
-    }
-    return sum;
-}
-
-#endif // PARADT_MPI_IMPLEMENTATION
-
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
 // >>check
 //
 // The certificate: whatever the arrays of a triangulation hold, paradt_check accepts exactly those that are T(P). It
-// shares with the methods only the reading of points, the predicates and the memory account; it builds nothing that it
-// could get wrong in the same way, and it takes linear time (expected: hashing; hidden points are found by short
-// walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and Uhrig,
-// "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999; Devillers,
-// Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
-// Computational Geometry 11, 1998. Door: paradt_check.
+// shares only the reading of points, the predicates and the memory account with the methods, and builds nothing that it
+// could get wrong in the same way. It takes linear time (expected: there is hashing, and hidden points are found by
+// short walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and
+// Uhrig, "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999;
+// Devillers, Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
+// Computational Geometry 11, 1998.
 //
-// What is tested, all of it in exact signs (k: the affine dimension, counted anew; o: a place infinitesimally near the
-// lexicographically smallest vertex, inside one of its cells):
+// What is tested, all of it in exact signs. k is the affine dimension, determined anew; o is a place infinitesimally
+// near the lexicographically smallest vertex, inside one of its cells.
 //   (1) points of equal coordinates have the same representative, the right one, or all are hidden; each
 //       representative is a vertex, each vertex is its own representative;
 //   (2) each cell is positively oriented;
-//   (3) adjacency is an involution on the facets of cells, two neighbours have all but one vertex in common, and their
+//   (3) adjacency is an involution on the facets of cells, two neighbours have all vertices but one in common, and
+//   their
 //       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
-//   (4) across each facet with two cells, the other cell's vertex is no conflict of the cell under the perturbation;
-//   (5) each hull facet (one without neighbour) has o strictly on its cell's side;
-//   (6) at each ridge of the hull, where two hull facets meet when one turns around it through the cells, neither
-//       facet's remaining vertex is beyond the other facet's hyperplane;
-//   (7) one cell only contains o;
-//   (8) each hidden point lies in a cell with which it is not in conflict.
+//   (4) for each facet with two cells, the vertex opposite in one cell is not in conflict with the other cell;
+//   (5) each hull facet (one with a single cell) has o strictly on the side of its cell;
+//   (6) at each ridge of the hull, where turning around it through the cells leads from one hull facet to another,
+//       neither facet has its remaining vertex beyond the hyperplane of the other;
+//   (7) only one cell contains o;
+//   (8) each hidden point lies in a cell that it is not in conflict with.
 //
 // Why this proves T(P). Choose the infinitesimals of o and of the perturbation as real numbers so small that all the
-// finitely many signs stay as they are; "generic" means off the hyperplanes of all facets. Let n(x) be the number of
-// cells that contain a generic x. By (2) and (3) n does not change across a facet of two cells: one is lost, one
-// gained. Across a hull facet it falls by one to the facet's outside. Facets of the hull are paired at ridges: turning
-// around a ridge is an injective map of flags by (3), so it never runs in circles and ends at another hull facet, which
-// by (2), (3) has the opposite orientation at the ridge. By (5) the hull is thus star-shaped about o: projected from o
-// to the sphere, neighbouring facets lie on opposite sides of their ridge, so the projection covers the sphere equally
-// often everywhere, and any generic ray from o crosses the hull n(o) times, each time outward. By (7) that is once, and
-// the hull is the boundary of one star-shaped body Q with n = 1 in it and n = 0 outside. A section of Q by a generic
-// plane through o is a star-shaped polygon, convex at each corner by (6), so convex; so is Q. Q contains all of P:
-// vertices and duplicates by (1), hidden points by (8); so Q = conv(P), and the cells tile it. Let g be the function on
-// Q that is affine on each cell and takes the lifted heights at the vertices. Along any generic segment g is
-// continuous, as neighbours share a facet's vertices, and strictly convex at each facet crossed, by (4). So the plane
-// of any cell lies below g on all of Q, hence below each lifted vertex; below each hidden one by (8), as it is a
-// conflict or not by the plane over its own place. With perturbed heights "below" is strict but for the cell's own
-// vertices: each cell is a facet of the lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none
-// is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
-// o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+// finitely many signs stay as they are. "Generic" means off the hyperplanes of all facets.
+//   The cells near a facet. Let n(x) be the number of cells that contain a generic x. By (2) and (3) n does not change
+// across a facet of two cells: one cell is left, one entered. Across a hull facet, outward, it falls by one.
+//   The hull is star-shaped. Facets of the hull are paired at ridges: turning around a ridge is an injective map of
+//   flags
+// by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite orientation
+// at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of their ridge.
+// So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the hull n(o) times,
+// each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about o, with n = 1
+// inside and n = 0 outside.
+//   The hull is convex. A section of Q by a generic plane through o is a star-shaped polygon, convex at each corner by
+// (6), and therefore convex; so Q is convex. Q contains all of P: vertices and duplicates by (1), hidden points by (8).
+// So Q = conv(P), and the cells tile it.
+//   The cells are Delaunay. Let g be the function on Q that is affine on each cell and takes the lifted heights at the
+// vertices. Along any generic segment g is continuous, as neighbours share the vertices of a facet, and strictly convex
+// at each facet crossed, by (4). So the plane of any cell lies below g on all of Q, and hence below each lifted vertex.
+// It lies below each lifted hidden point by (8), as the plane of the cell under such a point decides whether it is in
+// conflict. With perturbed heights "below" is strict except at the vertices of the cell: each cell is a facet of the
+// lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none is there twice.
+//   Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5): the interior of Q contains o.
+//   Nothing
+// else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+//
+// This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
+// has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
+// paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
 
-enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
-// What is done, one after another, with the part of the work that is done when it begins
+// The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
     X(READ, 0.0)                                                                                                       \
     X(LEAD, 0.02)                                                                                                      \
@@ -12807,17 +13179,18 @@ typedef struct paradt__check {
     const paradt_options *options; // may be NULL
     paradt_fault *fault;
     paradt__memory memory;
-    paradt__set set;               // the records of all the caller's points, by the caller's index
-    size_t corners;                // dim + 1, of a cell
-    const paradt_index *neighbors; // t->neighbors or matched
-    int halves;                    // 1: they are half-facets
+    paradt__set set;               // the records of all points, by the caller's index
+    size_t corners;                // vertices of a cell: dim + 1
+    const paradt_index *neighbors; // t->neighbors or `matched`
+    int halves;                    // 1: neighbors are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
-    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
-    const double
-        *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
+    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: not a vertex
+    // o is the first of these vertices, moved towards the second, by infinitely less towards the third, and so on.
+    const double *origin[PARADT_MAX_DIM + 1];
     paradt__check_phase phase;
 } paradt__check;
 
+// Says what is wrong. cell, point: an index, or -1
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
                                         paradt_index point) {
     check->fault->reason = reason;
@@ -12826,19 +13199,20 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
+// Tells the progress callback that `done` of the phase's elements are done; to be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
 #define PARADT__CHECK_BEGIN(name, begin) begin,
     static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
 #undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
     double fraction = begins[check->phase];
+    PARADT_ASSERT(done <= all);
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
     fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
-// The cell across a facet (numbered cell * corners + corner); negative: none
+// Returns the cell across a facet, whose number is cell * corners + corner; -1: none.
 PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
     paradt_index neighbor = check->neighbors[facet];
     return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
@@ -12848,22 +13222,25 @@ PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check
     return check->t->cells + cell * check->corners;
 }
 
+// Fills corners with the coordinates of the cell's vertices.
 static void paradt__check_gather(const paradt__check *check, size_t cell, const double **corners) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i;
     for (i = 0; i < check->corners; i++) corners[i] = paradt__record(&check->set, vertices[i]);
 }
 
-// In dimension 0 a cell is a point and the empty determinant is 1.
+// Returns the orientation of a cell. In dimension 0 a cell is a point, and the empty determinant is 1.
 static int paradt__check_orient(paradt__check *check, const double *const *corners) {
     return check->set.space.dim == 0 ? 1 : paradt__orient(&check->set.space, corners);
 }
 
-// On which side of the facet opposite `corner` x lies: 1 is the cell's. corners come back as they were.
+// Returns on which side of the facet opposite `corner` the point x lies: 1 on the side of the cell, 0 on its
+// hyperplane, -1 beyond it. corners: the cell's; they come back as they were.
 static int paradt__check_side(paradt__check *check, const double **corners, size_t corner, const double *x) {
     const double *own = corners[corner];
     int side;
     size_t i;
+    PARADT_ASSERT(corner < check->corners);
     if (x == own) return 1;
     for (i = 0; i < check->corners; i++)
         if (x == corners[i]) return 0;
@@ -12875,13 +13252,13 @@ static int paradt__check_side(paradt__check *check, const double **corners, size
 
 // --- points: condition (1) up to "is a vertex"
 
-// The predicates' error bounds are those of one dimension
+// Sets the dimension in which the predicates work, and their error bounds.
 static void paradt__check_set_dim(paradt__check *check, int dim) {
     check->set.space.dim = dim;
     if (dim > 0) paradt__space_end(&check->set.space);
 }
 
-// ... and of the coordinates that stand at their places.
+// Measures all records anew, as the order of their coordinates has changed, and sets the dimension.
 static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__space *space = &check->set.space;
     size_t i;
@@ -12890,6 +13267,7 @@ static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__check_set_dim(check, dim);
 }
 
+// Reads the points.
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__source source = paradt__source_of(points);
     paradt__set *set = &check->set;
@@ -12911,7 +13289,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     return PARADT_OK;
 }
 
-// Takes the coordinate at place `axis` of all records to their end; `axis` of them orient.
+// Moves the coordinate at place `axis` of all records to the end of the coordinates. `axis` axes are taken so far.
 static void paradt__check_pass_over(paradt__check *check, int axis) {
     size_t i, after = (size_t)(check->set.space.ambient - axis - 1);
     for (i = 0; i < check->set.count; i++) {
@@ -12922,9 +13300,10 @@ static void paradt__check_pass_over(paradt__check *check, int axis) {
     paradt__check_measure(check, axis);
 }
 
-// The affine dimension. Axes are taken from the first to the last, each that makes the projection to the axes taken
-// larger: one point out of the flat of the basis shows it. One that is passed over is an affine function of those
-// taken, for all points are then exactly in that flat. In the end the records begin with the axes taken.
+// Determines the affine dimension. Axes are taken from the first to the last: each one that raises the dimension of the
+// projection to the axes taken, which one point off the flat of the basis shows. An axis that is passed over is an
+// affine function of those taken, for then all points are exactly in that flat. In the end the records begin with the
+// axes taken.
 static paradt_status paradt__check_dimension(paradt__check *check) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, taken = 0, ambient = check->set.space.ambient;
@@ -12947,18 +13326,19 @@ static paradt_status paradt__check_dimension(paradt__check *check) {
     return PARADT_OK;
 }
 
-// The place in the table of the points that have the record's coordinates, or of an empty one.
+// Returns the slot of the table that holds the record's coordinates, or the empty slot where they belong.
 static size_t paradt__check_place(const paradt__check *check, const paradt_index *table, size_t slots,
                                   const double *record) {
     int ambient = check->set.space.ambient;
     size_t slot = (size_t)paradt__hash_coordinates(record, ambient) & (slots - 1);
+    PARADT_ASSERT(slots > check->set.count && !(slots & (slots - 1)));
     while (table[slot] >= 0 &&
            memcmp(paradt__record(&check->set, table[slot]), record, (size_t)ambient * sizeof(double)))
         slot = (slot + 1) & (slots - 1);
     return slot;
 }
 
-// Fills the table with the point that has to stand for its place: the heaviest, then the first.
+// Fills the table with the point that has to stand for each place: the heaviest, among these the first.
 static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
     paradt_status status = PARADT_OK;
@@ -12975,6 +13355,7 @@ static paradt_status paradt__check_lead(const paradt__check *check, paradt_index
     return status;
 }
 
+// Compares representatives with the points that have to stand for their places.
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
     paradt_status status = PARADT_OK;
@@ -12993,6 +13374,7 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
     return status;
 }
 
+// Condition (1), but for whether representatives are vertices.
 static paradt_status paradt__check_representatives(paradt__check *check) {
     paradt_status status;
     paradt_index *table;
@@ -13018,6 +13400,7 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
 
 // --- cells: condition (2), the rest of (1)
 
+// Checks that the cell's vertices are distinct representatives, and notes the cell for each of them.
 static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i, j;
@@ -13036,6 +13419,7 @@ static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     return PARADT_OK;
 }
 
+// Condition (2), and the rest of (1).
 static paradt_status paradt__check_cells(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t i, cell_count = check->t->cell_count;
@@ -13060,12 +13444,14 @@ static paradt_status paradt__check_cells(paradt__check *check) {
 
 // --- facets: conditions (3) and (4)
 
-// The corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 when they don't share it.
-// place becomes where each vertex is found in the other cell, with the opposite one in the place of `corner`.
+// Returns the corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 if the cells do not
+// share that facet. place[i] becomes the corner of `other` at which vertex i of `cell` stands; place[corner] the one
+// that is returned.
 static int paradt__check_across(const paradt__check *check, size_t cell, size_t corner, size_t other, size_t *place) {
     const paradt_index *a = paradt__check_cell(check, cell), *b = paradt__check_cell(check, other);
     unsigned left = (1u << check->corners) - 1;
     size_t i, j;
+    PARADT_ASSERT(corner < check->corners && cell < check->t->cell_count && other < check->t->cell_count);
     for (i = 0; i < check->corners; i++) {
         if (i == corner) continue;
         for (j = 0; j < check->corners && a[i] != b[j]; j++) {
@@ -13079,8 +13465,8 @@ static int paradt__check_across(const paradt__check *check, size_t cell, size_t 
     return a[corner] == b[j] ? -1 : (int)j;
 }
 
-// Given that both cells are positively oriented, the vertices opposite a shared facet are on different sides if and
-// only if replacing one by the other turns the orientation over.
+// Is the permutation odd? Of two positively oriented cells with a common facet, the opposite vertices lie on different
+// sides of it if and only if `place` is odd: replacing one vertex by the other reverses the orientation.
 static int paradt__check_is_odd(const size_t *place, size_t corners) {
     size_t i, j;
     int odd = 0;
@@ -13089,6 +13475,7 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
     return odd;
 }
 
+// Conditions (3) and (4) for one facet.
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
     size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
     paradt_index neighbor = paradt__check_neighbor(check, facet);
@@ -13117,6 +13504,7 @@ static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size
     return PARADT_OK;
 }
 
+// Conditions (3) and (4).
 static paradt_status paradt__check_facets(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 2];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13130,8 +13518,8 @@ static paradt_status paradt__check_facets(paradt__check *check) {
     return PARADT_OK;
 }
 
-// Looks for the facet of the cell opposite `corner` in the table of facets (numbered cell * corners + corner, plus 1; 0
-// is empty). Returns its place there, or the empty one where it belongs.
+// Returns the slot of the table that holds the facet opposite `corner` of the cell, or the empty slot where it belongs.
+// table: facets, each its number cell * corners + corner, plus 1; 0: empty
 static size_t paradt__check_facet_place(const paradt__check *check, const size_t *table, size_t slots, size_t cell,
                                         size_t corner) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
@@ -13153,7 +13541,7 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
     return slot;
 }
 
-// Adjacency for a triangulation that comes without: cells with equal facets are neighbours.
+// Finds the neighbours of a triangulation that comes without: cells with equal facets.
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
@@ -13177,6 +13565,7 @@ static paradt_status paradt__check_match(paradt__check *check, size_t *table, si
     return PARADT_OK;
 }
 
+// Takes the neighbours, each of which has to be a cell or a half-facet, or finds them.
 static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
@@ -13191,7 +13580,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
                                           (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
-    while (slots < facets + facets / 4) // most facets are there twice and take one place
+    while (slots < facets + facets / 4) // most facets are there twice and take one slot
         slots *= 2;
     check->neighbors = check->matched = (paradt_index *)paradt__alloc(&check->memory, facets, sizeof(paradt_index));
     table = (size_t *)paradt__alloc(&check->memory, slots, sizeof *table);
@@ -13205,10 +13594,17 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     return status;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of the hull
+//
+// The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
+// and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
+// that makes triangulations. Door: paradt_check.
+
 // --- the hull and the covering: conditions (5) to (7)
 
 // Is o on the cell's side of the facet opposite `corner`? The orientation is affine in o, so its sign is that of the
-// first of o's vertices that is off the facet; they are not all on it, being those of a cell.
+// first of o's vertices that is off the facet. Not all of them are on it, as they are the vertices of a cell.
 static int paradt__check_holds_origin(paradt__check *check, const double **corners, size_t corner) {
     size_t i;
     int side = 0;
@@ -13216,7 +13612,8 @@ static int paradt__check_holds_origin(paradt__check *check, const double **corne
     return side > 0;
 }
 
-// The lexicographically smallest vertex is o's first, so most cells are passed by on their first coordinates.
+// Chooses o near the lexicographically smallest vertex, so that most cells can be passed over by their first
+// coordinates.
 static void paradt__check_choose_origin(paradt__check *check) {
     size_t i, smallest = check->set.count, home;
     const double *first;
@@ -13233,7 +13630,7 @@ static void paradt__check_choose_origin(paradt__check *check) {
     check->origin[0] = first;
 }
 
-// Are all corners on one side of o's first vertex, strictly and along one axis?
+// Are all corners strictly on one side of o's first vertex along some axis? Then the cell does not contain o.
 static int paradt__check_is_apart(const paradt__check *check, const double *const *corners) {
     int axis;
     for (axis = 0; axis < check->set.space.dim; axis++) {
@@ -13248,10 +13645,10 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
     return 0;
 }
 
-// The vertex in which the hull facet opposite `corner` of the cell is met, across the ridge without the corner `aside`
-// too, by the next hull facet: turns around the ridge from cell to cell. `leave` is the corner whose facet is left
-// through, `stay` the one that is not of the ridge and stays. For each flag (cell, leave, stay) there is one before it
-// at most, and none before the first, so this ends.
+// The hull facet opposite `corner` of the cell has a ridge, without the corner `aside` too. Returns the remaining
+// vertex of the other hull facet at this ridge, by turning around the ridge from cell to cell: `leave` is the corner
+// opposite the facet that the cell is left through, `stay` the other corner that is not in the ridge. Each flag (cell,
+// leave, stay) has at most one predecessor, and the first has none, so this ends.
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
@@ -13265,6 +13662,7 @@ static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, 
     }
 }
 
+// Conditions (5) and (6) for one hull facet.
 static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell, size_t corner,
                                               const double **corners) {
     size_t aside;
@@ -13281,6 +13679,7 @@ static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell,
     return PARADT_OK;
 }
 
+// Conditions (5) to (7).
 static paradt_status paradt__check_hull(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13312,8 +13711,8 @@ typedef struct paradt__check_key {
     paradt_index point;
 } paradt__check_key;
 
-// The place of x in a Morton order of a grid of 2^bits cells an axis over the box. Only the time of the walks depends
-// on it. A box so thin that its width has no inverse is not divided.
+// Returns the place of x in the Morton order of a grid with 2^bits cells along each axis of the box. Only the time of
+// the walks depends on it. A box so thin that its width has no inverse is not divided.
 static uint64_t paradt__check_morton(const double *x, const double *low, const double *high, int dim, int bits) {
     uint64_t key = 0, limit = ((uint64_t)1 << bits) - 1, cell[PARADT_MAX_DIM];
     int axis, bit;
@@ -13328,7 +13727,7 @@ static uint64_t paradt__check_morton(const double *x, const double *low, const d
     return key;
 }
 
-// The vertices and hidden points, in no order yet. Returns how many there are.
+// Lists the vertices and hidden points with their keys, in no order yet. Returns how many there are.
 static size_t paradt__check_list(const paradt__check *check, paradt__check_key *keys) {
     const paradt__set *set = &check->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -13352,7 +13751,7 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
     return listed;
 }
 
-// By key, in passes of a digit from the lowest; there are an even number, so the result is in keys again.
+// Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
 static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
@@ -13367,9 +13766,9 @@ static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other
     }
 }
 
-// Moves *cell to one that contains the point, across facets that have it on their other side. In a regular
-// triangulation, which the cells are known to be by now, such a walk never comes back to a cell (Edelsbrunner, "An
-// acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+// Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
+// it. The cells are known to be a regular triangulation by now, and in such a triangulation the walk never comes back
+// to a cell (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
 static paradt_status paradt__check_walk(paradt__check *check, paradt_index point, paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 2], *x = paradt__record(&check->set, point);
     for (;;) {
@@ -13386,6 +13785,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
     return PARADT_OK;
 }
 
+// Condition (8).
 static paradt_status paradt__check_hidden(paradt__check *check) {
     paradt__check_key *keys;
     paradt_status status = PARADT_OK;
@@ -13409,6 +13809,22 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
 
 // --- all of it
 
+// Tests the conditions of a triangulation that has points, each in an order in which it may rely on those before.
+static paradt_status paradt__check_conditions(paradt__check *check) {
+    paradt_status status = paradt__check_representatives(check);
+    check->phase = PARADT__CHECK_CELLS;
+    if (!status) status = paradt__check_cells(check);
+    if (!status && !check->t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__check_facets(check);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__check_hull(check);
+    check->phase = PARADT__CHECK_HIDDEN;
+    return status ? status : paradt__check_hidden(check);
+}
+
 static paradt_status paradt__check_all(paradt__check *check, const paradt_points *points) {
     const paradt_triangulation *t = check->t;
     paradt_status status;
@@ -13418,26 +13834,14 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
-    if (status) return status;
-    if (!points->count)
-        return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
-    status = paradt__check_representatives(check);
-    check->phase = PARADT__CHECK_CELLS;
-    if (!status) status = paradt__check_cells(check);
-    if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
-    check->phase = PARADT__CHECK_MATCH;
-    if (!status) status = paradt__check_adjacency(check);
-    check->phase = PARADT__CHECK_FACETS;
-    if (!status) status = paradt__check_facets(check);
-    check->phase = PARADT__CHECK_HULL;
-    if (!status) status = paradt__check_hull(check);
-    check->phase = PARADT__CHECK_HIDDEN;
-    if (!status) status = paradt__check_hidden(check);
+    if (!status && !points->count && t->cell_count)
+        status = paradt__check_fail(check, "there are cells without points", -1, -1);
+    if (!status && points->count) status = paradt__check_conditions(check);
     check->phase = PARADT__CHECK_END;
     return status ? status : paradt__check_pace(check, 0, 1);
 }
 
-// What is missing in the triangulation; NULL: nothing.
+// Returns what is missing in the triangulation; NULL: nothing.
 static const char *paradt__check_triangulation(const paradt_triangulation *t) {
     if (!t) return "triangulation is NULL";
     if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";

@@ -249,7 +249,7 @@ static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__mem
     paradt__grid grid;
     if (set->space.dim < 2 || cuts->boxes < 2) return;
     memset(&grid, 0, sizeof grid);
-    assert_int_equal(paradt__grid_build(&grid, set, memory), PARADT_OK);
+    assert_int_equal(paradt__grid_build(&grid, set, NULL, memory), PARADT_OK);
     paradt__grid_free(&grid, memory);
     paradt__regions_deal(set, cuts, 0, set->count, 0, cuts->boxes);
     expect_boxes(set, cuts, 0);

@@ -48,18 +48,16 @@ for family in gcc clang; do
     builds "${family}_c99" "$family -std=c99 $c $smallest -o $work/${family}_c99 -lm"
     builds "${family}_c++11" "$cxx -std=c++11 $common -x c++ $smallest -o $work/${family}_c++11 -lm"
     [ -z "$QUICK" ] || continue
-    builds "${family}_c11" "$family -std=c11 $c $smallest -o $work/${family}_c11 -lm"
-    builds "${family}_c++20" "$cxx -std=c++20 $common -x c++ $smallest -o $work/${family}_c++20 -lm"
     if [ $family = gcc ]; then
         builds gcc_O2 "gcc -std=c99 -O2 $c $smallest -o $work/gcc_O2 -lm"
     fi
-    builds "${family}_O2_ndebug_cxx" "$cxx -std=c++20 -O2 -DNDEBUG $common -x c++ $smallest -o $work/${family}_O2_ndebug_cxx -lm"
-    builds "${family}_no_simd" "$family -std=c99 -DPARADT_NO_SIMD $c $smallest -o $work/${family}_no_simd -lm"
-    builds "${family}_assertions" "$family -std=c99 -DPARADT_VERIFY -include tests/asserts.h $c $smallest \
-        -o $work/${family}_assertions -lm"
+    builds "${family}_c++20_O1_ndebug" \
+        "$cxx -std=c++20 -O1 -DNDEBUG $common -x c++ $smallest -o $work/${family}_c++20_O1_ndebug -lm"
+    builds "${family}_c11_assertions" "$family -std=c11 -DPARADT_VERIFY -include tests/asserts.h $c $smallest \
+        -o $work/${family}_c11_assertions -lm"
     # Words that <windows.h> defines as macros
-    builds "${family}_windows_words" "$family -std=c99 -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
-        $c $smallest -o $work/${family}_windows_words -lm"
+    builds "${family}_no_simd_windows_words" "$family -std=c99 -DPARADT_NO_SIMD -Dnear= -Dfar= -Dsmall=char -Dinterface=struct \
+        -DIN= -DOUT= $c $smallest -o $work/${family}_no_simd_windows_words -lm"
     builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
     builds "${family}_index64_cxx" \
         "$cxx -std=c++11 -DPARADT_INDEX64 $common -x c++ $smallest -o $work/${family}_index64_cxx -lm"

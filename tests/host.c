@@ -147,6 +147,41 @@ static void after_memory_the_result_says_how_much_was_needed(void **state) {
     free(x);
 }
 
+static void the_estimate_is_near_what_is_held(void **state) {
+    static const struct {
+        int dim;
+        size_t count, regions;
+        paradt_method method;
+        unsigned flags;
+    } calls[] = {{2, 50000, 1, PARADT_AUTO, 0},          {2, 50000, 4, PARADT_AUTO, 0},
+                 {3, 50000, 1, PARADT_AUTO, 0},          {3, 50000, 1, PARADT_AUTO, PARADT_NO_NEIGHBORS},
+                 {3, 90000, 2, PARADT_AUTO, 0},          {3, 50000, 8, PARADT_AUTO, 0},
+                 {3, 50000, 8, PARADT_AUTO, PARADT_NO_NEIGHBORS}, {3, 10000, 1, PARADT_INCODE, 0},
+                 {3, 10000, 4, PARADT_DEWALL, 0},        {4, 2000, 1, PARADT_AUTO, 0},
+                 {4, 2000, 4, PARADT_AUTO, 0},           {5, 500, 1, PARADT_BOWYER_WATSON, 0}};
+    paradt_points points = {0};
+    paradt_options options = {0};
+    paradt_triangulation t;
+    (void)state;
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+        double *x = uniform(calls[i].count, calls[i].dim);
+        points = packed(x, calls[i].count, calls[i].dim);
+        options.regions = calls[i].regions;
+        options.method = calls[i].method;
+        options.flags = calls[i].flags;
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        points.data = NULL;
+        double ratio = (double)paradt_memory_estimate(&points, &options) / (double)t.stats.peak_bytes;
+        if (!(ratio > 0.9 && ratio < 2.2))
+            fail_msg("call %u: the estimate is %.2f of what was held", (unsigned)i, ratio);
+        paradt_free(&t);
+        free(x);
+    }
+    points.dim = 9;
+    assert_true(paradt_memory_estimate(&points, NULL) == 0);
+    assert_true(paradt_memory_estimate(NULL, NULL) == 0);
+}
+
 static void one_point_has_no_facets(void **state) {
     static const double x[] = {1, 2, 3, 1, 2, 3};
     paradt_index none[] = {-1};
@@ -614,6 +649,7 @@ int main(void) {
         cmocka_unit_test(statistics_come_last_in_the_result),
         cmocka_unit_test(results_are_empty_after_every_error),
         cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
+        cmocka_unit_test(the_estimate_is_near_what_is_held),
         cmocka_unit_test(one_point_has_no_facets),
         cmocka_unit_test(every_argument_error_says_which_and_why),
         cmocka_unit_test(every_other_error_has_a_sentence_too),

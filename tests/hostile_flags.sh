@@ -88,9 +88,8 @@ x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
 esac
 same gcc_O0 "up" gcc -O0
 same gcc_no_simd "" gcc -O2 -DPARADT_NO_SIMD -Wall -Wextra -Werror
-same gcc_index64 "" gcc -O2 -DPARADT_INDEX64
+same gcc_index64 "" gcc -O1 -DPARADT_INDEX64
 same gcc_Ofast "up $sse" gcc -Ofast
-same gcc_fast_math "$sse" gcc -O2 -ffast-math
 same gcc_native "zero $sse" gcc -O3 -march=native
 same gcc_native_fast_math "up $sse" gcc -O2 -march=native -ffast-math -ffp-contract=fast
 same gcc_x87 "up $x87" gcc -O2 -m32 -mfpmath=387 -mno-sse

@@ -37,7 +37,7 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
     assert_int_equal(paradt__set_load(&b->set, &given, NULL, &paradt__alone, &b->memory, b->representative, &bad),
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
-    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
+    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, NULL, &b->memory), PARADT_OK);
     // The set is sorted along a curve; set.origin[i] is the caller's index of point i.
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
