@@ -8694,6 +8694,7 @@ PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const doubl
     return spoke;
 }
 
+// Returns the largest of the sizes of three numbers.
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
@@ -9166,6 +9167,7 @@ typedef struct paradt__kept_kernels {
     paradt__links_kernel store_links;
 } paradt__kept_kernels;
 
+// The kernel `remake`
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
@@ -9278,6 +9280,7 @@ PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     s->large_units = units;
 }
 
+// The kernel `fill_row`
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
@@ -9327,6 +9330,7 @@ PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_in
     }
 }
 
+// The kernel `store_links`
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
     links[0] = a;
@@ -9486,6 +9490,7 @@ PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, p
     paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
+// The kernel `make`
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                     const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10017,6 +10022,7 @@ PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__in
     paradt__kept_make_four(1, build, star, x, centred);
 }
 
+// The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10085,6 +10091,7 @@ static const unsigned char paradt__facet_shuffle[4][16] = {
 #undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
+// The kernel `fill_row`
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
                                                paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
@@ -10093,7 +10100,7 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store, so that a load of all four soon after need not wait until they are in the cache.
+// The kernel `store_links`: one store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
@@ -10113,13 +10120,13 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
 // between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
 //
-// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
-// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
-// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
-// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
-// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
-// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
-// paradt__bowyer_watson.
+// An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
+// by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
+// More points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// frees all but the mesh, paradt__insertion_end everything.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
