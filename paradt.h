@@ -834,9 +834,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
-//     kept spheres                 507   conflict tests by one product, in space
-//     insertion in space           651   dig and star with kept spheres
-//     insertion in space by AVX2   463   its inner functions for four lanes
+//     kept spheres                 508   conflict tests by one product, in space
+//     insertion in space           655   dig and star with kept spheres
+//     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
 //   division
 //     regions                      112   @@
