@@ -833,9 +833,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
-//     insertion                    255   dig and star, in any dimension
-//     kept spheres                 508   conflict tests by one product, in space
-//     insertion in space           655   dig and star with kept spheres
+//     insertion                    256   dig and star, in any dimension
+//     kept spheres                 510   conflict tests by one product, in space
+//     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
 //   division
@@ -7888,8 +7888,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 }
 
 enum {
-    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
-    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with,
+    PARADT__FIRST_PATIENCE = 2000 // and predicates in addition, as the first cells take more
 };
 
 // Number of predicates that the searches have evaluated so far
@@ -8278,12 +8278,13 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 
 enum {
     PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
-    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
-    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
+    PARADT__FEW_POINTS = 1 << 15, // fewer points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
-#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
+#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
+#define PARADT__RATE_MORE                                                                                              \
+    1.06 // in space, where uniform points have fewer: for the cells at the present rate, times this
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8569,8 +8570,8 @@ enum {
                                                  // and for the cell's own, of which four are stored together
     PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
     PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
-    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
-    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+    PARADT__PLACES_AHEAD = 16,                   // from a new place to the place whose slot is prefetched
+    PARADT__INSERTIONS_AHEAD = 4                 // from an insertion to the insertion whose point is prefetched
 };
 
 #define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
@@ -8907,7 +8908,8 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    double to_come =
+        28.0 * (double)(build->count - build->inserted); // new cells to come, 28 a point as of uniform points
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
@@ -8965,7 +8967,8 @@ static void paradt__kept_measure(paradt__insertion *build) {
 }
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is to be called,
+// too.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
@@ -9201,7 +9204,8 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__dig dig = *work;
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
-    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
+    if (!head)
+        paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // the first cell was entered through no facet
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
