@@ -833,8 +833,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
-//     insertion                    256   dig and star, in any dimension
-//     kept spheres                 510   conflict tests by one product, in space
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
@@ -8283,8 +8283,7 @@ enum {
 };
 
 #define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
-#define PARADT__RATE_MORE                                                                                              \
-    1.06 // in space, where uniform points have fewer: for the cells at the present rate, times this
+#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8908,8 +8907,7 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come =
-        28.0 * (double)(build->count - build->inserted); // new cells to come, 28 a point as of uniform points
+    double to_come = 28.0 * (double)(build->count - build->inserted); // new cells, as many as uniform points make
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
@@ -8967,8 +8965,7 @@ static void paradt__kept_measure(paradt__insertion *build) {
 }
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is to be called,
-// too.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
@@ -9204,8 +9201,8 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__dig dig = *work;
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
-    if (!head)
-        paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // the first cell was entered through no facet
+    // the first cell was entered across no facet, so all four are looked at
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]);
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
