@@ -834,9 +834,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
-//     kept spheres                 507   conflict tests by one product, in space
-//     insertion in space           651   dig and star with kept spheres
-//     insertion in space by AVX2   463   its inner functions for four lanes
+//     kept spheres                 508   conflict tests by one product, in space
+//     insertion in space           656   dig and star with kept spheres
+//     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
 //   division
 //     regions                      112   @@
@@ -7439,7 +7439,7 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // >>reach
 //
 // Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
-// rule, see the section of patches.)
+// rule, see >>patches.)
 //
 // Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
 // axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
@@ -7913,8 +7913,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 }
 
 enum {
-    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
-    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with,
+    PARADT__FIRST_PATIENCE = 2000 // and predicates in addition, as the first cells take more
 };
 
 // Number of predicates that the searches have evaluated so far
@@ -8303,12 +8303,12 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 
 enum {
     PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
-    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
-    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
+    PARADT__FEW_POINTS = 1 << 15, // fewer points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
-#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
+#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
+#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8594,8 +8594,8 @@ enum {
                                                  // and for the cell's own, of which four are stored together
     PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
     PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
-    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
-    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+    PARADT__PLACES_AHEAD = 16,                   // from a new place to the place whose slot is prefetched
+    PARADT__INSERTIONS_AHEAD = 4                 // from an insertion to the insertion whose point is prefetched
 };
 
 #define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
@@ -8719,6 +8719,7 @@ PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const doubl
     return spoke;
 }
 
+// Returns the largest of the sizes of three numbers.
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
@@ -8931,7 +8932,7 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    double to_come = 28.0 * (double)(build->count - build->inserted); // new cells, as many as uniform points make
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
@@ -8989,7 +8990,7 @@ static void paradt__kept_measure(paradt__insertion *build) {
 }
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
@@ -9191,6 +9192,7 @@ typedef struct paradt__kept_kernels {
     paradt__links_kernel store_links;
 } paradt__kept_kernels;
 
+// The kernel `remake`
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
@@ -9224,7 +9226,8 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__dig dig = *work;
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
-    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
+    // the first cell was entered across no facet, so all four are looked at
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]);
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
@@ -9303,6 +9306,7 @@ PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     s->large_units = units;
 }
 
+// The kernel `fill_row`
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
@@ -9352,6 +9356,7 @@ PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_in
     }
 }
 
+// The kernel `store_links`
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
     links[0] = a;
@@ -9511,6 +9516,7 @@ PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, p
     paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
+// The kernel `make`
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                     const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10042,6 +10048,7 @@ PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__in
     paradt__kept_make_four(1, build, star, x, centred);
 }
 
+// The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10110,6 +10117,7 @@ static const unsigned char paradt__facet_shuffle[4][16] = {
 #undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
+// The kernel `fill_row`
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
                                                paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
@@ -10118,7 +10126,7 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store, so that a load of all four soon after need not wait until they are in the cache.
+// The kernel `store_links`: one store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
@@ -10138,13 +10146,13 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
 // between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
 //
-// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
-// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
-// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
-// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
-// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
-// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
-// paradt__bowyer_watson.
+// An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
+// by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
+// More points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// frees all but the mesh, paradt__insertion_end everything.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
