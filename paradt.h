@@ -802,13 +802,13 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        182   progress, teams, pauses, the clock
 //   predicates
-//     space                        233   what the predicates know of a set
+//     space                        234   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        584   signs in integers
+//     exact                        608   signs in integers
 //     signs                        250   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        324   Hilbert's curve, sorting along it
+//     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
