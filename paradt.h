@@ -1648,7 +1648,7 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
 
 // Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
-    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
+    PARADT_ASSERT(dim >= -1 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
