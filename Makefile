@@ -6,29 +6,30 @@ CC       ?= cc
 CXX      ?= c++
 CFLAGS   ?= -O3
 CXXFLAGS ?= -O2
+OBJCOPY  ?= objcopy
 JOBS     ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 WARNINGS := -Wall -Wextra -Wshadow
 
-# A rule's compiler writes what it included into a .d beside its output, so a changed header rebuilds what used it.
+# The compiler lists the files that it included in a .d file beside its output. When one of them changes, the output is rebuilt.
 DEPENDS = -MMD -MP -MT $@ -MF $@.d
-# Sub-makes share an outer -j; without one they get the machine's processors.
+# Sub-makes share the jobs of an outer -j. Without one they use all processors.
 PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run test bench thesis study clean help test-programs
+.PHONY: all run check test bench thesis study lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
 
 $(BUILD)/paradt: examples/paradt.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(CC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
 
 $(BUILD)/paradt_mpi: examples/paradt_mpi.c
 	@mkdir -p $(@D)
-	$(MPICC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(MPICC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
 
 RUN_INPUT   := gen:plummer:100000:1
 RUN_OUTPUTS := $(BUILD)/cluster.vtu $(BUILD)/cluster.png
@@ -39,10 +40,11 @@ run: $(BUILD)/paradt ## Triangulate and certify a star cluster of 100,000 points
 	@echo "Certified. Written: $(RUN_OUTPUTS) (ParaView opens the first, any image viewer the second)."
 
 # --- tests -----------------------------------------------------------------------------------------------------------
-# tests/*.c are cmocka programs, tests/*.sh print TAP lines. tests/setup.sh installs what it can and writes HAVE_... lines; what is
-# still missing becomes a skipped test with its reason.
+# tests/*.c are cmocka programs, tests/*.sh print TAP lines. tests/setup.sh installs what it can and writes HAVE_... lines. Tests
+# that need what is still missing are skipped and say why.
 
 T        := $(BUILD)/tests
+QUICK    := # 1: the core of the tests alone
 PROVIDED := $(T)/have.mk
 -include $(if $(filter test-programs test-list,$(MAKECMDGOALS)),$(PROVIDED))
 
@@ -51,14 +53,18 @@ C_TESTS      := $(sort $(wildcard tests/*.c))
 NO_TESTS     := tests/run.sh tests/setup.sh tests/structure.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/*.c))
-# A test program that includes gmp.h or one of these headers needs GMP; cgal.h, CGAL.
+# Test programs that include cgal.h need CGAL; those that include gmp.h or one of these other headers need GMP.
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
 NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
-# The sanitizers see every part of the library in these. Left out are the comparison with CGAL, whose own code is not the
-# object, and one that runs thousands of triangulations only to compare their cells. Threads run in one program.
+# These run the whole library under the sanitizers. Left out are the comparison with CGAL, whose code is not to be tested, and a
+# program that only compares the cells of thousands of triangulations. One program has threads.
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
 RACES        := tests/methods_agree.c
-# A test that looks into the library has the implementation in itself. The others share one object of it, built as they are.
+# `make check` runs these, and the shell tests in part where they know QUICK.
+QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/resources.c,$(C_TESTS))
+QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
+QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
+# Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))
 
 missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
@@ -66,24 +72,33 @@ missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_G
 ready   = $(foreach t,$1,$(if $(call missing,$t),,$t))
 program = $(patsubst tests/%.c,$(T)/%,$1)
 
-TEST_PROGRAMS := $(call program,$(call ready,$(C_TESTS)))
-ASAN_PROGRAMS := $(if $(HAVE_SANITIZERS),$(patsubst tests/%.c,$(T)/sanitized/%,$(call ready,$(SANITIZED))))
-RACE_PROGRAMS := $(if $(HAVE_THREAD_SANITIZER),$(patsubst tests/%.c,$(T)/races/%,$(call ready,$(RACES))))
+TEST_PROGRAMS := $(call program,$(call ready,$(if $(QUICK),$(QUICK_TESTS),$(C_TESTS))))
+ASAN_PROGRAMS := $(if $(HAVE_SANITIZERS),$(patsubst tests/%.c,$(T)/sanitized/%,$(call ready,$(if $(QUICK),$(QUICK_ASAN),$(SANITIZED)))))
+RACE_PROGRAMS := $(if $(QUICK),,$(if $(HAVE_THREAD_SANITIZER),$(patsubst tests/%.c,$(T)/races/%,$(call ready,$(RACES)))))
 FUZZ_PROGRAMS := $(FUZZERS:fuzz/%.c=$(T)/fuzz/%)
 TEST_INPUT    := $(if $(wildcard tests/programs/families.c),$(T)/families)
 CGAL_OBJECTS  := $(patsubst tests/%.cc,$(T)/%.o,$(sort $(wildcard tests/cgal_*.cc)))
 GMP_LIBRARY   := $(if $(HAVE_GMP),-lgmp)
-# Enough for the lines of a backtrace; to follow variables would take a third of the compiler's time.
+# Enough for the lines of a backtrace. Variables would take a third more of the compiler's time.
 TRACES        := -g1
 # Test programs check the library's invariants; the sanitized ones verify the mesh too (tests/asserts.h).
 ASSERTS       := -include tests/asserts.h
 SANITIZE      := -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 
-test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) $(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS))
+# Warnings about the tools, also those of the optimizer, fail the tests.
+test-programs: ERRORS := -Werror
+test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) \
+    $(if $(QUICK),,$(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS)))
 
-$(call program,$(OPAQUE)): $(T)/paradt.o
-$(patsubst tests/%.c,$(T)/sanitized/%,$(OPAQUE)): $(T)/sanitized/paradt.o
-$(patsubst tests/%.c,$(T)/races/%,$(OPAQUE)): $(T)/races/paradt.o
+# One of the others watches what the library calls.
+WATCHING     := tests/resources.c
+LINKED       := $(filter-out $(WATCHING),$(OPAQUE))
+
+$(call program,$(LINKED)): $(T)/paradt.o
+$(call program,$(WATCHING)): $(T)/paradt_watched.o
+$(patsubst tests/%.c,$(T)/sanitized/%,$(LINKED)): $(T)/sanitized/paradt.o
+$(patsubst tests/%.c,$(T)/sanitized/%,$(WATCHING)): $(T)/sanitized/paradt_watched.o
+$(patsubst tests/%.c,$(T)/races/%,$(LINKED)): $(T)/races/paradt.o
 
 $(T)/paradt.o: MANNER = -O2
 $(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE)
@@ -91,6 +106,9 @@ $(T)/races/paradt.o: MANNER = -O2 -fsanitize=thread
 %/paradt.o: paradt.h tests/asserts.h
 	@mkdir -p $(@D)
 	echo '#include "paradt.h"' | $(CC) $(MANNER) $(TRACES) $(ASSERTS) $(WARNINGS) -I. -DPARADT_IMPLEMENTATION -x c -c -o $@ -
+
+%/paradt_watched.o: %/paradt.o
+	$(OBJCOPY) $(foreach call,malloc realloc calloc madvise,--redefine-sym $(call)=watched_$(call)) $< $@
 
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
@@ -103,7 +121,7 @@ $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	$(CC) -O2 $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
 	$(CXX) -o $@ $@.o $(filter %.o,$^) -pthread -lcmocka -lmpfr -lgmp -lm
 
-# Without NDEBUG CGAL asserts its own exactness; -frounding-math is what its interval arithmetic asks for.
+# CGAL's interval arithmetic needs -frounding-math. Without NDEBUG CGAL would check its own results.
 $(T)/cgal_%.o: tests/cgal_%.cc
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 $(CXXFLAGS) -DNDEBUG -frounding-math $(DEPENDS) -isystem /usr/include/eigen3 -I. -Itests -c -o $@ $<
@@ -129,22 +147,25 @@ $(T)/families: tests/programs/families.c
 	@rm -f $@
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
-# What `make test` hands to the runner: programs in the order in which they start, then skipped ones with their reason.
+# Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.
 test-list:
-	@for t in $(SHELL_TESTS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
-	@$(foreach t,$(C_TESTS),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
-	@$(if $(HAVE_THREAD_SANITIZER),,echo "skip races needs a compiler with -fsanitize=thread that runs here")
+	@for t in $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
+	@$(foreach t,$(if $(QUICK),$(QUICK_TESTS),$(C_TESTS)),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
+	@$(if $(QUICK)$(HAVE_THREAD_SANITIZER),,echo "skip races needs a compiler with -fsanitize=thread that runs here")
 	@$(if $(HAVE_SANITIZERS),,echo "skip sanitized needs a compiler with -fsanitize=address$(comma)undefined")
 
 comma := ,
 
+check: QUICK := 1
+check: test ## Run the core of the tests, between two changes (two minutes)
+
 test: ## Run all tests, after installing what they need (apt-get, as root or by sudo) or saying what to install
 	@mkdir -p $(T)
 	@CC="$(CC)" CXX="$(CXX)" sh tests/setup.sh $(PROVIDED)
-	-@$(MAKE) --no-print-directory -k $(PARALLEL) test-programs >$(T)/build.log 2>&1 || \
+	-@$(MAKE) --no-print-directory -k $(PARALLEL) QUICK=$(QUICK) test-programs >$(T)/build.log 2>&1 || \
 	    { grep -E 'error|Error|undefined reference' $(T)/build.log | head -40; echo "See $(T)/build.log."; }
-	@$(MAKE) --no-print-directory -s test-list >$(T)/list
-	@CC="$(CC)" CXX="$(CXX)" JOBS=$(JOBS) sh tests/run.sh $(T)/list $(T)/logs
+	@$(MAKE) --no-print-directory -s QUICK=$(QUICK) test-list >$(T)/list
+	@CC="$(CC)" CXX="$(CXX)" JOBS=$(JOBS) QUICK=$(QUICK) sh tests/run.sh $(T)/list $(T)/logs
 
 # --- the rest --------------------------------------------------------------------------------------------------------
 
@@ -160,6 +181,15 @@ $(BUILD)/bench/study: tests/bench/study.c
 
 study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
 	sh tests/bench/study.sh
+
+LIBRARY := $(BUILD)/libparadt.so
+# Only the public functions are visible.
+lib: $(LIBRARY) ## Build a shared library, for programs in other languages: build/libparadt.so
+
+$(LIBRARY): paradt.h
+	@mkdir -p $(@D)
+	echo '#include "paradt.h"' | $(CC) $(CFLAGS) $(WARNINGS) -fPIC -fvisibility=hidden -shared -I. -DPARADT_IMPLEMENTATION \
+	    '-DPARADT_DEF=extern __attribute__((visibility("default")))' -x c -o $@ - -lm
 
 clean: ## Remove everything that was built
 	rm -rf $(BUILD)

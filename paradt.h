@@ -5,8 +5,8 @@
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
 //
-// A whole program, in C (C++ before 20 wants `paradt_points points = {corners, 8, 3, 0, PARADT_F64, NULL};`). It
-// triangulates the corners of a cube and prints the cells, the indices of four points a line:
+// A whole program, in C or C++. It triangulates the corners of a cube and prints the cells, the indices of four points
+// a line:
 //
 //     #define PARADT_IMPLEMENTATION
 //     #include "paradt.h"
@@ -15,7 +15,7 @@
 //     int main(void) {
 //         const double corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
 //                                       {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-//         paradt_points points = {.data = corners, .count = 8, .dim = 3};
+//         paradt_points points = paradt_points_f64(corners[0], 8, 3);
 //         paradt_triangulation t;
 //         if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
 //             return 1;
@@ -34,66 +34,77 @@
 // MACROS, to be defined before the header is included
 //
 //     PARADT_IMPLEMENTATION  in one file: the functions as well as their declarations
-//     PARADT_STATIC          makes the functions private to this file: define it with PARADT_IMPLEMENTATION, before the
+//     PARADT_STATIC          makes the functions private to this file. Define it with PARADT_IMPLEMENTATION before the
 //                            first include; several files may
 //     PARADT_DEF             what stands before each public function; extern, or static with PARADT_STATIC
-//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. All files of a program define it or
-//     none:
-//                            the functions are called otherwise then, so the linker finds those that don't agree.
-//                            Insertion has no code for SSE2 and AVX2 then
+//     PARADT_INDEX64         indices of points and cells have 64 bits, not 32. Define it in all files of a program or
+//                            in none: the functions have other names with it, so the linker refuses files that
+//                            disagree. Insertion has no code for SSE2 and AVX2 then
+//     PARADT_MAX_DIM         the largest dimension, 2 to 8; code for larger ones is not compiled. The same in all files
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
-//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops that is chosen where the processor
-//                            has AVX2 and FMA (x86-64, GCC or Clang); compilers use what they were told of all the same
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a third of the code; PARADT_AUTO inserts in all dimensions
+//     PARADT_NO_CHECK        leaves out paradt_check
+//     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
+//                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
 // WHAT IT DOES
 //
 //     - Delaunay triangulations, and with weights regular triangulations, of points in 2 to 8 dimensions
 //     - exact for all finite doubles and floats: huge, subnormal, mixed, collinear, coplanar, cospherical, repeated
-//     - one result: the same points give the same set of cells by every method, any number of regions and threads, in
-//       any order, with any compiler and its flags
+//     - one result: the same points give the same set of cells by every method, with any number of regions and threads,
+//       in any order, with any compiler and its flags
 //     - cells with orientation and neighbours; for each point the one that stands for it when points coincide
 //     - divided into regions that are built alone, on threads that the program provides
-//     - a certificate: paradt_check proves a result to be the triangulation of its points, or says what is wrong
+//     - a certificate: paradt_check proves that a result is the triangulation of its points, or says what is wrong
 //     - no global state, no threads of its own, no output, no exit; memory from your allocator, within your limit
 //     - C99 and C++11
 //
 // CONTENTS
 //
-//     points, options, result, methods, regions and threads, degenerate input, numbers and compiler flags, memory,
-//     errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections marked
-//     "// >>name"; the licence
+//     points, options, result, walking, methods, regions and threads, degenerate input, numbers and compiler flags,
+//     memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
+//     marked "// >>name"; the licence
 //
 //
 // POINTS
 //
-// paradt_points describes an array of yours, which is only read, and only during a call. Coordinates are doubles, or
-// floats with scalar = PARADT_F32; those of one point are adjacent, and `stride` bytes lead from a point to the next,
-// so points may be members of larger structures. No alignment is needed. A vertex of a mesh with its position in front:
+// paradt_points describes an array of yours. It is read during a call only, and never written. paradt_points_f64 and
+// paradt_points_f32 fill it for packed arrays of doubles and floats; its fields allow more. The coordinates of a point
+// are adjacent and of the type `scalar`. `stride` bytes lead from one point to the next, so points may be members of
+// larger structures. No alignment is needed. A mesh whose vertices begin with their position:
 //
 //     struct vertex { float position[3], normal[3], uv[2]; } mesh[1000];
-//     paradt_points points = {mesh, 1000, 3, sizeof(struct vertex), PARADT_F32, NULL};
+//     paradt_points points = paradt_points_f32(mesh[0].position, 1000, 3);
+//     points.stride = sizeof(struct vertex);
 //
-// Weights make the triangulation regular (also called weighted Delaunay, or a power diagram's dual): a point of weight
-// w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. Weights are doubles of any sign. To
-// add the same number to all of them changes nothing; all equal is Delaunay.
+// Weights make the triangulation regular (also called weighted Delaunay, or the dual of a power diagram): a point of
+// weight w is a sphere of radius sqrt(w), and distance is power distance, |x - p|^2 - w. So a sphere of radius r has
+// the weight r * r. Weights may be negative. Adding the same number to all weights changes nothing; where all are equal
+// the triangulation is Delaunay. Weights have a type and a stride of their own:
 //
-// Coordinates and weights must be finite. -0.0 is 0.0.
+//     struct atom { double place[3]; float radius, weight; } atoms[1000];
+//     paradt_points points = paradt_points_f64(atoms[0].place, 1000, 3);
+//     points.stride = points.weight_stride = sizeof(struct atom);
+//     points.weights = &atoms[0].weight;
+//     points.weight_scalar = PARADT_F32;
+//
+// Coordinates and weights must be finite. -0.0 is the same as 0.0.
 //
 //
 // OPTIONS
 //
 // NULL, or all fields zero, is the default: the method that suits the input, one region, the calling thread, malloc.
-// Set what you need and leave the rest zero, and fields that later versions add will not surprise you:
+// Set what you need and leave the rest zero. Then fields that later versions add do not surprise you:
 //
 //     paradt_options options = {0}; // in C++: = {}
 //     options.method = PARADT_DEWALL;
 //     options.memory_limit = (size_t)1 << 30;
 //
 // `progress` is called now and then with the part of the call's work that is done, as far as that can be foretold: one
-// number from 0 to 1 for all regions and threads, which never falls. It cancels the work by returning nonzero: the call
-// then ends with PARADT_ERROR_CANCELLED, within a few hundredths of a second, and gives back all memory. It is called
-// from any thread that works, by one at a time; compilers that have no atomic operations call it from the first task of
-// a parallel_for only.
+// number from 0 to 1 for all regions and threads, which never falls and ends at 1. Returning nonzero cancels the work:
+// the call ends with PARADT_ERROR_CANCELLED within some hundredths of a second and gives back all memory. Any thread
+// that works may call `progress`, but never two threads concurrently. (Compilers without atomic operations: only the
+// first task of a parallel_for does.)
 //
 //
 // RESULT
@@ -103,37 +114,77 @@
 //
 //     t.cells[i * k + j]        vertex j of cell i
 //     t.neighbors[i * k + j]    the cell opposite that vertex
-//     t.representative[p]       p where p is a vertex; the point of the same place that is; -1 where p is hidden
-//
-// With PARADT_FACETS in options.flags neighbors hold half-facets: the place in the array of the same facet as its other
-// cell has it. Place f = i * k + j is the facet of cell f / k opposite its vertex f % k, and with g = t.neighbors[f]
-//
-//     g < 0                     the facet is on the hull (g is -1); else
-//     g / k                     the neighbour
-//     t.cells[g]                its vertex that is not in the facet
-//     t.neighbors[g]            f
-//
-// So programs that go from cell to cell, or around a ridge, need not search for the way back.
-//
-// In dimension 0 a cell is a vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//     t.representative[p]       p where p is a vertex; the vertex at the same place; -1 where p is hidden
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
-// Neighbours have all but one vertex in common. The order of the cells, and of the vertices within a cell but for the
-// orientation, means nothing, and may differ from one method, machine or version to another. What never differs is the
-// set of cells; paradt_hash is equal for equal sets.
+// The facets of a cell, in the order that is counterclockwise when seen from outside the cell (for a triangle: with the
+// triangle on the left):
 //
-// t.stats counts what was done, also before an error. Give the arrays back with paradt_free, not with free.
+//     opposite     v0          v1          v2          v3
+//     triangle     v1 v2       v2 v0       v0 v1
+//     tetrahedron  v1 v2 v3    v0 v3 v2    v0 v1 v3    v0 v2 v1
+//
+// Neighbours have all vertices but one in common. The order of the cells means nothing, and neither does the order of a
+// cell's vertices apart from the orientation: both may differ between methods, machines and versions. The set of cells
+// never differs; paradt_hash is equal for equal sets.
+//
+// With PARADT_FACETS in options.flags, neighbors hold half-facets: the position in `neighbors` of the same facet as its
+// other cell sees it. Position f = i * k + j is the facet of cell f / k opposite its vertex f % k. With
+// g = t.neighbors[f]:
+//
+//     g < 0             the facet is on the hull (g is -1); otherwise
+//     g / k             the cell on the other side
+//     t.cells[g]        the vertex of that cell that is not in the facet
+//     t.neighbors[g]    f
+//
+// So programs that go from cell to cell, or around a ridge, need not search for the way back.
+//
+// In dimension 0 a cell is a single vertex and has no facets: neighbors is NULL and stats.hull_facets is 0.
+//
+// t.stats counts what was done, also when the call fails. Give the arrays back with paradt_free, not with free.
+//
+//
+// WALKING
+//
+// To find the cell that contains a place x, walk: start in any cell, best in one nearby, and cross a facet that has x
+// on its other side, until there is none. The orientation of the cell with x in the place of vertex j tells: negative
+// means that x is beyond the facet opposite that vertex. For tetrahedra, with double points[][3]:
+//
+//     paradt_index walk(const paradt_triangulation *t, const double (*points)[3], const double *x, paradt_index cell) {
+//         int j = 0;
+//         while (cell >= 0 && j < 4) {
+//             const double *p[4];
+//             for (j = 0; j < 4; j++)
+//                 p[j] = points[t->cells[4 * cell + j]];
+//             for (j = 0; j < 4; j++) {
+//                 const double *vertex = p[j];
+//                 p[j] = x;
+//                 if (paradt_orient3(p[0], p[1], p[2], p[3]) < 0)
+//                     break; // x is beyond the facet opposite vertex j
+//                 p[j] = vertex;
+//             }
+//             if (j < 4)
+//                 cell = t->neighbors[4 * cell + j];
+//         }
+//         return cell; // -1: x is outside of the hull
+//     }
+//
+// The walk ends, whichever of the facets it crosses: lift the points to the height |x|^2 - w, and take the planes of
+// the cells at the place x. The lifted cells are a convex surface, so each facet crossed leads to a plane that is
+// higher there, and no cell comes twice (Edelsbrunner 1990; ties are broken as under DEGENERATE INPUT). That needs
+// exact signs and a Delaunay or regular triangulation: a walk with rounded signs, or in other triangulations, may go in
+// circles.
 //
 //
 // METHODS
 //
 //     PARADT_AUTO           the one that suits the input: Bowyer-Watson in two and three dimensions; in more, InCoDe,
-//                           and Bowyer-Watson again where that gets stuck in ties, as on lattices
+//                           and Bowyer-Watson where InCoDe gets stuck in ties, as on lattices
 //     PARADT_INCODE         incremental construction: from a first cell, the neighbour across every facet without one
 //     PARADT_DEWALL         divide and conquer, merge first: the wall of cells across a plane, then each side of it
-//     PARADT_BOWYER_WATSON  insertion of one point after the other: the cells in conflict with it make room for those
-//                           between their rim and the point; a region adds points of others until its cells are right
+//     PARADT_BOWYER_WATSON  insertion of one point after the other: cells whose sphere contains the new point are
+//                           replaced by cells that join it to the hole's boundary
 //
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
 // in a hierarchical grid of the points, and never change a cell once it is made.
@@ -141,19 +192,16 @@
 //
 // REGIONS AND THREADS
 //
-// options.regions = k divides space into k boxes. Each box is built alone, every cell is owned by one of them, and what
-// they own is put together, and neighbours are linked across the seams. Some of the cells at a seam are made by more
-// than one region and kept by one: stats.cells_recomputed of them were made in vain, so (cells + cells_recomputed) /
-// cells is the factor of duplication, the price of the division. By InCoDe and DeWall a cell is owned by the box with
-// most of its vertices (>>incode has the rule), by insertion by the last box that has any. The first box then needs no
-// points but its own; it gets somewhat more of them. The others also get cells among others' points alone, which count
-// too, whether they are in the result or in none.
+// options.regions = k divides space into k boxes. Each box is built alone, each cell is owned by one box, and the owned
+// cells are put together and linked across the seams. Cells near a seam are made by several regions and kept by one:
+// stats.cells_recomputed were made in vain, so (cells + cells_recomputed) / cells is the factor of duplication, which
+// is the price of the division.
 //
-//     PARADT_BISECTION  boxes of equal numbers of points, by a sample of 65,536: each box is cut across the longest
+//     PARADT_BISECTION  boxes of equal numbers of points, estimated from a sample: each box is cut across the longest
 //                       side of its points
 //     PARADT_UNIFORM    boxes of equal size: the bounding box is cut into equal parts
 //
-// The header starts no threads. To work on the regions at once, hand in a parallel_for: a function that runs
+// The header starts no threads. To work on the regions concurrently, hand in a parallel_for: a function that runs
 // task(context, i) for all i below count, on any threads and in any order, and returns when all have ended. With
 // OpenMP:
 //
@@ -164,154 +212,170 @@
 //         for (i = 0; i < (long)count; i++) task(context, (size_t)i);
 //     }
 //
-// examples/paradt.c has one for POSIX threads. The allocator is then called concurrently from those threads, the
-// progress callback from one of them at a time. parallel_for is called some ten times, for large sets up to forty: the
-// insertion is done in legs, between which regions change hands, so that a slow processor, or one that others use, is
-// not waited for. Near surfaces, where regions tell each other what they lack, it is called some dozens of times more.
-// One region a thread is right where the points are alike everywhere; a few more even out regions that take longer. The
-// cells do not depend on the regions, nor on the threads.
+// examples/paradt.c has one for POSIX threads. Its threads call the allocator concurrently, and the progress callback
+// one at a time. parallel_for is called some ten times, for large sets up to forty times: insertion proceeds in legs,
+// and between two legs regions move from slow threads to fast ones. Near surfaces, where regions exchange what they
+// lack, it is called some dozens of times more. One region a thread is right where the points are alike everywhere; a
+// few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
 //
-// Insertion gives the regions up where they would have to ask each other for longer than all the rest takes: among
-// points exactly on a sphere, or almost on a line. One of them takes in the others' points then, and stats.regions is
-// 1.
+// Insertion abandons the division where regions would have to ask each other for longer than all the rest takes: among
+// points exactly on a sphere, or almost on a line. One region then takes in the points of the others, and stats.regions
+// is 1.
 //
-// Any number of calls may run at once from any threads, each with its own result; points may be shared.
+// Any number of calls may run concurrently on any threads, each with its own result. They may share points.
 //
 //
 // DEGENERATE INPUT
 //
 // Ties. The Delaunay triangulation is the lower hull of the points lifted to the height |x|^2 - w. Where an empty
-// sphere has more points on it than a cell has vertices there are several, and one is chosen: the heights are raised by
-// infinitesimal amounts, that of a lexicographically larger point (by x, then y, ...) infinitely more than that of a
-// smaller one. Only heights move, never places: no cell is flat, and the hull is that of the points. With s the exact
-// in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
+// sphere has more points on it than a cell has vertices there are several such triangulations, and one is chosen: all
+// heights are raised by infinitesimal amounts, the height of a lexicographically larger point (by x, then y, ...) by
+// infinitely more than that of a smaller one. Only heights move, never places: no cell is flat, and the hull is that of
+// the points. With s the exact in-sphere test, the point q is in conflict with the positively oriented cell p0..pd when
 //
 //     s > 0 (inside), or s = 0 and, going through p0..pd and q from the lexicographically largest downward:
 //         q:  no conflict
 //         pi: let o be the orientation of the cell with q in the place of pi;
 //             o > 0: conflict, o < 0: no conflict, o = 0: go on
 //
-// and the triangulation is the set of cells that no point is in conflict with. The rule knows places and weights only,
-// no index and no history, so it decides alike for everybody. Weights have no part in the order.
-// paradt_insphere_perturbed is this test. (Devillers and Teillaud's rule, in every dimension.)
+// and the triangulation is the set of cells that no point is in conflict with. The rule looks at places and weights
+// only, at no index and no history, so whoever applies it decides alike. Weights play no part in the order.
+// paradt_insphere_perturbed is this test. (The rule of Devillers and Teillaud, in every dimension.)
 //
-// Equal points are one vertex. The smallest index stands for them; with weights that of the largest weight, and among
-// these the smallest index. stats.duplicates counts the others, `representative` names who stands for each.
+// Equal points are one vertex. The point of the smallest index stands for it; with weights the point of the largest
+// weight, and among these of the smallest index. stats.duplicates counts the others, and `representative` says who
+// stands for each.
 //
 // Hidden points. A weighted point may be a vertex of no cell; it and its duplicates have the representative -1.
 // stats.hidden counts places, not duplicates.
 //
-// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and the
-// cells have k + 1 vertices. Orientation is that of the first k axes in which the flat has its full dimension. One
+// Lower dimensions. Points in a line, plane or flat of dimension k < d are triangulated within it: t.dim is k and cells
+// have k + 1 vertices. Their orientation is that of the first k axes in which the flat has its full dimension. One
 // point, or many at one place, give t.dim = 0 and one cell of one vertex; no points give t.dim = -1 and no cell. None
-// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for fewer dimensions sets
-// PARADT_FULL_DIM in options.flags: the call then ends with PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
+// of these is an error, so read cells in rows of t.dim + 1. A program that has no use for lower dimensions sets
+// PARADT_FULL_DIM in options.flags: then such points give PARADT_ERROR_FLAT, and after PARADT_OK t.dim is d.
 //
 //
 // NUMBERS AND COMPILER FLAGS
 //
-// What decides is the sign of a determinant. A filter in floating point settles nearly all of them, with an error bound
-// that holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with
-// subnormals flushed to zero; it is not used where the input's exponents could make it overflow. What it leaves open is
-// computed in integers, on the bits of the doubles, in three stages: small integers, a fixed number of words, any
+// Every decision is the sign of a determinant. A floating-point filter settles nearly all of them. Its error bound
+// holds for any order of the operations, fused or not, in any rounding mode, with x87 registers, and with subnormals
+// flushed to zero; the filter is not used where the input's exponents could make it overflow. What it leaves open is
+// computed in integers, from the bits of the doubles, in three stages: small integers, a fixed number of words, any
 // number of words. So -O3, -Ofast, -ffast-math, -march=native, -m32 and a changed rounding mode change the time, not
 // the cells. Floats are widened exactly.
 //
-// The coordinates of lattices have few bits: for them even ties are settled in the filter or in small integers.
+// Coordinates of lattices have few bits: there the filter or small integers settle even ties.
 //
 //
 // MEMORY
 //
-// Everything comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Its
-// blocks must be aligned as malloc aligns them; it returns NULL when there is no more. It must be safe to call from
-// several threads at once when a parallel_for is given and uses several. It has to live as long as the result, which
-// keeps a copy of it for paradt_free.
+// All memory comes from options.allocator (malloc and free when its functions are NULL; give both or neither). Blocks
+// must be aligned as those of malloc; the allocator returns NULL when there is no more. Where a parallel_for uses
+// several threads, the allocator must be safe to call concurrently. It has to live as long as the result, which keeps a
+// copy of it for paradt_free.
 //
 // Huge pages are left to you: an allocator that asks for them takes a tenth off the time of large sets where the system
-// has them ready, and adds a third on a virtual machine whose host has to provide them anew. On Linux from 5.14 on
-// small pages are made somewhat ahead of their use, by madvise; that takes 3 to 5 hundredths off.
+// has them ready, and adds a third on a virtual machine whose host has to provide them first. On Linux from 5.14 on,
+// small pages are made somewhat ahead of their use, by madvise.
 //
-// The result takes (2 cells (dim + 1) + points) indices; with PARADT_NO_NEIGHBORS half of the cells' share is missing.
-// The arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
-// Without neighbours insertion in two and three dimensions (PARADT_AUTO too) builds regions one after another, if they
-// don't run at once: those that are asked for, or, from 500,000 points on, five. Each gives its links back before the
-// next begins: 10^6 uniform points in space need 190 bytes a point instead of 280, and take a tenth to a fifth more
-// time; points that crowd as in a star cluster take a third to a half more.
-// memory_limit bounds the bytes that one call holds at any time, the result included; regions get equal shares of what
-// the points have left of it, so many regions reach it sooner. stats.peak_bytes is what was held at most (with regions:
-// an upper bound, the sum of their peaks).
+// The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
+// arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
+//
+// memory_limit bounds the bytes that one call holds at any time, the result included. Regions get equal shares of what
+// the points leave of it, so the more regions, the sooner the limit is reached. stats.peak_bytes is the most that was
+// held (with regions an upper bound: the sum of their peaks).
+//
+// With PARADT_NO_NEIGHBORS, insertion in two and three dimensions builds regions one after another unless they run
+// concurrently: as many as were asked for, or five from 500,000 points on. Each gives its links back before the next
+// begins. That takes a third off the memory, and adds a tenth to a fifth to the time, a third to a half where points
+// crowd as in a star cluster.
+//
+// paradt_memory_estimate says beforehand about how much a call will hold. Measured on uniform points, in bytes a point:
+//
+//                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
+//     PARADT_AUTO                                79            295        1,390        7,280
+//        2 regions                               90            327        2,740       14,560
+//        4 regions                               92            383        2,720       16,570
+//        8 regions                               95            728        2,800       21,640
+//     PARADT_INCODE                             109            295        1,390        7,280
+//        8 regions                              146            550        2,800       21,640
+//     PARADT_NO_NEIGHBORS, 8 regions,
+//        one after another                       68            225
 //
 // The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
-// is as deep as the logarithm of the number of points. 256 KB are enough. Linkers for WebAssembly give 64 KB if they
-// are not told: wasm-ld -z stack-size=262144.
+// is as deep as the logarithm of the number of points. 256 KB are enough in every dimension. Linkers for WebAssembly
+// give 64 KB unless they are told otherwise: wasm-ld -z stack-size=262144.
 //
 //
 // ERRORS
 //
-// Functions that can fail return a paradt_status; PARADT_OK is 0, paradt_status_string describes the others.
+// Functions that can fail return a paradt_status; PARADT_OK is 0. paradt_status_string describes the others, and
+// error_text in the result, or reason in paradt_fault, says more: for each ARGUMENT error which argument and why.
 //
-//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of 2..8, a stride less than a point, an unknown
-//     value;
-//                              error_text, and reason in paradt_fault, say which
+//     PARADT_ERROR_ARGUMENT    a missing pointer, a dimension out of range, a small stride, an unknown value
 //     PARADT_ERROR_NOT_FINITE  a NaN or infinity; error_point is the index of the first such point
-//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit is reached
+//     PARADT_ERROR_MEMORY      the allocator returned NULL, or memory_limit was reached
 //     PARADT_ERROR_TOO_LARGE   more points or cells than an index can number (see LIMITS)
 //     PARADT_ERROR_CANCELLED   the progress callback returned nonzero
 //     PARADT_ERROR_INVALID     paradt_check only: the triangulation is wrong; paradt_fault says where
 //     PARADT_ERROR_FLAT        with PARADT_FULL_DIM: the points lie in a line, plane or flat of lower dimension
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_free does no
-// harm). error_point, error_text and stats are filled: after PARADT_ERROR_MEMORY stats.peak_bytes is what was held at
-// most, and stats.needed_bytes what the block that was refused would have made of it; a memory_limit below that fails
-// again, and one that is just as large gets past this block. Callbacks must return: an exception or longjmp out of them
-// leaks what the call holds.
+// harm). error_point, error_text and stats are filled. After PARADT_ERROR_MEMORY stats.peak_bytes is the most that was
+// held, and stats.needed_bytes what it would have been with the block that was refused: a smaller memory_limit fails at
+// this block again, and one of this size gets past it. Callbacks must return: an exception or longjmp out of them leaks
+// what the call holds.
 //
 //
 // COST
 //
-// For points that are spread without structure the work on a cell is expected not to grow with n: InCoDe and DeWall
-// look at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is
-// proportional to the number of cells, but for sorting the points. Exceptions: when all points lie exactly on one
-// sphere, or in a slanting plane but for rounding, every point ties with every sphere, and a search of InCoDe or DeWall
-// looks at all of them; and points whose coordinates or weights are too large or too far apart in size for floating
-// point (see NUMBERS) are searched one by one. Insertion has neither. How many cells there are depends on the points:
-// proportional to n for most input in a fixed dimension, with a factor that grows quickly with the dimension; at worst
-// they grow like n^ceil(d/2), for which a moment curve in any dimension, or two skew lines in space, are examples. The
-// counters of paradt_stats tell what a run cost in terms that do not depend on the machine:
+// For points that are spread without structure the expected work on a cell does not grow with n: InCoDe and DeWall look
+// at a bounded number of candidates a facet, insertion at a bounded number of cells a point. So time is proportional to
+// the number of cells, apart from sorting the points. InCoDe and DeWall have two exceptions, which insertion has not.
+// When all points lie exactly on one sphere, or in a slanting plane but for rounding, every point ties with every
+// sphere, and a search looks at all of them. And points whose coordinates or weights are too large for floating point,
+// or too far apart in size (see NUMBERS), are searched one by one.
+//
+// The number of cells depends on the points. For most input in a fixed dimension it is proportional to n, with a factor
+// that grows quickly with the dimension. At worst it grows like n^ceil(d/2): examples are a moment curve in any
+// dimension, and two skew lines in space. The counters of paradt_stats tell what a run cost in terms that do not depend
+// on the machine:
 //
 //     distance_evaluations / cells   candidates looked at for a cell, eight a grid cell (InCoDe, DeWall; with regions
 //                                    insertion, too)
 //     grid_cells_visited / cells     how far these searches went
 //     exact_* / cells                predicates too close for floating point, orientations included
 //     perturbed                      ties
-//     cells_recomputed / cells       the price of regions, but for those that were given up
+//     cells_recomputed / cells       the price of regions, except where the division was abandoned
 //     active_peak                    the size of the front (InCoDe, DeWall)
 //
-// paradt_check takes expected linear time. The predicates alone (paradt_orient, paradt_insphere) measure their
-// arguments anew at each call; the triangulation does that once for all points, and is faster for each of them.
+// paradt_check takes expected linear time. The public predicates measure their arguments anew at each call; the
+// triangulation does that once for all points, and is faster for each of them. paradt_orient2, paradt_orient3 and the
+// like are the fastest to call from outside.
 //
 //
 // LIMITS
 //
-//     dimension   2 to 8
-//     points      2^30 - 1, with PARADT_INDEX64 as many as memory holds
-//     cells       cells * (dim + 1) below 2^31 (536,870,911 tetrahedra), with PARADT_INDEX64 as many as memory holds;
-//                 in Bowyer-Watson's method the facets of the hull count as cells too
-//     changes     a triangulation is computed as a whole; points are not added to it or taken away later
-//     constraints none: no edges or facets can be demanded
-//     methods     those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
-//     right shift of negative integers has to be arithmetic, doubles IEEE 754, as on all platforms met so far
+//     dimension    2 to 8
+//     points       2^30 - 1; with PARADT_INDEX64 as many as memory holds
+//     cells        cells * (dim + 1) below 2^31 (536,870,911 tetrahedra); with PARADT_INDEX64 as many as memory holds;
+//                  for insertion the facets of the hull count as cells too
+//     changes      a triangulation is computed as a whole; points are not added to it or taken away later
+//     constraints  none: no edges or facets can be demanded
+//     methods      those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
+//     machine      right shift of negative integers is arithmetic, doubles are IEEE 754, as on all platforms met so far
 //
 //
 // THE THESIS
 //
-// InCoDe, DeWall and their parallel forms as in "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
+// InCoDe, DeWall and their parallel forms follow "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
 // its parts are:
 //
-//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__guess_simplex grows it from the nearest
-//                                        neighbour by smallest spheres (paradt__smallest_sphere), descent makes it sure
+//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
+//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
 //                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
-//                 active face list       struct paradt__active, a hash table: paradt__active_match
+//                 active face list       struct paradt__facets, a hash table: paradt__facets_match
 //                 update of the AFL      paradt__front_add
 //                 uniform grid           paradt__grid_build: a hierarchy of boxes that adapts to the points
 //                 the loop               paradt__incode, with paradt__front_expand for each facet
@@ -319,15 +383,15 @@
 //                 simplex wall           paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
 //                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                 recursion              paradt__wall_build, from paradt__dewall
-//     ParaInCoDe  regions                paradt__build_regions; one of them: paradt__front_task
+//     ParaInCoDe  regions                paradt__build_by_front; one of them: paradt__front_task
 //                 owner                  paradt__cell_owner, the box with most vertices instead of the one with the
 //                                        ULF vertex, and which facets a region needs for that: paradt__needs
 //                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
 //                 adaptive partition     the same with PARADT_BISECTION
-//                 joining                paradt__region_compact, paradt__regions_join
+//                 joining                paradt__collect_fronts
 //
 // Here every decision is exact, ties follow the perturbation, and one code serves all dimensions, with and without
-// weights. That a region reaches all the cells it owns is shown in >>incode.
+// weights. Why a region reaches all the cells that it owns is shown in >>reach.
 //
 //
 // CREDITS
@@ -361,12 +425,12 @@
 //     0.1.0  the first version: InCoDe, DeWall, Bowyer-Watson, regions, the certificate
 //
 
+// These macros change the declarations, which are read at the first include.
 #if defined(PARADT_H) && defined(PARADT_STATIC) && !defined(PARADT__IS_STATIC)
-#error                                                                                                                 \
-    "PARADT_STATIC is defined after paradt.h was included without it: define it before the first include in this file"
+#error "PARADT_STATIC is defined after the first include of paradt.h in this file: define it before"
 #endif
 #if defined(PARADT_H) && defined(PARADT_INDEX64) && !defined(PARADT__IS_INDEX64)
-#error "PARADT_INDEX64 is defined after paradt.h was included without it: define it before the first include"
+#error "PARADT_INDEX64 is defined after the first include of paradt.h in this file: define it before"
 #endif
 
 #ifndef PARADT_H
@@ -401,9 +465,12 @@ extern "C" {
 
 #ifdef PARADT_INDEX64
 #define PARADT__IS_INDEX64
-typedef int64_t paradt_index; // a point or a cell; negative: none
-// The functions have other names, so that files that differ in PARADT_INDEX64 are not linked.
+typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
+// The functions have other names, so that the linker refuses files that differ in PARADT_INDEX64.
+#define paradt_points_f64         paradt_points_f64_64
+#define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
+#define paradt_memory_estimate    paradt_memory_estimate_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -414,8 +481,16 @@ typedef int64_t paradt_index; // a point or a cell; negative: none
 #define paradt_orient             paradt_orient_64
 #define paradt_insphere           paradt_insphere_64
 #define paradt_insphere_perturbed paradt_insphere_perturbed_64
+#define paradt_orient2            paradt_orient2_64
+#define paradt_orient3            paradt_orient3_64
+#define paradt_insphere2          paradt_insphere2_64
+#define paradt_insphere3          paradt_insphere3_64
+#define paradt_orient2f           paradt_orient2f_64
+#define paradt_orient3f           paradt_orient3f_64
+#define paradt_insphere2f         paradt_insphere2f_64
+#define paradt_insphere3f         paradt_insphere3f_64
 #else
-typedef int32_t paradt_index; // a point or a cell; negative: none
+typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
 
 // What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
@@ -427,7 +502,7 @@ typedef int32_t paradt_index; // a point or a cell; negative: none
     X(PARADT_ERROR_TOO_LARGE, "the input or the result has more elements than an index can number")                    \
     X(PARADT_ERROR_CANCELLED, "the progress callback asked to stop")                                                   \
     X(PARADT_ERROR_INVALID, "the triangulation is not the one its points define")                                      \
-    X(PARADT_ERROR_FLAT, "the points do not span their dimension, which PARADT_FULL_DIM asks for")
+    X(PARADT_ERROR_FLAT, "the points lie in a flat of lower dimension, and PARADT_FULL_DIM is set")
 
 #define PARADT__ENUM_FIRST(name, text) name,
 typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATUS_COUNT } paradt_status;
@@ -441,43 +516,47 @@ typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATU
 
 typedef enum paradt_method { PARADT_METHOD_LIST(PARADT__ENUM_FIRST) PARADT_METHOD_COUNT } paradt_method;
 
-// What a coordinate is: a double or a float.
+// The type of coordinates and weights: double or float
 typedef enum paradt_scalar { PARADT_F64, PARADT_F32 } paradt_scalar;
 
-// How space is divided into regions: into boxes of equal numbers of points, or of equal size.
+// How space is divided into regions: into boxes of equal numbers of points, or of equal size
 typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partition;
 
 // paradt_options.flags
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
-    PARADT_FACETS = 2,       // neighbors are half-facets: where the neighbour has the facet, too (see RESULT)
-    PARADT_FULL_DIM = 4      // points of a lower affine dimension than theirs are an error, PARADT_ERROR_FLAT
+    PARADT_FACETS = 2,       // neighbors are half-facets (see RESULT), not cells; not with PARADT_NO_NEIGHBORS
+    PARADT_FULL_DIM = 4      // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
-// user: that of the options. Tasks don't wait for each other, so one thread is enough. Called by paradt_triangulate,
-// from the thread that called that, for one step of the work after another (how many: see REGIONS AND THREADS).
+// Tasks do not wait for each other, so one thread is enough. It is called for one step of the work after another (for
+// how many, see REGIONS AND THREADS), from the thread that called paradt_triangulate.
+//   user  that of the options
 typedef void (*paradt_parallel_for)(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
-// fraction: 0..1, the part of the whole call's work that is done; an estimate that never falls, and 1 at the end. A
-// nonzero return cancels. With a parallel_for it is called from any of its threads, but never by two at a time. user:
-// that of the options.
+// Is told how far a call is. A nonzero return cancels it. With a parallel_for any of its threads makes the call, but
+// never two of them concurrently.
+//   user      that of the options
+//   fraction  0..1, the part of the whole call's work that is done: an estimate that never falls, and 1 at the end
 typedef int (*paradt_progress)(void *user, double fraction);
 
-// Where memory comes from. Give both functions or neither. A parallel_for's threads call them at once.
+// Where memory comes from. Give both functions or neither. The threads of a parallel_for call them concurrently.
 typedef struct paradt_allocator {
-    void *(*alloc)(void *user, size_t size); // NULL: malloc; bytes, never 0; aligned as malloc does, or NULL on failure
+    void *(*alloc)(void *user, size_t size); // NULL: malloc; size: bytes, never 0; aligned as by malloc; NULL: no more
     void (*free)(void *user, void *memory);  // NULL: free; never called with NULL
     void *user;                              // handed to both
 } paradt_allocator;
 
 typedef struct paradt_points {
-    const void *data;      // first coordinate of the first point; may be NULL when count is 0
-    size_t count;          // number of points
-    int dim;               // coordinates a point, 2..PARADT_MAX_DIM
-    size_t stride;         // bytes from one point to the next; 0: tightly packed
-    paradt_scalar scalar;  // type of the coordinates; PARADT_F64
-    const double *weights; // [count] squares of lengths, any sign; NULL: Delaunay; else the regular triangulation
+    const void *data;            // first coordinate of the first point; may be NULL when count is 0
+    size_t count;                // number of points
+    int dim;                     // coordinates a point, 2..PARADT_MAX_DIM
+    size_t stride;               // bytes from one point to the next; 0: tightly packed
+    paradt_scalar scalar;        // type of the coordinates; PARADT_F64
+    const void *weights;         // weight of the first point, the square of a radius, any sign; NULL: without weights
+    size_t weight_stride;        // bytes from one weight to the next; 0: tightly packed
+    paradt_scalar weight_scalar; // type of the weights; PARADT_F64
 } paradt_points;
 
 typedef struct paradt_options {
@@ -487,7 +566,7 @@ typedef struct paradt_options {
     paradt_parallel_for parallel_for; // NULL: regions run one after another in the calling thread
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
-    size_t memory_limit;              // bytes that a call may hold at once; 0: no limit
+    size_t memory_limit;              // bytes that a call may hold at any time; 0: no limit
     unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
@@ -497,24 +576,24 @@ typedef struct paradt_stats {
     uint64_t cells;                // cells of the triangulation
     uint64_t hull_facets;          // facets with a cell on one side only
     uint64_t duplicates;           // points at the place of another
-    uint64_t hidden;               // places of weighted points that are no vertex
+    uint64_t hidden;               // places of weighted points that are not vertices
     uint64_t distance_evaluations; // Delaunay distances computed by searches, in lanes of eight
     uint64_t grid_cells_visited;   // grid cells whose points were looked at
     uint64_t active_peak;          // largest size of an active face list of InCoDe or DeWall, in facets
     uint64_t orient_calls;         // orientation predicates
-    uint64_t insphere_calls;       // in-sphere predicates; of insertion in space those that kept spheres left open
+    uint64_t insphere_calls;       // in-sphere predicates; in 3D insertion those that cached spheres could not decide
     uint64_t exact_small;          // predicates settled in small integers, or found to be 0 by the filter on lattices
     uint64_t exact_fixed;          // ... in integers of a fixed number of words
     uint64_t exact_general;        // ... in integers of any length
     uint64_t perturbed;            // in-sphere predicates settled by the perturbation
     uint64_t regions;              // regions built
-    uint64_t cells_recomputed;     // cells that regions were left with and did not own: the duplication
+    uint64_t cells_recomputed;     // cells that regions made and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
-    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what the block that was refused would have made of it; else 0
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
     double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
     double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
-    double seconds_build;          // making cells, with regions joining them too
-    double seconds_finish;         // hidden points, translating indices
+    double seconds_build;          // making cells, and joining those of regions
+    double seconds_finish;         // finding hidden points, freeing memory
     double seconds;                // all of it
 } paradt_stats;
 
@@ -522,84 +601,118 @@ typedef struct paradt_triangulation {
     int dim;                      // affine dimension of the points: dim + 1 vertices a cell; -1: no points, or an error
     size_t cell_count;            // number of cells
     paradt_index *cells;          // [cell_count][dim + 1] point indices, positively oriented
-    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex, or its half-facet; -1: hull
+    paradt_index *neighbors;      // [cell_count][dim + 1] the cell opposite each vertex; -1: hull; NULL: not wanted
     size_t point_count;           // number of points, as given
-    paradt_index *representative; // [point_count] itself, or the point that stands for it, or -1 when hidden
+    paradt_index *representative; // [point_count] the point itself, or the one that stands for it; -1: hidden
     size_t error_point;           // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
-    const char *error_text;       // a sentence about the error, ARGUMENT: which and why; static storage; NULL: no error
+    const char *error_text;       // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
     paradt_allocator allocator;   // what paradt_free gives the arrays back to
     paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
-// What paradt_check found wrong first, or why it could not find out; all of it zero when nothing is wrong.
+// What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
     paradt_index cell;  // index of the cell concerned, or -1
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
 
+// Return points without weights that are tightly packed in an array: [count][dim]. The compiler checks that their type
+// is the right one. Thread-safe.
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
+
 // Computes the triangulation of the points.
-//   out      is overwritten, whatever it held. After an error it holds no memory: dim is -1, arrays are NULL and counts
-//            0, but error_point, error_text and stats are filled.
-//   points   read during the call only.
-//   options  NULL: the defaults.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of calls at once, with an
-// `out` each. Cost: that of sorting the points, and expected constant time a cell for points without structure.
+//   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
+//   are
+//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//   points   read during the call only
+//   options  NULL: the defaults
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
+// with its own `out`. Cost: sorting the points, and expected constant time a cell for points without structure.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
-// Gives the arrays back to the allocator they came from and makes the triangulation empty: all zero, with dim = -1.
-// NULL and all zero are fine. Thread safety: as free.
+// Returns about how many bytes paradt_triangulate would hold at most if it were called with the same arguments: for
+// points spread evenly in all dimensions rather too many than too few, by up to a half in two and three dimensions and
+// up to twice beyond. Other points may take more. Of the points only count and dim matter; data may be NULL. Returns 0
+// where an argument is wrong. Thread-safe.
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
+
+// Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
+// -1. NULL, and a triangulation that is all zero, are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
 
-// PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
+// Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
 PARADT_DEF int paradt_version(void);
 
-// A sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
+// Returns a sentence of static storage, without a full stop; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_status_string(paradt_status status);
 
-// The method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
+// Returns the method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_method_string(paradt_method method);
 
+#ifndef PARADT_NO_CHECK
 // Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
-// representatives, hidden points, dimension. PARADT_OK: it is. PARADT_ERROR_INVALID: it is not, and *fault says what
-// was found first.
-//   triangulation  of any origin: the values in the arrays are not trusted, their sizes are. neighbors may be NULL.
-//   points         those it was made of.
-//   options        NULL: the defaults; allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags:
-//                  what neighbors hold. The rest is only checked.
-//   fault          NULL: not wanted. Says what is wrong with an argument, too.
-// Errors: INVALID, and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
-// Thread safety: any number of calls at once. Cost: expected linear time; it shares the predicates with
+// representatives, hidden points, dimension. Returns PARADT_OK if it is. Returns PARADT_ERROR_INVALID if it is not, and
+// *fault says what was found first.
+//   triangulation  of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
+//   points         those that it was made from
+//   options        NULL: the defaults. allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags,
+//                  which says what neighbors hold. The rest is only checked.
+//   fault          NULL: not wanted. It says which argument is wrong, too.
+// Errors: INVALID; and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
+// Thread safety: any number of concurrent calls. Cost: expected linear time. It shares the predicates with
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
+#endif
 
-// A hash of the set of cells as sets of point indices: the sum of paradt_hash_cell over the cells. It does not depend
-// on the order of cells and vertices, the size of indices, nor the machine, and needs no neighbours. Without cells it
-// is 0. Thread-safe. Cost: linear time.
+// Returns a hash of the set of cells, each as a set of point indices: the sum of paradt_hash_cell over the cells, 0
+// without cells. It depends neither on the order of cells and vertices nor on the size of indices or the machine, and
+// needs no neighbours. Thread-safe. Cost: linear time.
 PARADT_DEF uint64_t paradt_hash(const paradt_triangulation *triangulation);
 
-// The hash of one cell. vertices: [count] in any order; count: 0..PARADT_MAX_DIM + 1. For programs that hold the cells
-// in parts, or with other numbers: sums of the parts add up to the hash of the whole. Thread-safe.
+// Returns the hash of one cell. For programs that hold the cells in parts, or with other numbers: sums of the parts add
+// up to the hash of the whole. Thread-safe.
+//   vertices  [count] in any order
+//   count     0..PARADT_MAX_DIM + 1
 PARADT_DEF uint64_t paradt_hash_cell(const uint64_t *vertices, int count);
 
-// The predicates: exact for all finite doubles; others are undefined behaviour, and so is a dim out of
-// 2..PARADT_MAX_DIM. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. Each call costs a
-// pass over its arguments and the filter; the exact stages only when that can't decide.
+// The predicates are exact for all finite doubles. Other values, and a dim out of 2..PARADT_MAX_DIM, are undefined
+// behaviour. Each point is a pointer to dim coordinates. No memory is allocated. Thread-safe. A call costs a pass over
+// its arguments and the filter; the exact stages only when the filter can not decide.
 
-// The sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1: positively
-// oriented, in the plane counterclockwise; 0: flat.
+// Returns the sign, -1, 0 or 1, of the determinant of points[1] - points[0], ..., points[dim] - points[0]. 1:
+// positively oriented, in the plane counterclockwise; 0: flat.
 PARADT_DEF int paradt_orient(int dim, const double *const *points /* [dim + 1] */);
 
-// 1 when points[dim + 1] is inside of the sphere through the first dim + 1, which are positively oriented; 0 on it; -1
-// outside. With the first dim + 1 negatively oriented, the opposite. weights: NULL, or [dim + 2]; then inside means
-// below the hyperplane through the first dim + 1 when all are lifted to |x|^2 - weight (the power test).
+// Returns 1 when points[dim + 1] is inside the sphere through the first dim + 1 points, which are positively oriented;
+// 0 when it is on the sphere; -1 when it is outside. Where the first dim + 1 are negatively oriented, the opposite.
+//   weights  NULL, or [dim + 2]: then inside means below the hyperplane through the first dim + 1 when all are lifted
+//   to
+//            |x|^2 - weight (the power test)
 PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
-// The same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The first dim +
-// 1 points must be positively oriented, and none of them equal to points[dim + 1].
+// Returns the same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The
+// first dim + 1 points must be positively oriented, and none of them equal to points[dim + 1].
 PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /* [dim + 2] */, const double *weights);
+
+// Return the signs of paradt_orient for the points a, b, c (d), and of paradt_insphere without weights for these and q,
+// in two and three dimensions, of doubles and floats. Coordinates instead of pointers to pointers, and much faster: for
+// programs that call them by the million, as a walk does.
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]);
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]);
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]);
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]);
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]);
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]);
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]);
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]);
+#endif
 
 #ifdef __cplusplus
 }
@@ -607,8 +720,142 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points /*
 
 #endif // PARADT_H
 
-// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name", and each begins
-// with what it is for, what it relies on and where the idea comes from. Each uses only what stands above it.
+// The implementation follows; stop here if you only use the API. Its sections are marked "// >>name". Each begins with
+// what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
+
+// READING THE IMPLEMENTATION
+//
+// A POINT'S WAY through the file, from the caller's array to the caller's cells:
+//
+//       the caller's points                                            index
+//             |
+//             |  >>reading, >>sorting: finite, distinct, along Hilbert's curve, box after box
+//             |  >>scale and axes: the axes that orient, a scale for the filters
+//             v
+//       a set of records                                               position
+//             |
+//             +---------------- facet by facet ---+---------------- point by point -----+
+//             |                                   |                                     |
+//             |  >>grid          cells of eight   |  >>order of insertion   rounds      |
+//             |  >>first simplex where to begin   |  >>insertion     walk, dig, star    |
+//             |  >>search        the apex         |  >>kept spheres  tests by one       |
+//             |  >>front         the AFL          |                  product, in space  |
+//             |  >>incode, >>dewall               |                                     |
+//             v                                   v                                     |
+//       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
+//             |                                   |                                     |
+//             +-----------------+-----------------+                                     |
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or
+//                               |  >>fields and patches and >>regions of insertion
+//                               |
+//                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
+//                               |  handles become numbers
+//                               v
+//       paradt_triangulation                                           index, number
+//
+// INDEX SPACES. All are paradt_index or size_t; a variable's name says of which space it is.
+//
+//     index      a point as the caller counts. set.origin[position] gives it
+//     position   a point in a set: its record is records + position * width. The vertices of a mesh are positions until
+//                the mesh is closed. A region's patch counts its own points first, then others' (vertex)
+//     place      a cell in a mesh, a point in a grid: its row, wherever the cell or point moves from
+//     handle     a facet as one of its cells sees it: corners * place + i, opposite vertex i. Links are handles
+//     number     a cell as delivered
+//     slot       of a hash table
+//     region     0 to regions - 1, a box of space; a rank in paradt_mpi.h
+//
+// SENTINELS
+//
+//     PARADT__HULL      a link: no cell is on the other side        PARADT__INFINITE  a vertex: that of ghosts
+//     PARADT__OPEN      a link: the cell there is not known;        PARADT__DEAD      a vertex: the place is free
+//                       a list's end                                PARADT__NOWHERE   no position, no place
+//     PARADT__GAVE_UP   a status: another way is to be tried        PARADT__FAR       a bound: there is none
+//
+// VOCABULARY. The field's words: cell, facet, ridge (a facet of a facet), vertex, apex (the vertex opposite a facet),
+// star and link of a vertex, conflict, cavity, hull, circumsphere, active face list (AFL). And of this file:
+//
+//     ghost           the cell on the outer side of a hull facet, with the infinite vertex
+//     half-facet      a facet as one of its cells sees it; its mirror: as the other cell does
+//     rim             the cavity's facets; to star the cavity: to join the point with the rim
+//     update          what a change did: cells killed, cells made
+//     region, owner   a box of space; the region that delivers a cell which several make
+//     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     seam            facets between the first region's cells and others'
+//     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
+//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
+//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     filter          floating point that decides, or says that it can't
+//
+// THREE READING PATHS
+//
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//                       where it is fast; >>inserting
+//     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>fringe, >>fields and patches and the
+//                       sections behind it, >>regions of insertion; then paradt_mpi.h
+//
+// CONTENTS, with the lines of each section
+//
+//   ground
+//     memory                       173   the account of every byte
+//     numbers                      200   bit patterns, integers, small helpers
+//     tasks                        182   progress, teams, pauses, the clock
+//   predicates
+//     space                        233   what the predicates know of a set
+//     filters                      196   signs in floating point, with error bounds
+//     digits                       132   integers of many digits
+//     exact                        584   signs in integers
+//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//   points
+//     curve                        324   Hilbert's curve, sorting along it
+//     points                       162   the caller's points, records
+//     measures                     144   points that span, spacing
+//     cuts                         220   boxes of space
+//     reading                      199   the first pass over the points
+//     sorting                      372   along the curve, box after box
+//     scale and axes               102   the scale, the axes that orient
+//     reference sphere             195   sagittas near a sphere
+//   mesh
+//     mesh                         683   cells, links, ghosts, free places; closing
+//     facets                       255   the table of facets: AFL, ridges, open facets
+//     scene                        114   conflict test, walk, update
+//   search
+//     grid                         320   a hierarchy of boxes over a set
+//     search kernels               387   tests of eight boxes or points together
+//     pencil                       444   the spheres through a facet
+//     search                       353   the apex of a facet, a point in a sphere
+//     questions                     75   the same of cells of others' points
+//   making
+//     first simplex                139   a cell to begin with
+//     reach                         96   which cells a region makes and owns, facet by facet
+//     front                        408   what facet by facet has in common
+//     incode                        28   incremental construction
+//     dewall                       145   divide and conquer, merge first
+//     order of insertion           144   rounds along the curve
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 507   conflict tests by one product, in space
+//     insertion in space           651   dig and star with kept spheres
+//     insertion in space by AVX2   463   its inner functions for four lanes
+//     inserting                    169   insertions from begin to end
+//   division
+//     regions of fronts            117   owners of cells, joining
+//     fringe                        92   suspects, owners by insertion
+//     fields and patches           366   a region's points and what it builds
+//     questions between regions    352   is a cell right, for all points
+//     seam                         225   which cells of the first region are right
+//     results of patches           162   owned cells, open facets
+//     known points                 246   what a rank builds
+//     call                         179   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         544   the steps of a divided insertion
+//   entry
+//     methods                      212   one row a method; AUTO's choice
+//     triangulate                  343   the entry
+//   check
+//     check                        495   the certificate
+//   division
+//     check of the hull            285   @@
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -674,6 +921,13 @@ extern "C" {
 #define PARADT_ASSERT(condition) ((void)0)
 #endif
 
+// A function that is not used where a macro leaves out those who use it
+#if defined(__GNUC__)
+#define PARADT__OPTIONAL static __attribute__((unused))
+#else
+#define PARADT__OPTIONAL static
+#endif
+
 #if defined(__GNUC__)
 #define PARADT__INLINE                     static inline __attribute__((always_inline))
 #define PARADT__NOINLINE                   static __attribute__((noinline))
@@ -697,8 +951,22 @@ extern "C" {
 #define PARADT__RESTRICT
 #endif
 
-// Asks for an element of an array ahead of its use. There may be no such element: the address is just a number. A
-// function that does nothing but such has to be PARADT__INLINE: GCC drops calls of one that is not, as without effect.
+// Unrolls the loop that follows. Short loops of constant length are only fast unrolled, and GCC does it below -O3 on
+// request alone. Loops of variable length are unrolled four times: ten copies are much code for little speed.
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define PARADT__UNROLL   _Pragma("GCC unroll 10")
+#define PARADT__UNROLL_4 _Pragma("GCC unroll 4")
+#else
+#define PARADT__UNROLL
+#define PARADT__UNROLL_4
+#endif
+
+// Is dim, which is at most PARADT_MAX_DIM, equal to the constant k? A constant 0 if k is more than PARADT_MAX_DIM, so
+// that the compiler drops the code for k.
+#define PARADT__IS(dim, k) ((k) <= PARADT_MAX_DIM && (dim) == (k))
+
+// Prefetches an element of an array. The element need not exist: the address is just a number. A function that only
+// prefetches must be PARADT__INLINE: otherwise GCC takes it for one without effect and drops the calls.
 #define PARADT__FETCH(array, index)                                                                                    \
     PARADT__PREFETCH((const void *)((uintptr_t)(array) + (size_t)(index) * sizeof *(array)))
 
@@ -724,25 +992,27 @@ extern "C" {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>memory
 //
-// Every byte comes from the caller's allocator and is counted. A block carries its size in front of it, so that freeing
-// needs no size and the account stays exact. An account belongs to one thread at a time: each region has its own, with
-// its own share of the limit, and paradt__memory_join adds what it holds to the parent when the region has ended.
-// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__grow, paradt__release,
-// paradt__make_pages, paradt__alloc_filled.
+// Allocates from the caller's allocator and accounts for every byte. A block is preceded by its size, so that a release
+// needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
+// of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
+// Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
+// paradt__grow, paradt__release, paradt__make_pages.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
-    uint64_t limit; // bytes; UINT64_MAX: none
-    uint64_t held;
-    uint64_t peak;
+    uint64_t limit;  // bytes; UINT64_MAX: none
+    uint64_t held;   // bytes. Wraps below zero while the task has released more than it allocated
+    uint64_t peak;   // the most bytes held so far
     uint64_t needed; // a limit that would have allowed the block that was refused last; 0: none was
     uint64_t base;   // of a share: what the parent held,
     uint64_t shares; // and how many shares there are; 0: not a share
 } paradt__memory;
 
-enum { PARADT__BLOCK_HEADER = 64 }; // the size, and the payload on a cache line where the allocator gives 16 bytes
+// Bytes in front of the payload: the block's size and padding, which keeps the payload as aligned as the allocator's
+// memory, up to a cache line.
+enum { PARADT__BLOCK_HEADER = 64 };
 
-// The address sanitizer is told that the rest of the header is nobody's: an index just before an array is seen then.
+// Tells the address sanitizer that the padding is nobody's, so that it detects an index just below an array's start.
 #if defined(__SANITIZE_ADDRESS__)
 #define PARADT__ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -769,6 +1039,7 @@ static void paradt__default_free(void *user, void *memory) {
     free(memory);
 }
 
+// Opens an account by the allocator and the limit of the options, which may be NULL.
 static void paradt__memory_begin(paradt__memory *memory, const paradt_options *options) {
     memset(memory, 0, sizeof *memory);
     memory->limit = UINT64_MAX;
@@ -782,9 +1053,10 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
     }
 }
 
-// The account of one of `shares` tasks that may run at once.
+// Returns the account of one of `shares` tasks that may run concurrently.
 static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
+    PARADT_ASSERT(shares > 0);
     memory.held = memory.peak = memory.needed = 0;
     memory.base = parent->held;
     memory.shares = shares;
@@ -792,7 +1064,8 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
     return memory;
 }
 
-// Peaks of tasks that may run at once add up; so the sum bounds the true peak from above.
+// Adds what the child holds to the parent's account, and the child's peak to *sum_of_peaks. The tasks may have run
+// concurrently, so that the sum of their peaks is an upper bound of the true peak.
 static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
@@ -809,8 +1082,8 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
     return NULL;
 }
 
-// count elements of `size` bytes, not cleared; NULL when that is too much. No elements get a block all the same. An
-// account is below zero, so that it wraps, while its task has given back more than it took.
+// Returns `count` elements of `size` bytes, not cleared; NULL if the limit, the allocator or size_t does not admit so
+// many. Even zero elements get a block.
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     size_t bytes;
     uint64_t held;
@@ -829,6 +1102,7 @@ static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     return block + PARADT__BLOCK_HEADER;
 }
 
+// Returns a block to the allocator. payload: NULL or a block of this account or of one joined with it
 static void paradt__release(paradt__memory *memory, void *payload) {
     size_t bytes;
     char *block;
@@ -840,18 +1114,26 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
-enum { PARADT__PAGE = 4096 }; // bytes of the pages that most systems have
+// The bytes of a block, which begins with its size
+PARADT__OPTIONAL size_t paradt__block_bytes(const void *payload) {
+    size_t bytes = 0;
+    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
+    return bytes;
+}
 
-// The system makes the pages of fresh memory when they are first written to, one at a time. Where it can be told which
-// are about to be, it makes them at once, in two thirds of the time. first, end: bytes of the array that are about to
-// be written. Nothing depends on it: memory that has its pages, and whatever the caller's allocator gives, remains as
-// it is, and where pages are larger than is thought here the system refuses.
+enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
+
+// Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
+// Otherwise it provides them one at a time, at the first write to each, which takes longer. The call never changes
+// memory that has its pages already, whatever the caller's allocator returned; where pages are larger than
+// PARADT__PAGE, the system refuses the call, and nothing is lost.
 static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
     enum { FEWEST = 8, POPULATE_WRITE = 23 /* not in all headers */ };
     uintptr_t begin = (uintptr_t)array, from = (begin + first) / PARADT__PAGE * PARADT__PAGE;
     uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
     int before = errno;
+    PARADT_ASSERT(first <= end);
     if (from < begin) from += PARADT__PAGE;
     if (to > from && (to - from) / PARADT__PAGE >= FEWEST && madvise((void *)from, (size_t)(to - from), POPULATE_WRITE))
         errno = before;
@@ -860,9 +1142,11 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #endif
 }
 
-// Replaces *array, of which `used` elements matter, by one of `count` elements. Fails with *array as it was.
+// Replaces *array by a block of `count` elements of `size` bytes and copies its first `used` elements. Returns 0, with
+// *array as it was, if there is no memory.
 static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
     void *larger = paradt__alloc(memory, count, size);
+    PARADT_ASSERT(used <= count);
     if (!larger) return 0;
     paradt__make_pages(larger, 0, used * size);
     if (used) memcpy(larger, *array, used * size);
@@ -871,7 +1155,7 @@ static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_
     return 1;
 }
 
-// paradt__alloc for a block that one thread is about to fill.
+// Does the same as paradt__alloc for a block that one thread is about to fill.
 static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t size) {
     void *block = paradt__alloc(memory, count, size);
     if (block) paradt__make_pages(block, 0, count * size);
@@ -881,9 +1165,14 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // ---------------------------------------------------------------------------------------------------------------------
 // >>numbers
 //
-// Doubles as bit patterns, and integers. Whatever decides something in this file comes down to these, so that neither
-// the rounding mode nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right
-// shifts of negative integers are taken to be arithmetic, as all compilers have them.
+// Doubles as bit patterns, small helpers for integers and doubles, and a hash. Every decision in this file comes down
+// to bit patterns and integers, or to floating-point values beyond a bound on their error: so neither the rounding mode
+// nor flush-to-zero nor a compiler's liberties with floating-point algebra can change it. Right shifts of negative
+// integers are assumed to be arithmetic, as they are with all compilers.
+// Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
+// paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
+// paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
+// paradt__largest.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -902,12 +1191,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 #define PARADT__DIMENSIONS(X) X(2) X(3) X(4) X(5) X(6) X(7) X(8)
 #endif
 
-// The loops of constant length in the exact stages are only fast unrolled; GCC does it on request below -O3.
-#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
-#define PARADT__UNROLL _Pragma("GCC unroll 10")
-#else
-#define PARADT__UNROLL
-#endif
+// --- bit patterns
 
 PARADT__INLINE uint64_t paradt__bits(double x) {
     uint64_t bits;
@@ -929,7 +1213,7 @@ PARADT__INLINE int paradt__is_finite(double x) {
     return paradt__biased_exponent(x) < 2047;
 }
 
-// A monotone image of the finite doubles in the integers; -0.0 and 0.0 both go to 0.
+// Maps finite doubles to integers in the same order; both -0.0 and 0.0 become 0.
 PARADT__INLINE int64_t paradt__ordered_bits(double x) {
     uint64_t bits = paradt__bits(x), negative = 0 - (bits >> 63);
     return (int64_t)((bits ^ negative >> 1) - negative);
@@ -940,12 +1224,14 @@ PARADT__INLINE double paradt__from_ordered_bits(int64_t x) {
     return paradt__from_bits(x < 0 ? (0 - (uint64_t)x) | (uint64_t)1 << 63 : (uint64_t)x);
 }
 
-// 2^exponent, exponent in -1022..1023
+// Returns 2^exponent. exponent: -1022..1023
 PARADT__INLINE double paradt__power(int exponent) {
+    PARADT_ASSERT(exponent >= -1022 && exponent <= 1023);
     return paradt__from_bits((uint64_t)(exponent + 1023) << 52);
 }
 
-PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
+PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x: not 0
+    PARADT_ASSERT(x);
 #if defined(__GNUC__) || defined(__clang__)
     return __builtin_ctzll(x);
 #else
@@ -956,7 +1242,8 @@ PARADT__INLINE int paradt__trailing_zeros(uint64_t x) { // x is not 0
 #endif
 }
 
-PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
+// The number of bits from the highest one set; 0 for 0
+PARADT__INLINE int paradt__bit_length(uint64_t x) {
 #if defined(__GNUC__) || defined(__clang__)
     return x ? 64 - __builtin_clzll(x) : 0;
 #else
@@ -967,7 +1254,7 @@ PARADT__INLINE int paradt__bit_length(uint64_t x) { // 0 for 0
 #endif
 }
 
-// |x| = mantissa * 2^exponent, mantissa < 2^53, exponent in -1074..971
+// Returns the mantissa of |x| = mantissa * 2^*exponent, mantissa < 2^53, *exponent in -1074..971.
 PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), normal = biased != 0;
@@ -975,119 +1262,65 @@ PARADT__INLINE uint64_t paradt__split(double x, int *exponent) {
     return (bits & 0xfffffffffffffu) | (uint64_t)normal << 52;
 }
 
-// x * 2^exponent. *exact is cleared when bits are lost (they are cut off) or it overflows (to the largest double).
+// Returns x * 2^exponent. Clears *exact if bits are lost, which are cut off, or if the product overflows: then it
+// becomes the largest double of its sign.
 static double paradt__scale(double x, int exponent, int *exact) {
     int e, drop;
     uint64_t sign = paradt__bits(x) & (uint64_t)1 << 63, mantissa = paradt__split(x, &e);
     if (!mantissa) return x;
     int normalize = 53 - paradt__bit_length(mantissa);
     mantissa <<= normalize;
-    // by more than 4200 all of it is gone either way
+    // beyond 4200 everything is shifted out in either direction
     e += (exponent < -4200 ? -4200 : exponent > 4200 ? 4200 : exponent) - normalize;
     if (e > 971) {
         *exact = 0;
         return paradt__from_bits(sign | 0x7fefffffffffffffu);
     }
     if (e >= -1074) return paradt__from_bits(sign | (uint64_t)(e + 1075) << 52 | (mantissa & 0xfffffffffffffu));
-    drop = -1074 - e < 53 ? -1074 - e : 53; // a subnormal result
+    drop = -1074 - e < 53 ? -1074 - e : 53; // the result is subnormal
     if (mantissa & (((uint64_t)1 << drop) - 1)) *exact = 0;
     return paradt__from_bits(sign | mantissa >> drop);
 }
 
-// Wide integers are the widest that the compiler computes with. Longer ones are rows of digits in base 2^PARADT__RADIX,
-// least significant first, balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1) (the last may be larger where stated). So
-// there is no carry and no sign to care for while products are summed in wide integers, digit by digit; the sign of a
-// number is that of its highest digit other than 0; and the difference of two doubles has few nonzero digits, however
-// far apart their exponents are.
-#ifdef __SIZEOF_INT128__
-__extension__ typedef __int128 paradt__wide;
-typedef int64_t paradt__digit;
-#define PARADT__WIDE_BITS 127 // without the sign
-#define PARADT__RADIX     60
-#else
-typedef int64_t paradt__wide;
-typedef int32_t paradt__digit;
-#define PARADT__WIDE_BITS 63
-#define PARADT__RADIX     28
-#endif
-
-// So many products of two balanced digits fit into a wide integer, and a carry besides: 508.
-#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
-
-// Digits of a number below 2^bits in size, the last one balanced too
-PARADT__INLINE int paradt__digit_count(int bits) {
-    return bits / PARADT__RADIX + 1;
-}
-
-// x = digit + 2^PARADT__RADIX * carry, the digit balanced
-PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
-    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
-    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
-}
-
-PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
-    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
-}
-
-// digits[count] = the number whose digits are summed up in sum; the last digit takes all that remains.
-PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
-    paradt__wide carry = 0;
-    PARADT__UNROLL
-    for (int i = 0; i + 1 < count; i++) {
-        carry += sum[i];
-        digits[i] = paradt__low_digit(carry);
-        carry = paradt__carry(carry);
-    }
-    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
-}
-
-// Balances sum[count] in place.
-PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
-    for (int i = 0; i + 1 < count; i++) {
-        sum[i + 1] += paradt__carry(sum[i]);
-        sum[i] = paradt__low_digit(sum[i]);
-    }
-}
-
-// The sign of a number
-PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
-    while (count > 1 && !digits[count - 1]) count--;
-    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
-}
-
-// sum[] += sign * a[an] * b[bn]. Every element of sum grows by at most min(an, bn) products of digits.
-PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
-                                         const paradt__digit *b, int bn) {
-    PARADT__UNROLL
-    for (int i = 0; i < an; i++) {
-        paradt__digit x = sign < 0 ? -a[i] : a[i];
-        if (bn <= 6 || x) // long differences have few digits other than 0
-            PARADT__UNROLL
-        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
-    }
-}
-
-// sum[] += sign * mantissa * 2^shift, mantissa < 2^53, shift >= 0. A summand of an element is below 2^(2 RADIX - 1).
-PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
-    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
-    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
-        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
-        *sum++ += sign < 0 ? -part : part;
-    }
-}
-
-// Unit roundoff of directed rounding, 2^-52: the FPU's mode is the host's. x87's double rounding stays below it too.
-#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+// --- integers and doubles
 
 PARADT__INLINE int paradt__max(int a, int b) {
     return a > b ? a : b;
 }
+
 PARADT__INLINE int paradt__min(int a, int b) {
     return a < b ? a : b;
 }
 
-PARADT__INLINE double paradt__larger(double a, double b) {
-    return a > b ? a : b;
+// Returns a hash of h.
+static uint64_t paradt__mix(uint64_t h) {
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    h ^= h >> 32;
+    h *= UINT64_C(0xd6e8feb86659fd93);
+    return h ^ h >> 32;
+}
+
+// Unit roundoff: no operation on doubles errs by more, relative to its result. It is 2^-52, that of directed rounding,
+// for the FPU's mode is the host's; double rounding by x87 registers stays below it, too.
+#define PARADT__ROUNDOFF 2.220446049250313080847263336181640625e-16
+
+// Does arithmetic have at least that precision? x87 registers can be set to round to single precision, and some hosts
+// set them so.
+static int paradt__precise(void) {
+#if defined(__i386__) || defined(_M_IX86)
+    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
+    return above > one;
+#else
+    return 1;
+#endif
+}
+
+// Rounds x to a double where arithmetic may keep more digits in a register. Needed for a value that is used or compared
+// in several places, which must all see the same number.
+PARADT__INLINE double paradt__rounded(double x) {
+    volatile double rounded = x;
+    return rounded;
 }
 
 PARADT__INLINE double paradt__abs(double x) {
@@ -1098,37 +1331,35 @@ PARADT__INLINE double paradt__abs(double x) {
 #endif
 }
 
-// The largest size among count values
+PARADT__INLINE double paradt__larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+// Returns the largest |x[i]| of count > 0 values.
 PARADT__INLINE double paradt__largest(const double *x, int count) {
     double m = paradt__abs(x[0]);
     for (int i = 1; i < count; i++) m = paradt__larger(m, paradt__abs(x[i]));
     return m;
 }
 
-// Does arithmetic have the precision that the bounds count with? x87 registers can be set to round to single precision,
-// and hosts have done so.
-static int paradt__precise(void) {
-#if defined(__i386__) || defined(_M_IX86)
-    volatile double one = 1.0, above = one + 2.0 * PARADT__ROUNDOFF;
-    return above > one;
-#else
-    return 1;
-#endif
-}
-
-// The double nearest to x, where arithmetic may leave more digits in a register. For values that are used or compared
-// in several places: all must see the same.
-PARADT__INLINE double paradt__rounded(double x) {
-    volatile double rounded = x;
-    return rounded;
-}
-
-static uint64_t paradt__mix(uint64_t h) {
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    h ^= h >> 32;
-    h *= UINT64_C(0xd6e8feb86659fd93);
-    return h ^ h >> 32;
+// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
+// conversion.
+static double paradt__widen(uint32_t bits) {
+    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
+    double x;
+    if (exponent == 255) {
+        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
+    } else if (exponent) {
+        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
+    } else if (!fraction) {
+        wide = sign;
+    } else {
+        int shift = 0;
+        while (!(fraction >> 23)) fraction <<= 1, shift++;
+        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
+    }
+    memcpy(&x, &wide, sizeof x);
+    return x;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1147,6 +1378,7 @@ static uint64_t paradt__mix(uint64_t h) {
 // callback has asked for it, all tasks find the work cancelled at their next look.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
@@ -1313,71 +1545,77 @@ static double paradt__now(void) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>predicates
+// >>space
 //
-// Signs of determinants of doubles, exact for all finite ones. Doors: paradt__space_begin, _add, _end, paradt__orient,
-// paradt__insphere, paradt__conflict, paradt__compare.
+// What the predicates know of a set of points: the exponents of its numbers, its extents, and bounds for the filters.
+// This section and the next four give the signs of determinants of doubles, exactly for all finite ones.
 //
-// The determinants are those of the differences to one of the points: of k columns for the orientation, and for the
-// in-sphere test of one more, the lift |x - base|^2 - (w - w_base), which differs from |x|^2 - w by a linear function
-// of x only, so that the determinant is the same. Stages, each giving up only when it can not be sure:
-//   filter   in doubles, with a bound on its error for whatever order, contraction and rounding the compiler and the
-//            FPU choose. A determinant is a multiple of its quantum, the product of its columns' units: when the
-//            quantum exceeds value and error together, it is 0. So lattices hardly ever leave the filter.
-//   small    in wide integers (128 bits, or 64 where there are none), by minors
-//   fixed    2 and 3 dimensions, differences of up to 60 or 117 bits in one or two digits: loops of constant length
-//   general  any exponents, any dimension: as many digits as it takes.
-// No stage allocates. The general one takes 14 KB of stack, or 66 KB where that is too little: in 3D when exponents are
-// more than 1100 apart, in 6D 180, in 8D in most in-sphere tests that get there; the others take 9 KB.
+// The determinants are those of the differences between some points and one of them, the base: k columns of
+// coordinates for the orientation, and one more for the in-sphere test, the lift |x - base|^2 - (w - w_base). The lift
+// differs from |x|^2 - w by a linear function of x, so that the determinant is the same. A determinant is a multiple of
+// its quantum, the product of its columns' units. There are four stages; each passes on what it cannot decide:
+//   filter   in doubles (>>filters), with an error bound that holds for every order, contraction and rounding that the
+//            compiler and the FPU may choose. If the quantum exceeds value and error together, the determinant is 0: so
+//            lattices hardly ever need another stage.
+//   small    by minors in wide integers (>>exact): 128 bits, or 64 where there are no such integers
+//   fixed    for 2 and 3 columns, differences of at most 60 or 117 bits (one or two digits): loops of constant length
+//   general  for any exponents and any dimension, with as many digits as it takes
+// No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
+// dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
+// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
+// more; the other stages take 9 KB.
+// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
+// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
+// paradt__space_end, paradt__compare.
 
-#define PARADT__MAX_ROWS (PARADT_MAX_DIM + 1)
+// Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
+#define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
+#define PARADT__MAX_ROWS    (PARADT__MAX_COLUMNS + 1)
 
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
 
-// The exponents found in some doubles. All of them 0: unit > top.
+// The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
-    int unit;   // every one is a multiple of 2^unit
-    int bottom; // every one that is not 0 is at least 2^bottom in size
-    int top;    // every one is less than 2^top in size
+    int unit;   // each is a multiple of 2^unit
+    int bottom; // each is 0 or at least 2^bottom in size
+    int top;    // each is less than 2^top in size
 } paradt__range;
 
-// A filter's error for determinants of one kind
+// A filter's bounds for determinants of one kind
 typedef struct paradt__bounds {
-    double factor;  // error by rounding: this times the product of the columns' largest entries
+    double factor;  // the error by rounding is at most this times the product of the columns' largest entries
     double certain; // an error bound for all points of the set
-    double quantum; // every determinant is a multiple of more than this
+    double quantum; // a bit less than the quantum, of which each determinant is a multiple
 } paradt__bounds;
 
-// What the predicates know about a set of points: all that they are asked about must have been measured. One per
-// thread, for they count into it. Once measured, dim and ambient may be lowered and the axes of the points be permuted.
+// The predicates may only be asked about points that were measured. Each thread needs a space of its own, as the
+// predicates count their calls in it. After measuring, dim and ambient may be lowered and the axes of all points be
+// permuted.
 typedef struct paradt__space {
-    int dim;      // k: the first k coordinates of a point orient
-    int ambient;  // d >= k: all d coordinates enter the lift |x|^2 (points in a k-flat that is a graph over those k)
-    int weighted; // 1: a point's weight follows its d coordinates, and is taken from its lift
-    int filtered; // 1: every coordinate is 0 or 2^-120..2^120 in size, every weight 0 or 2^-240..2^240
-    int bounded;  // 1: the filters can not overflow. They are sound without a lower bound: see paradt__space_end
+    int dim;      // k: orientations are those of the first k coordinates
+    int ambient;  // d >= k: all d coordinates enter the lift (the points lie in a k-flat, a graph over the first k)
+    int weighted; // 1: a point's weight follows its d coordinates and is subtracted from its lift
+    int filtered; // 1: each coordinate is 0 or 2^-120..2^120 in size, each weight 0 or 2^-240..2^240
+    int bounded;  // 1: the filters cannot overflow. They need no lower bound of sizes: see paradt__space_end
     paradt__range coordinates;
     paradt__range weights;
-    int64_t low[PARADT_MAX_DIM];                 // ordered bits of the smallest and
-    int64_t high[PARADT_MAX_DIM];                // ... largest coordinate of each axis, as measured
-    double per_unit;                             // 2^-unit where it makes integers below 2^59 of all coordinates; 0
-    double tiny;                                 // no filter's error by underflow exceeds it
-    paradt__bounds orient[PARADT_MAX_DIM + 1];   // of orientations in k dimensions
-    paradt__bounds insphere[PARADT_MAX_DIM + 1]; // of in-sphere tests in k dimensions
-    double orient_certain;                       // the largest of orient's, k = 1..d, for estimates of others
-    double orient_quantum;                       // the smallest of orient's
+    int64_t low[PARADT_MAX_DIM];               // ordered bits of the smallest ...
+    int64_t high[PARADT_MAX_DIM];              // ... and the largest coordinate on each axis, as measured
+    double per_unit;                           // 2^-unit if all coordinates are below 2^59 units in size, else 0
+    double tiny;                               // no filter errs by more than this by underflow
+    paradt__bounds orient[PARADT__MAX_ROWS];   // of orientations in k dimensions
+    paradt__bounds insphere[PARADT__MAX_ROWS]; // of in-sphere tests in k dimensions
+    double orient_certain;                     // the largest `certain` of all orientations, k = 1..d
+    double orient_quantum;                     // the smallest `quantum` of all orientations
     paradt__counters counters;
 } paradt__space;
 
-#define PARADT__UNDECIDED 2
-
 static const paradt__range paradt__no_range = {4000, 4000, -4000};
 
-// ceil(log2(n!))
-static const int paradt__log_factorial[PARADT__MAX_ROWS + 1] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
-
+// Extends the range to x, whatever x is.
 PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1388,7 +1626,8 @@ PARADT__NOINLINE void paradt__measure_anew(paradt__range *range, double x) {
     range->top = paradt__max(range->top, top);
 }
 
-// Most numbers change nothing, which their exponents and last bits tell. Those that are not finite count as 2^1024.
+// Extends the range to x. Most numbers do not extend it, which their exponents and last bits show. Numbers that are not
+// finite count as 2^1024.
 PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
     uint64_t bits = paradt__bits(x);
     int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
@@ -1397,7 +1636,7 @@ PARADT__INLINE void paradt__measure(paradt__range *range, double x) {
         paradt__measure_anew(range, x);
 }
 
-// Are all points that were measured numbers?
+// Are all coordinates and weights that were measured finite?
 static int paradt__space_is_finite(const paradt__space *s) {
     return s->coordinates.top <= 1024 && s->weights.top <= 1024;
 }
@@ -1408,8 +1647,9 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set: then paradt__space_add for every point, then paradt__space_end. Zero points are fine.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
+    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
@@ -1421,6 +1661,7 @@ static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weig
     }
 }
 
+// Measures a point: its coordinates and, in a weighted space, its weight.
 PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     for (int j = 0; j < s->ambient; j++) {
         int64_t x = paradt__ordered_bits(p[j]);
@@ -1431,38 +1672,40 @@ PARADT__INLINE void paradt__space_add(paradt__space *s, const double *p) {
     if (s->weighted) paradt__measure(&s->weights, p[s->ambient]);
 }
 
-// A bit less than 2^exponent, for comparisons with rounded values; 0 when it is too small to be told apart
+// Returns a bit less than 2^exponent, for comparisons with rounded values; 0 if that is too small for the filters.
 static double paradt__quantum(int exponent) {
     return exponent < -900 ? 0 : paradt__power(paradt__min(exponent, 1000)) * (1 - 8 * PARADT__ROUNDOFF);
 }
 
-// The filters' error by rounding, to be multiplied with P, the product of the largest sizes m_j in the n columns. Let u
-// be the roundoff.
+// Returns the factor of a filter's error by rounding: the error is at most the factor times P, the product of the m_j,
+// where m_j is the largest size in column j of n columns. Let u be the roundoff.
 //
-// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials (an entry of the lift counts as one value). A computed
-// monomial has gone through at most c roundings, whichever way sums are ordered and products contracted: one a product,
-// and for a sum one less than the number of its terms.
-//   k = 2  2 differences, 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, product and
+// Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
+// computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
+// product, and by a sum once less than the sum has terms.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
 //          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift + 12 + 5 = 31
-// so the error is at most c u S to first order, S the sum of the monomials' sizes, and S <= n! P. Twice that is taken,
-// for the higher orders, for m_j being computed values and for the roundings of the bound itself.
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
+// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
 //
-// Elimination with row pivoting (other k). Entries come with errors of at most 12 u m_j. After t steps they are at most
-// 2^t m_j, as multipliers are at most 1 (with an error of 3 u, by a division or a product with a reciprocal). Each of
-// an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most 2^(n-1) u m_j, and so do, three
-// times, the multipliers: the computed pivots are exactly those of a matrix with entries perturbed by at most e m_j,
-// e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound its determinant differs by at most n e h P to first order,
-// h = n^(n/2), and the pivots' product adds n u of itself. Again the double is taken.
+// Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
+// most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
+// reciprocal, errs by 3 u. Each of an entry's n - 1 products and n - 1 differences, in whatever order, errs by at most
+// 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
+// matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
+// that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
+// Again the factor is twice as large.
 static double paradt__rounding(int k, int n) {
     static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
-    static const double hadamard[PARADT__MAX_ROWS + 1] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
     if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
-// Adds what another has measured.
+// Adds what another space has measured.
 static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     for (int j = 0; j < s->ambient; j++) {
         if (other->low[j] < s->low[j]) s->low[j] = other->low[j];
@@ -1472,11 +1715,14 @@ static void paradt__space_join(paradt__space *s, const paradt__space *other) {
     paradt__range_join(&s->weights, &other->weights);
 }
 
-// Underflow (or flush-to-zero, of operands too) adds at most 2^-1022 an operation. With minors there are less than 2^13
-// of them, and each error is multiplied by other entries of at most Q, the product of the max(1, m_j), in at most
-// n! < 2^19 ways; with elimination by pivots, n h 2^n (2^n, for these grow) < 2^36 ways, of 2^3 operations each; and a
-// column without a pivot above 1e-300 makes the determinant less than 2^36 1e-300 Q: all below 2^-959 Q. No value
-// exceeds 2^36 Q, so that nothing overflows while 2^36 Q < 2^1023.
+// Ends measuring: derives the bounds.
+//
+// Underflow, or flushing results and operands to zero, adds an error of at most 2^-1022 for each operation. Let Q be
+// the product of the max(1, m_j). With minors there are less than 2^13 operations, and each error is multiplied by
+// other entries, at most Q in size together, in at most n! < 2^19 monomials. With elimination an error is multiplied by
+// pivots, in at most n h 2^n < 2^36 ways (2^n because pivots grow) of 2^3 operations each. A column without a pivot
+// above 1e-300 makes the determinant less than 2^36 1e-300 Q. All of that is below 2^-959 Q. No value exceeds 2^36 Q,
+// so that nothing overflows if 2^36 Q < 2^1023.
 static void paradt__space_end(paradt__space *s) {
     const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
     const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
@@ -1487,12 +1733,12 @@ static void paradt__space_end(paradt__space *s) {
                   s->weights.bottom >= -240;
     s->bounded = precise && growth <= 940;
     s->tiny = s->bounded ? paradt__power(growth - 950) : 0;
-    // such products and conversions are exact in any rounding mode, and there is nothing to flush to zero
+    // these products and conversions are exact in any rounding mode, and none of them can be flushed to zero
     s->per_unit = 0;
     if (precise && unit >= -900 && unit < s->coordinates.top && s->coordinates.top <= paradt__min(unit + 59, 900))
         s->per_unit = paradt__power(-unit);
     if (!s->bounded) return;
-    for (int j = 0; j < d; j++) { // extents in descending order: the product of the first k is that of any k at most
+    for (int j = 0; j < d; j++) { // extents in descending order: no k of them have a larger product than the first k
         double extent = 0;
         int i = j;
         if (s->low[j] < s->high[j])
@@ -1518,10 +1764,10 @@ static void paradt__space_end(paradt__space *s) {
     }
 }
 
-// -1, 0, 1: the lexicographic order by the first dim coordinates
+// Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
 PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, const double *b) {
     for (int j = 0; j < s->dim; j++) {
-        if (s->filtered) { // nothing that could be flushed to zero
+        if (s->filtered) { // no number is so small that it could be flushed to zero
             if (a[j] != b[j]) return a[j] < b[j] ? -1 : 1;
         } else {
             int64_t x = paradt__ordered_bits(a[j]), y = paradt__ordered_bits(b[j]);
@@ -1534,9 +1780,16 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filters
 //
-// Doors: to be listed.
+// Determinants in doubles. A filter returns the determinant's sign, or PARADT__UNDECIDED if rounding may have changed
+// it. The space must be bounded, so that nothing overflows, and its points measured. A filter first compares with the
+// error bound for all points of the set, which costs nothing; only where that does not decide, it computes the bound
+// for its points. The bounds are derived in >>space.
+// Doors: paradt__filter_orient2, paradt__filter_orient3, paradt__filter_insphere2, paradt__filter_insphere3,
+// paradt__filter4, paradt__filter_any.
 
-// The filters' last step. largest: the product of the columns' largest entries
+#define PARADT__UNDECIDED 2
+
+// The last step of each filter. largest: the product of the columns' largest entries
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
     double error = b->factor * largest + s->tiny;
     if (value > error) return 1;
@@ -1546,6 +1799,7 @@ PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest
     return 0;
 }
 
+// The orientation of p[0..2]
 PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
@@ -1555,6 +1809,7 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
+// The orientation of p[0..3]
 PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const *p) {
     const double *o = p[0], *a = p[1], *b = p[2], *c = p[3];
     double x[3] = {a[0] - o[0], b[0] - o[0], c[0] - o[0]};
@@ -1566,7 +1821,8 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
 }
 
-// The rest of a lift whose first k squares are summed already: further coordinates and weights. *size bounds all of it.
+// Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
+// first k squares, and subtracts the weights' difference. *size: a bound of the lift's size, for the error
 PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d, int weighted, const double *a,
                                         const double *o) {
     for (int j = k; j < d; j++) lift += (a[j] - o[j]) * (a[j] - o[j]);
@@ -1574,6 +1830,7 @@ PARADT__INLINE double paradt__lift_rest(double lift, double *size, int k, int d,
     return weighted ? lift - (a[d] - o[d]) : lift;
 }
 
+// Is p[3] inside the circle of p[0..2]? d >= 2: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[3];
     double x[3], y[3], lift[3], size[3], det;
@@ -1589,8 +1846,8 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
                           &s->insphere[2]);
 }
 
-// The sum of the sizes of all monomials of four rows: never larger than 24 times the product of the columns' largest
-// entries, and much smaller where some rows are, as among points on a curve.
+// The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
+// entries, and much less if some rows are small, as those of points on a curve are.
 static double paradt__monomials4(const double *x, const double *y, const double *z, const double *lift) {
     double a[4], b[4], c[4], sum = 0;
     for (int i = 0; i < 4; i++) {
@@ -1606,6 +1863,7 @@ static double paradt__monomials4(const double *x, const double *y, const double 
     return sum;
 }
 
+// Is p[4] inside the sphere of p[0..3]? d >= 3: the coordinates of the lift
 PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *const *p, int d, int weighted) {
     const double *o = p[4];
     double x[4], y[4], z[4], lift[4], size[4], det;
@@ -1619,7 +1877,7 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xy30 = x[3] * y[0] - x[0] * y[3], xy02 = x[0] * y[2] - x[2] * y[0], xy13 = x[1] * y[3] - x[3] * y[1];
     double xyz012 = xy01 * z[2] + xy12 * z[0] - xy02 * z[1], xyz123 = xy12 * z[3] + xy23 * z[1] - xy13 * z[2];
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
-    // minus the determinant of the rows (x, y, z, lift), as it takes in odd dimensions
+    // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
@@ -1628,15 +1886,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
 }
 
-// Of five rows, pairs[i][j] is the determinant of rows i and j of two columns. The determinant of four rows without row
-// out, by the pairs of the first two columns and those of the next two.
+// The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
+// first two and in the last two columns
 PARADT__INLINE double paradt__without(double (*xy)[5], double (*zw)[5], int out) {
     const int a = out == 0, b = 1 + (out <= 1), c = 2 + (out <= 2), d = 3 + (out <= 3);
     return (xy[a][b] * zw[c][d] - xy[a][c] * zw[b][d]) + (xy[a][d] * zw[b][c] + xy[b][c] * zw[a][d]) +
            (xy[c][d] * zw[a][b] - xy[b][d] * zw[a][c]);
 }
 
-// Four dimensions: n = 4 for the orientation (base p[0]), 5 for the in-sphere test (base p[5])
+// Either determinant in 4 dimensions, of rows p[0..n-1] - base: n = 4 for the orientation, 5 for the in-sphere test
 PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, const double *base, int n, int d) {
     double x[4][5], xy[5][5], zw[5][5], lift[5], size[5], det, largest = 1;
     const paradt__bounds *b = n == 4 ? &s->orient[4] : &s->insphere[4];
@@ -1666,14 +1924,14 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
     return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
 }
 
-// Determinant of n rows by elimination with pivots; 0 also when there is no pivot
+// Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     double det = 1;
     for (int t = 0; t < n; t++) {
         int pivot = t;
         for (int i = t + 1; i < n; i++)
             if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot this small is noise of underflow; its reciprocal would overflow
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
         if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
         if (pivot != t) {
             det = -det;
@@ -1692,10 +1950,12 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
     return det;
 }
 
-// Rows p[0..n-1] - base: k coordinates and, when n > k, the lift
+// Either determinant in any dimension, of rows p[0..n-1] - base: k coordinates and, if n > k, the lift over d
+// coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
     double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
         double lift = 0, size;
         for (int j = 0; j < k; j++) {
@@ -1714,19 +1974,159 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>exact stages
+// >>digits
 //
-// Doors: to be listed.
+// Integers of any length, for determinants that no machine integer holds. paradt__wide is the widest integer that the
+// compiler computes with. A longer number is an array of digits in base 2^PARADT__RADIX, least significant first, and
+// balanced: -2^(RADIX - 1) <= digit <= 2^(RADIX - 1), where the last digit may be larger if that is stated. Products
+// are summed digit by digit in an array of wide integers, a sum; PARADT__SUMMANDS products fit before carries must be
+// taken. So a sum has neither a carry nor a sign to care for, the sign of a number is that of its highest digit other
+// than 0, and the difference of two doubles has few digits other than 0, however far apart their exponents are.
+// Functions whose names end in _any are for numbers of any length; the others are unrolled, for constant lengths.
+// Doors: paradt__digit_count, paradt__low_digit, paradt__carry, paradt__sign, paradt__clear, paradt__clear_any,
+// paradt__multiply_add, paradt__multiply_add_any, paradt__add_shifted, paradt__make_room, paradt__store,
+// paradt__store_any.
 
-// What the exact stages are asked: the determinant of the n rows row[i] - base, k columns of coordinates and, when
-// n > k, the lift over d coordinates.
-typedef struct paradt__task {
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 paradt__wide;
+typedef int64_t paradt__digit;
+#define PARADT__WIDE_BITS 127 // without the sign
+#define PARADT__RADIX     60
+#else
+typedef int64_t paradt__wide;
+typedef int32_t paradt__digit;
+#define PARADT__WIDE_BITS 63
+#define PARADT__RADIX     28
+#endif
+
+// The number of products of two balanced digits that fit into a wide integer beside a carry: 508
+#define PARADT__SUMMANDS ((1 << (PARADT__WIDE_BITS - 2 * (PARADT__RADIX - 1))) - 4)
+
+// The number of digits, the last one balanced too, of an integer below 2^bits in size
+PARADT__INLINE int paradt__digit_count(int bits) {
+    return bits / PARADT__RADIX + 1;
+}
+
+// Returns the balanced digit of x = digit + 2^PARADT__RADIX * carry.
+PARADT__INLINE paradt__digit paradt__low_digit(paradt__wide x) {
+    const int above = 8 * (int)sizeof(paradt__digit) - PARADT__RADIX;
+    return (paradt__digit)((paradt__digit)((uint64_t)x << above) >> above);
+}
+
+// Returns the carry of the same sum.
+PARADT__INLINE paradt__wide paradt__carry(paradt__wide x) {
+    return (x + ((paradt__wide)1 << (PARADT__RADIX - 1))) >> PARADT__RADIX;
+}
+
+// The sign of a number, -1, 0 or 1
+PARADT__INLINE int paradt__sign(const paradt__digit *digits, int count) {
+    PARADT_ASSERT(count > 0);
+    while (count > 1 && !digits[count - 1]) count--;
+    return (digits[count - 1] > 0) - (digits[count - 1] < 0);
+}
+
+PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
+    PARADT__UNROLL
+    for (int i = 0; i < count; i++) sum[i] = 0;
+}
+
+PARADT__INLINE void paradt__clear_any(paradt__wide *sum, int count) {
+    memset(sum, 0, (size_t)count * sizeof *sum);
+}
+
+// Adds sign * a[an] * b[bn] to the sum. Each of its elements receives at most min(an, bn) products of digits.
+PARADT__INLINE void paradt__multiply_add(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                         const paradt__digit *b, int bn) {
+    PARADT__UNROLL
+    for (int i = 0; i < an; i++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        PARADT__UNROLL
+        for (int j = 0; j < bn; j++) sum[i + j] += (paradt__wide)x * b[j];
+    }
+}
+
+PARADT__INLINE void paradt__multiply_add_any(paradt__wide *sum, int sign, const paradt__digit *a, int an,
+                                             const paradt__digit *b, int bn) {
+    for (int i = 0; i < an; i++, sum++) {
+        paradt__digit x = sign < 0 ? -a[i] : a[i];
+        if (!x) continue; // long differences have few digits other than 0
+        PARADT__UNROLL_4
+        for (int j = 0; j < bn; j++) sum[j] += (paradt__wide)x * b[j];
+    }
+}
+
+// Adds sign * mantissa * 2^shift to the sum; mantissa < 2^53, shift >= 0. A summand of an element is below
+// 2^(2 RADIX - 1).
+PARADT__INLINE void paradt__add_shifted(paradt__wide *sum, int sign, uint64_t mantissa, int shift) {
+    const uint64_t mask = ((uint64_t)1 << PARADT__RADIX) - 1;
+    PARADT_ASSERT(shift >= 0);
+    for (sum += shift / PARADT__RADIX; mantissa; mantissa >>= PARADT__RADIX) {
+        paradt__wide part = (paradt__wide)(mantissa & mask) << shift % PARADT__RADIX;
+        *sum++ += sign < 0 ? -part : part;
+    }
+}
+
+// Takes the carries of sum[count] in place.
+PARADT__INLINE void paradt__balance(paradt__wide *sum, int count) {
+    for (int i = 0; i + 1 < count; i++) {
+        sum[i + 1] += paradt__carry(sum[i]);
+        sum[i] = paradt__low_digit(sum[i]);
+    }
+}
+
+// Prepares sum[count] for another `products` products an element. *used counts those since the last carries.
+PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
+    PARADT_ASSERT(products <= PARADT__SUMMANDS);
+    *used += products;
+    if (*used <= PARADT__SUMMANDS) return;
+    paradt__balance(sum, count);
+    *used = products;
+}
+
+// Takes the carries of sum[count] and writes the digits of the number. The last digit is what remains, balanced or not.
+PARADT__INLINE void paradt__store(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    PARADT__UNROLL
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide *sum, int count) {
+    paradt__wide carry = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        carry += sum[i];
+        digits[i] = paradt__low_digit(carry);
+        carry = paradt__carry(carry);
+    }
+    digits[count - 1] = (paradt__digit)(carry + sum[count - 1]);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>exact
+//
+// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
+// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
+// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+
+// ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
+static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
+
+// The determinant of the n rows row[i] - base: k columns of coordinates and, if n > k, the lift over d coordinates
+typedef struct paradt__determinant {
     int n, k, d, weighted;
     const double *const *row;
     const double *base;
-} paradt__task;
+} paradt__determinant;
 
-static paradt__range paradt__measure_columns(const paradt__task *q, int first, int end) {
+// The range of the coordinates (or weights) first..end - 1 of all rows and the base
+static paradt__range paradt__measure_columns(const paradt__determinant *q, int first, int end) {
     paradt__range range = paradt__no_range;
     for (int j = first; j < end; j++) {
         for (int i = 0; i < q->n; i++) paradt__measure(&range, q->row[i][j]);
@@ -1735,7 +2135,7 @@ static paradt__range paradt__measure_columns(const paradt__task *q, int first, i
     return range;
 }
 
-// |x| / 2^unit = mantissa * 2^*shift for a multiple of 2^unit
+// Returns the mantissa of |x| / 2^unit = mantissa * 2^*shift. x: a multiple of 2^unit
 PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     int e;
     uint64_t mantissa = paradt__split(x, &e);
@@ -1743,16 +2143,18 @@ PARADT__INLINE uint64_t paradt__mantissa(double x, int unit, int *shift) {
     return mantissa ? mantissa >> paradt__max(unit - e, 0) : 0;
 }
 
-// The numbers of a task as integers: differences of at most 60 bits and a sign
+// --- numbers that fit: the small stage
+
+// The entries of a determinant as integers: differences of at most 60 bits and a sign
 typedef struct paradt__fixed {
-    int unit;      // of the coordinates; 2 * unit is the lifts'
-    int bits;      // differences are below 2^bits
-    int lift_bits; // lifts are below 2^lift_bits
-    int64_t x[PARADT__MAX_ROWS][PARADT_MAX_DIM];
+    int unit;      // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits;      // differences are below 2^bits in size
+    int lift_bits; // lifts are below 2^lift_bits in size
+    int64_t x[PARADT__MAX_ROWS][PARADT__MAX_COLUMNS];
     paradt__wide lift[PARADT__MAX_ROWS];
 } paradt__fixed;
 
-// x / 2^unit for |x| < 2^(unit + 59); *lost collects the bits below the unit
+// Returns x / 2^unit, for |x| < 2^(unit + 59), and adds the bits below the unit to *lost.
 PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     int e, drop;
     uint64_t mantissa = paradt__split(x, &e) << 10;
@@ -1761,8 +2163,9 @@ PARADT__INLINE int64_t paradt__fix(double x, int unit, uint64_t *lost) {
     return paradt__bits(x) >> 63 ? -(int64_t)(mantissa >> drop) : (int64_t)(mantissa >> drop);
 }
 
-// Fills f->x in the unit of the set.
-PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__task *q, int columns) {
+// Fills f->x in the unit of the set, which s->per_unit must allow.
+PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q,
+                                       int columns) {
     f->unit = s->coordinates.unit;
     f->bits = s->coordinates.top + 1 - f->unit;
     PARADT__UNROLL
@@ -1773,25 +2176,22 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
     }
 }
 
-// Fills f->x in the largest unit that is one of all differences. 0: they need more bits, or a weight a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, int columns,
+// Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
+// weight needs a smaller unit.
+PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
                                        const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
-    PARADT__UNROLL
     for (int i = 0; i <= q->n; i++) {
         const double *x = i < q->n ? q->row[i] : q->base;
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) {
             uint64_t doubled = paradt__bits(x[j]) << 1; // without the sign
             top = doubled > top ? doubled : top;
         }
     }
     f->unit = paradt__max((int)(top >> 53), 1) - 1022 - 59; // coordinates are below 2^(biased exponent - 1022)
-    PARADT__UNROLL
     for (int j = 0; j < columns; j++) {
         int64_t base = paradt__fix(q->base[j], f->unit, &lost);
-        PARADT__UNROLL
         for (int i = 0; i < q->n; i++) {
             int64_t x = f->x[i][j] = paradt__fix(q->row[i][j], f->unit, &lost) - base;
             any |= (uint64_t)x;
@@ -1802,9 +2202,7 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
     spare = any ? paradt__trailing_zeros(any) : 0;
     spare = paradt__min(spare, (weights->unit - (weights->unit & 1)) / 2 - f->unit);
     if (spare < 0) return 0;
-    PARADT__UNROLL
     for (int i = 0; i < q->n; i++) {
-        PARADT__UNROLL
         for (int j = 0; j < columns; j++) f->x[i][j] >>= spare;
     }
     f->unit += spare;
@@ -1812,24 +2210,22 @@ PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__task *q, 
     return 1;
 }
 
-// Fills f but for the lifts. 0: differences or weights do not fit.
-PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__task *q) {
+// Fills f without the lifts. Returns 0 if differences or weights do not fit.
+PARADT__INLINE int paradt__fix_rows(paradt__fixed *f, const paradt__space *s, const paradt__determinant *q) {
     int columns = q->n > q->k ? q->d : q->k;
     paradt__range weights = paradt__no_range;
     if (q->n > q->k && q->weighted) weights = paradt__measure_columns(q, q->d, q->d + 1);
     if (s->per_unit > 0 && 2 * s->coordinates.unit <= weights.unit) paradt__fix_by_set(f, s, q, columns);
     else if (!paradt__fix_by_bits(f, q, columns, &weights)) return 0;
-    // the sum of up to 8 squares, and a difference of weights
+    // a sum of up to 8 squares, and the difference of two weights
     f->lift_bits = paradt__max(2 * f->bits + 3, weights.top + 1 - 2 * f->unit) + (weights.top > weights.bottom);
     return 1;
 }
 
-// Fills f->lift, which must fit in wide integers.
-PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
-    PARADT__UNROLL
+// Fills f->lift. f->lift_bits must be at most PARADT__WIDE_BITS - 5.
+PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__determinant *q) {
     for (int i = 0; i < q->n; i++) {
         paradt__wide lift = 0;
-        PARADT__UNROLL
         for (int j = 0; j < q->d; j++) lift += (paradt__wide)f->x[i][j] * f->x[i][j];
         for (int side = 0; side < 2 && q->weighted; side++) {
             double w = side ? q->base[q->d] : q->row[i][q->d];
@@ -1842,11 +2238,12 @@ PARADT__INLINE void paradt__fix_lifts(paradt__fixed *f, const paradt__task *q) {
     }
 }
 
-// Determinants of the rows in wide integers. pair(i, j): of their first two columns
+// The determinant of rows i and j in the first two columns
 PARADT__INLINE paradt__wide paradt__wide_pair(const paradt__fixed *f, int i, int j) {
     return (paradt__wide)f->x[i][0] * f->x[j][1] - (paradt__wide)f->x[j][0] * f->x[i][1];
 }
 
+// The determinant of all rows, which must fit in a wide integer, for k = 2 or 3
 PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, int k) {
     paradt__wide p01 = paradt__wide_pair(f, 0, 1), p02, p12, p03, p13, p23, z0, z1, z2, z3;
     if (n == 2) return p01;
@@ -1859,8 +2256,8 @@ PARADT__INLINE paradt__wide paradt__wide_small(const paradt__fixed *f, int n, in
            f->lift[1] * (z0 * p23 - z2 * p03 + z3 * p02) - f->lift[0] * (z1 * p23 - z2 * p13 + z3 * p12);
 }
 
-// The same for any n: minor[mask] is that of the rows in mask and of as many first columns.
-static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
+// The same for any k. minor[mask] is the determinant of the rows in the mask and of as many first columns.
+PARADT__NOINLINE paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
     paradt__wide minor[1 << PARADT__MAX_ROWS];
     minor[0] = 1;
     for (unsigned mask = 1; mask < 1u << n; mask++) {
@@ -1870,35 +2267,41 @@ static paradt__wide paradt__wide_any(const paradt__fixed *f, int n, int k) {
         for (unsigned rest = mask; rest; rest &= rest - 1) {
             int i = paradt__trailing_zeros(rest);
             paradt__wide x = column < k ? f->x[i][column] : f->lift[i];
-            sum = x * minor[mask ^ 1u << i] - sum; // along the last column, whose last row counts positive
+            sum = x * minor[mask ^ 1u << i] - sum; // along the last column: the sign of its last row is positive
         }
         minor[mask] = sum;
     }
     return minor[(1 << n) - 1];
 }
 
-// few: k is 2 or 3
+// few: is k 2 or 3?
 PARADT__INLINE int paradt__small_sign(const paradt__fixed *f, int n, int k, int few) {
     paradt__wide det = few ? paradt__wide_small(f, n, k) : paradt__wide_any(f, n, k);
     return (det > 0) - (det < 0);
 }
 
-// --- general
+// --- numbers of any length: the general stage
 
-// The lengths of a task's numbers
+// The lengths of a determinant's entries. Units are exponents.
 typedef struct paradt__layout {
     int unit, bits, digits;                // of the coordinates' differences
     int lift_unit, lift_bits, lift_digits; // of the lifts; 2 unit - lift_unit is a multiple of PARADT__RADIX
 } paradt__layout;
 
-// Places on the stack for all numbers of a task, and for sums. The largest task, 8 columns of differences of 2099 bits,
-// takes 5768 digits of 60 bits and sums of 562 (12328 and 1202 of 28 bits).
+// Two sizes of room on the stack, each for all numbers of a determinant and for sums. Differences have at most 2099
+// bits (from 2^-1074 to 2^1025), lifts 4202 (from 2^-2148 to 2^2054): 35 and 71 digits of 60 bits, or 75 and 151 of 28.
+//   small  Every determinant of up to 3 columns of coordinates fits. The largest is the weighted in-sphere test with
+//          k = 3: rows take 4 (3 35 + 71) = 704 digits, minors of 1 or 3 columns 4 106 = 424, of 2 columns 6 70 = 420,
+//          together 1548, and sums 177 elements. With digits of 28 bits: 1504 + 904 + 900 = 3308, and 377.
+//   large  Every determinant fits. The largest, with k = 8, takes 5768 digits of 60 bits and sums of 562 elements, or
+//          12328 and 1202 of 28 bits, when it is made from halves (paradt__general_halves).
 #define PARADT__LARGE_DIGITS (53248 / (int)sizeof(paradt__digit))
 #define PARADT__LARGE_SUM    (36 * 1024 / PARADT__RADIX)
-#define PARADT__SMALL_DIGITS (10240 / (int)sizeof(paradt__digit))
-#define PARADT__SMALL_SUM    (6144 / PARADT__RADIX)
+#define PARADT__SMALL_DIGITS (13312 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_SUM    (10800 / PARADT__RADIX)
 
-static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task *q) {
+// Finds the lengths: from the set's range or, if that is long, from the points'.
+static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__determinant *q) {
     paradt__layout y;
     int lifted = q->n > q->k;
     paradt__range x = s->coordinates, w = paradt__no_range;
@@ -1915,20 +2318,7 @@ static paradt__layout paradt__lay_out(const paradt__space *s, const paradt__task
     return y;
 }
 
-// Room for more products in the sums of count elements: *used of PARADT__SUMMANDS are taken
-PARADT__INLINE void paradt__make_room(paradt__wide *sum, int count, int *used, int products) {
-    *used += products;
-    if (*used <= PARADT__SUMMANDS) return;
-    paradt__balance(sum, count);
-    *used = products;
-}
-
-PARADT__INLINE void paradt__clear(paradt__wide *sum, int count) {
-    PARADT__UNROLL
-    for (int i = 0; i < count; i++) sum[i] = 0;
-}
-
-// sum += sign * (a - b) / 2^unit
+// Adds sign * (a - b) / 2^unit to the sum.
 PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a, double b, int unit) {
     int shift;
     uint64_t mantissa = paradt__mantissa(a, unit, &shift);
@@ -1937,7 +2327,7 @@ PARADT__INLINE void paradt__add_difference(paradt__wide *sum, int sign, double a
     paradt__add_shifted(sum, paradt__bits(b) >> 63 ? sign : -sign, mantissa, shift);
 }
 
-// digits = a - b; a wide integer holds it
+// Writes the digits of (a - b) / 2^unit, which must fit in a wide integer.
 PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, double a, double b, int unit) {
     int shift;
     paradt__wide x, y;
@@ -1950,53 +2340,54 @@ PARADT__INLINE void paradt__short_difference(paradt__digit *digits, int count, d
     digits[count - 1] = (paradt__digit)x;
 }
 
-// Writes the rows one after another, each k numbers of y->digits and, with the lift, one of y->lift_digits. Beyond them
-// it uses as much as y->digits; sum has place for all of a lift and y->digits more.
-PARADT__INLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__task *q,
-                                      const paradt__layout *y) {
+// Writes the rows one after another: each k numbers of y->digits and, with the lift, one of y->lift_digits. Uses
+// another y->digits behind the rows. sum: room for a lift and y->digits more
+PARADT__NOINLINE void paradt__load_rows(paradt__digit *out, paradt__wide *sum, const paradt__determinant *q,
+                                        const paradt__layout *y) {
     int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX;
     paradt__wide *lift = sum + y->digits;
     paradt__digit *further = out + q->n * (q->k * y->digits + lifted * y->lift_digits);
     for (int i = 0; i < q->n; i++) {
-        int used = 8; // weights add less than so many products
-        if (lifted) paradt__clear(lift, y->lift_digits);
+        int used = 8; // the weights add less than 8 products
+        if (lifted) paradt__clear_any(lift, y->lift_digits);
         for (int j = 0; j < (lifted ? q->d : q->k); j++) {
             paradt__digit *x = j < q->k ? out : further;
             if (y->bits < PARADT__WIDE_BITS - 1) {
                 paradt__short_difference(x, y->digits, q->row[i][j], q->base[j], y->unit);
             } else {
-                paradt__clear(sum, y->digits);
+                paradt__clear_any(sum, y->digits);
                 paradt__add_difference(sum, 1, q->row[i][j], q->base[j], y->unit);
-                paradt__store(x, sum, y->digits);
+                paradt__store_any(x, sum, y->digits);
             }
             if (j < q->k) out += y->digits;
             if (!lifted) continue;
             paradt__make_room(lift, y->lift_digits, &used, y->digits);
-            paradt__multiply_add(lift + offset, 1, x, y->digits, x, y->digits);
+            paradt__multiply_add_any(lift + offset, 1, x, y->digits, x, y->digits);
         }
         if (!lifted) continue;
         if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
-        paradt__store(out, lift, y->lift_digits);
+        paradt__store_any(out, lift, y->lift_digits);
         out += y->lift_digits;
     }
 }
 
-// Where the minors of the columns first, first + 1, ... of a task are made
+// The minors of a determinant that consist of columns first, first + 1, ...
 typedef struct paradt__minors {
-    const paradt__task *task;
+    const paradt__determinant *whole;
     const paradt__layout *layout;
-    const paradt__digit *rows;
+    const paradt__digit *rows; // as paradt__load_rows writes them
     int first;
 } paradt__minors;
 
-// Digits of a minor of so many columns
+// The number of digits of a minor of so many columns
 PARADT__INLINE int paradt__minor_digits(const paradt__minors *m, int columns) {
-    int lifted = m->first + columns > m->task->k;
+    int lifted = m->first + columns > m->whole->k;
     return paradt__digit_count((columns - lifted) * m->layout->bits + lifted * m->layout->lift_bits +
                                paradt__log_factorial[columns]);
 }
 
-// Digits that the minors of so many rows need at most, of an odd (parity 1) or even number of columns
+// The most digits that all minors of one size take together, among sizes of odd (parity 1) or even parity, if they are
+// made of so many rows
 static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     int most = 0;
     for (int columns = 1, binomial = rows; columns <= rows; columns++) {
@@ -2006,18 +2397,19 @@ static int paradt__minors_space(const paradt__minors *m, int rows, int parity) {
     return most;
 }
 
-// The next larger number with as many bits set (Gosper's hack)
+// Returns the next larger number with as many bits set (Gosper's hack).
 PARADT__INLINE unsigned paradt__next_subset(unsigned set) {
     unsigned low = set & (0 - set), ripple = set + low;
     return ripple | ((set ^ ripple) >> 2) / low;
 }
 
-// The determinant of the rows in the set, as many columns from m->first on: its digits, in work, and their number. Of
-// every size all minors are made from those one column smaller, in two places that take turns.
+// Computes the minor of the rows in the set and of as many columns from m->first. Returns its digits, in work, and
+// their number in *digits. All minors of each size are made from those that are one column smaller, in two areas of
+// work that take turns.
 static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set, paradt__digit *work, paradt__wide *sum,
                                           int *digits) {
     const paradt__layout *y = m->layout;
-    int k = m->task->k, row_digits = k * y->digits + (m->task->n > k ? y->lift_digits : 0);
+    int k = m->whole->k, row_digits = k * y->digits + (m->whole->n > k ? y->lift_digits : 0);
     int row[PARADT__MAX_ROWS], rows = 0, previous = 0;
     uint16_t place[1 << PARADT__MAX_ROWS];
     paradt__digit *places[2], *from = NULL;
@@ -2030,7 +2422,7 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
         int entry_digits = column < k ? y->digits : y->lift_digits;
         for (unsigned mask = (1u << columns) - 1; mask < 1u << rows; mask = paradt__next_subset(mask)) {
             int sign = 1, used = 0;
-            paradt__clear(sum, length);
+            paradt__clear_any(sum, length);
             for (unsigned rest = mask; rest; rest &= rest - 1, sign = -sign) {
                 int i = paradt__trailing_zeros(rest);
                 const paradt__digit *x = m->rows + row[i] * row_digits + column * y->digits;
@@ -2040,9 +2432,9 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
                 }
                 const paradt__digit *minor = from + place[mask ^ 1u << i] * previous;
                 paradt__make_room(sum, length, &used, paradt__min(entry_digits, previous));
-                paradt__multiply_add(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
+                paradt__multiply_add_any(sum, columns & 1 ? sign : -sign, x, entry_digits, minor, previous);
             }
-            paradt__store(to + count * length, sum, length);
+            paradt__store_any(to + count * length, sum, length);
             place[mask] = (uint16_t)count++;
         }
         previous = length;
@@ -2052,14 +2444,14 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The determinant of all rows is the sum over sets of half the rows: minors of the first columns in these times minors
-// of the other columns in the others (Laplace). For 9 rows that takes six times as long and a sixth of the
-// space.
+// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
+// a sixth of the room and six times as long.
 static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
-    int n = m->task->n, half = n / 2, used = 0, a_digits, b_digits;
+    int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
-    paradt__clear(sum, digits);
+    paradt__clear_any(sum, digits);
     for (unsigned mask = (1u << half) - 1; mask < 1u << n; mask = paradt__next_subset(mask)) {
         int sign = half * (half - 1) / 2 & 1;
         for (unsigned rest = mask; rest; rest &= rest - 1) sign ^= paradt__trailing_zeros(rest) & 1;
@@ -2068,14 +2460,14 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         m->first = half;
         const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
         paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
-        paradt__multiply_add(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+        paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
-    paradt__store(work, sum, digits);
+    paradt__store_any(work, sum, digits);
     return paradt__sign(work, digits);
 }
 
-// 1: so many digits, and sums of so many, are room for all minors at once
-static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, int digits, int sums) {
+// Do all minors fit together into so many digits, and the sums into so many elements?
+static int paradt__general_fits(const paradt__determinant *q, const paradt__layout *y, int digits, int sums) {
     paradt__minors m = {q, y, NULL, 0};
     int rows = q->n * (q->k * y->digits + y->lift_digits);
     int minors = paradt__minors_space(&m, q->n, 0) + paradt__minors_space(&m, q->n, 1);
@@ -2083,8 +2475,9 @@ static int paradt__general_fits(const paradt__task *q, const paradt__layout *y, 
     return rows + minors <= digits && paradt__minor_digits(&m, q->n) + 1 <= sums;
 }
 
-PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *y, paradt__digit *work,
-                                   paradt__wide *sum, int whole) {
+// whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
+PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
+                                     paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2095,65 +2488,73 @@ PARADT__INLINE int paradt__general(const paradt__task *q, const paradt__layout *
     return paradt__sign(determinant, digits);
 }
 
-PARADT__NOINLINE int paradt__general_small(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+    PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__NOINLINE int paradt__general_large(const paradt__task *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
     return paradt__general(q, y, work, sum, whole);
 }
 
-// --- fixed
+// --- one or two digits: the fixed stage
 
 #ifdef __SIZEOF_INT128__
-// Rows as paradt__load_rows makes them, w digits a coordinate and 2 w a lift: every product of numbers has just as many
-// digits as they have together, for
-//   w = 1  numbers of 60 bits. Last digits, which may exceed the radix, are of pairs 2^61, of triples 2^62.6, of lifts
-//          (below 2^122) 2^62, sums of four products of them below 2^126.7
-//   w = 2  numbers of 117 bits, all digits balanced
+// The rows are as paradt__load_rows writes them, with w digits a coordinate and 2 w a lift, and every product of
+// numbers gets as many digits as its factors have together. That suffices for
+//   w = 1  differences of 60 bits. Last digits may exceed the radix: they are at most 2^61 for pairs, 2^62.6 for
+//          triples and 2^62 for lifts (which are below 2^122), so that a sum of four of their products is below 2^126.7
+//   w = 2  differences of 117 bits, with all digits balanced
+
+// Computes p[2 w], the determinant of the rows a and b in the first two columns.
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    paradt__wide sum[4];
+    paradt__clear(sum, 2 * w);
+    paradt__multiply_add(sum, 1, a, w, b + w, w);
+    paradt__multiply_add(sum, -1, b, w, a + w, w);
+    paradt__store(p, sum, 2 * w);
+}
+
+// Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
+// third: digits of an entry in the third column
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    paradt__wide sum[8];
+    paradt__clear(sum, 2 * w + third);
+    paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
+    paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
+    paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
+    paradt__store(t, sum, 2 * w + third);
+}
+
+// The sign of the determinant. w: a constant, 1 or 2
 PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, int w) {
-    const int stride = k * w + (n > k ? 2 * w : 0), third = k > 2 ? w : 2 * w;
-    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = n > 2 ? x1 + stride : x0, *x3 = n > 3 ? x2 + stride : x0;
+    const int stride = k * w + (n > k ? 2 * w : 0);
+    const paradt__digit *x0 = rows, *x1 = x0 + stride, *x2 = x1 + stride, *x3 = x2 + stride;
     paradt__digit p01[4], p02[4], p12[4], p03[4], p13[4], p23[4], t012[8], t013[8], t023[8], t123[8], det[10];
     paradt__wide sum[10];
-// p = the determinant of the first two columns of two rows; t = of three rows, by those of two
-#define PARADT__PAIR(p, a, b)                                                                                          \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w);                                                                                     \
-        paradt__multiply_add(sum, 1, a, w, b + w, w);                                                                  \
-        paradt__multiply_add(sum, -1, b, w, a + w, w);                                                                 \
-        paradt__store(p, sum, 2 * w);                                                                                  \
-    } while (0)
-#define PARADT__TRIPLE(t, a, pbc, b, pac, c, pab)                                                                      \
-    do {                                                                                                               \
-        paradt__clear(sum, 2 * w + third);                                                                             \
-        paradt__multiply_add(sum, 1, a + 2 * w, third, pbc, 2 * w);                                                    \
-        paradt__multiply_add(sum, -1, b + 2 * w, third, pac, 2 * w);                                                   \
-        paradt__multiply_add(sum, 1, c + 2 * w, third, pab, 2 * w);                                                    \
-        paradt__store(t, sum, 2 * w + third);                                                                          \
-    } while (0)
-    PARADT__PAIR(p01, x0, x1);
+    paradt__fixed_pair(p01, x0, x1, w);
     if (n == 2) return paradt__sign(p01, 2 * w);
-    PARADT__PAIR(p02, x0, x2);
-    PARADT__PAIR(p12, x1, x2);
-    if (n == 3) {
-        PARADT__TRIPLE(det, x0, p12, x1, p02, x2, p01);
-        return paradt__sign(det, 2 * w + third);
+    paradt__fixed_pair(p02, x0, x2, w);
+    paradt__fixed_pair(p12, x1, x2, w);
+    if (n == 3 && k == 2) {
+        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        return paradt__sign(t012, 4 * w);
     }
-    PARADT__PAIR(p03, x0, x3);
-    PARADT__PAIR(p13, x1, x3);
-    PARADT__PAIR(p23, x2, x3);
-    PARADT__TRIPLE(t123, x1, p23, x2, p13, x3, p12);
-    PARADT__TRIPLE(t023, x0, p23, x2, p03, x3, p02);
-    PARADT__TRIPLE(t013, x0, p13, x1, p03, x3, p01);
-    PARADT__TRIPLE(t012, x0, p12, x1, p02, x2, p01);
-#undef PARADT__PAIR
-#undef PARADT__TRIPLE
+    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    if (n == 3) return paradt__sign(t012, 3 * w);
+    paradt__fixed_pair(p03, x0, x3, w);
+    paradt__fixed_pair(p13, x1, x3, w);
+    paradt__fixed_pair(p23, x2, x3, w);
+    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2176,27 +2577,45 @@ PARADT__INLINE int paradt__fixed_one(const paradt__fixed *f, int n, int k) {
     return paradt__fixed_sign(rows, n, k, 1);
 }
 
-// 1: two digits do for the coordinates, four for the lifts
+// Do two digits suffice for the differences, and four for the lifts?
 PARADT__INLINE int paradt__two_fit(const paradt__layout *y, int n, int k) {
     if ((k != 2 && k != 3) || y->bits > 117) return 0;
     return n == k || (y->lift_digits <= 4 && y->lift_unit >= 2 * y->unit - PARADT__RADIX);
 }
 
-PARADT__INLINE int paradt__fixed_two(const paradt__task *q, paradt__layout *y, int n, int k) {
-    paradt__digit rows[4 * 10 + 2];
-    paradt__wide sum[6];
-    y->digits = 2;
-    y->lift_digits = 4;
-    paradt__load_rows(rows, sum, q, y);
-    return paradt__fixed_sign(rows, n, k, 2);
+// Writes rows of two digits a coordinate and four a lift.
+PARADT__NOINLINE void paradt__load_two(paradt__digit *out, const paradt__determinant *q, const paradt__layout *y) {
+    const int lifted = q->n > q->k, offset = (2 * y->unit - y->lift_unit) / PARADT__RADIX; // 0 or 1
+    for (int i = 0; i < q->n; i++) {
+        paradt__wide lift[4] = {0};
+        for (int j = 0; j < (lifted ? q->d : q->k); j++) {
+            paradt__digit x[2];
+            paradt__short_difference(x, 2, q->row[i][j], q->base[j], y->unit);
+            if (j < q->k) *out++ = x[0], *out++ = x[1];
+            if (lifted) paradt__multiply_add(lift + offset, 1, x, 2, x, 2);
+        }
+        if (!lifted) continue;
+        if (q->weighted) paradt__add_difference(lift, -1, q->row[i][q->d], q->base[q->d], y->lift_unit);
+        paradt__store(out, lift, 4);
+        out += 4;
+    }
+}
+
+PARADT__NOINLINE int paradt__fixed_two(const paradt__determinant *q, const paradt__layout *y) {
+    paradt__digit rows[4 * 10];
+    paradt__load_two(rows, q, y);
+    return paradt__fixed_sign(rows, q->n, q->k, 2);
 }
 #endif
 
-// The sign of the task's determinant. few: k is 2 or 3, and n, k and d are constants, for only then the loops of the
-// ways for few columns are unrolled into code that is short and fast.
+// --- which stage
+
+// The sign of the determinant. few: k is 2 or 3, and n, k and d are constants, so that the compiler unrolls the loops
+// of the small stage and of the fixed stage with one digit.
 PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *row, const double *base, int n, int k,
                                         int d, int few) {
-    const paradt__task q = {n, k, d, s->weighted, row, base};
+    const paradt__determinant q = {n, k, d, s->weighted, row, base};
+    PARADT_ASSERT((n == k || n == k + 1) && k >= 1 && k <= d && d <= PARADT_MAX_DIM);
     int lifted = n > k;
     paradt__layout y;
     paradt__fixed f;
@@ -2219,11 +2638,12 @@ PARADT__INLINE int paradt__exact_inline(paradt__space *s, const double *const *r
 #ifdef __SIZEOF_INT128__
     if (few && paradt__two_fit(&y, n, k)) {
         s->counters.exact_fixed++;
-        return paradt__fixed_two(&q, &y, n, k);
+        return paradt__fixed_two(&q, &y);
     }
 #endif
     s->counters.exact_general++;
-    if (paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) return paradt__general_small(&q, &y);
+    if (PARADT_MAX_DIM <= 3 || k <= 3 || paradt__general_fits(&q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM))
+        return paradt__general_small(&q, &y);
     return paradt__general_large(&q, &y);
 }
 
@@ -2243,7 +2663,7 @@ PARADT__NOINLINE int paradt__exact_insphere3(paradt__space *s, const double *con
     return -paradt__exact_inline(s, p, p[4], 4, 3, 3, 1);
 }
 
-// Points of a plane in space
+// The in-sphere test for points of a plane in space
 PARADT__NOINLINE int paradt__exact_flat3(paradt__space *s, const double *const *p) {
     return paradt__exact_inline(s, p, p[3], 3, 2, 3, 1);
 }
@@ -2252,17 +2672,19 @@ PARADT__NOINLINE int paradt__exact_any(paradt__space *s, const double *const *ro
     return paradt__exact_inline(s, row, base, n, s->dim, s->ambient, 0);
 }
 
+// The orientation of p[0..k], k = s->dim
 static int paradt__exact_orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__exact_orient3(s, p);
+    if (PARADT__IS(s->dim, 3)) return paradt__exact_orient3(s, p);
     if (s->dim == 2) return paradt__exact_orient2(s, p);
     return paradt__exact_any(s, p + 1, p[0], s->dim);
 }
 
+// The in-sphere test of p[k + 1] with p[0..k]
 static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
     int k = s->dim, sign;
-    if (k == 3 && s->ambient == 3) return paradt__exact_insphere3(s, p);
+    if (PARADT__IS(k, 3) && s->ambient == 3) return paradt__exact_insphere3(s, p);
     if (k == 2 && s->ambient == 2) return paradt__exact_insphere2(s, p);
-    if (k == 2 && s->ambient == 3) return paradt__exact_flat3(s, p);
+    if (k == 2 && PARADT__IS(s->ambient, 3)) return paradt__exact_flat3(s, p);
     sign = paradt__exact_any(s, p, p[k + 1], k + 1);
     return k & 1 ? -sign : sign;
 }
@@ -2270,50 +2692,65 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>signs
 //
-// Doors: to be listed.
+// The predicates: orientation, in-sphere test, and the test for conflict, which is the in-sphere test with its ties
+// broken. Each asks a filter first and the exact stages if the filter is undecided. All points must have been measured
+// into the space, and the cell of an in-sphere test must be positively oriented.
+// The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
+// CGTA 44, 2011. The public predicates measure the points of each call.
+// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
 
+// Was the set measured, up to the end, and are the dimensions among those measured?
+PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
+    return s->dim >= 1 && s->dim <= s->ambient && s->ambient <= PARADT_MAX_DIM &&
+           (!s->bounded || s->insphere[s->dim].factor > 0);
+}
+
+// The orientation by the first k coordinates. k: s->dim, as a constant where code for it alone is wanted
 PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, int k) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.orient_calls++;
     if (k == 1) return paradt__compare(s, p[1], p[0]);
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_orient2(s, p)
-               : k == 3 ? paradt__filter_orient3(s, p)
-               : k == 4 ? paradt__filter4(s, p + 1, p[0], 4, 4)
-                        : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
+        sign = k == 2             ? paradt__filter_orient2(s, p)
+               : PARADT__IS(k, 3) ? paradt__filter_orient3(s, p)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p + 1, p[0], 4, 4)
+                                  : paradt__filter_any(s, p + 1, p[0], k, k, s->ambient);
     return sign == PARADT__UNDECIDED ? paradt__exact_orient(s, p) : sign;
 }
 
 // The sign of det[p[1] - p[0]; ...; p[k] - p[0]], k = s->dim
 static int paradt__orient(paradt__space *s, const double *const *p) {
-    if (s->dim == 3) return paradt__orient_any(s, p, 3);
+    if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
     return paradt__orient_any(s, p, s->dim);
 }
 
+// The in-sphere test. k, d: s->dim and s->ambient, as constants where code for them alone is wanted
 PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p, int k, int d) {
     int sign = PARADT__UNDECIDED;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.insphere_calls++;
     if (s->bounded)
-        sign = k == 2   ? paradt__filter_insphere2(s, p, d, s->weighted)
-               : k == 3 ? paradt__filter_insphere3(s, p, d, s->weighted)
-               : k == 4 ? paradt__filter4(s, p, p[5], 5, d)
-                        : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
+        sign = k == 2             ? paradt__filter_insphere2(s, p, d, s->weighted)
+               : PARADT__IS(k, 3) ? paradt__filter_insphere3(s, p, d, s->weighted)
+               : PARADT__IS(k, 4) ? paradt__filter4(s, p, p[5], 5, d)
+                                  : paradt__filter_any(s, p, p[k + 1], k + 1, k, d);
     return sign == PARADT__UNDECIDED ? paradt__exact_insphere(s, p) : sign;
 }
 
-// Of k + 2 points: 1 when p[k + 1] is inside the sphere of the positively oriented p[0..k], 0 on it, -1 outside
+// Returns 1 if p[k + 1] is inside the sphere of the cell p[0..k], 0 if it is on the sphere, -1 if it is outside.
 static int paradt__insphere(paradt__space *s, const double *const *p) {
-    if (s->dim == 3 && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
+    if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
-// The lexicographically largest of p[0..query], but for those in the mask `done`. In three dimensions without branches,
-// for in lattices they can't be foreseen.
+// Returns the place of the lexicographically largest of p[0..query] that is not in the mask `done`. In 3 dimensions it
+// does not branch on comparisons, as the processor could not predict the branches in lattices.
 PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *const *p, int query, unsigned done) {
     int largest = query, i;
-    if (s->dim == 3 && s->filtered) {
+    if (PARADT__IS(s->dim, 3) && s->filtered) {
         const double *y = p[query];
         for (i = 0; i < 4; i++) {
             const double *x = p[i];
@@ -2330,14 +2767,15 @@ PARADT__INLINE int paradt__largest_point(const paradt__space *s, const double *c
     return largest;
 }
 
-// What an in-sphere test of 0 comes to. The heights of lexicographically larger points are raised overwhelmingly more:
-// going down from the largest one, the first whose height matters decides. Raising the query's moves it outside;
-// raising that of p[i] moves the query inside when, in the place of p[i], it leaves a positively oriented cell
-// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations, CGTA 44, 2011).
+// Decides an in-sphere test of sign 0: 1 in conflict, 0 not. The query is p[k + 1]. The perturbation raises the lifts
+// of all points, those of lexicographically larger points overwhelmingly more: going down from the largest point, the
+// first one whose lift matters decides. Raising the query's lift moves the query outside. Raising the lift of p[i]
+// moves the query inside if the cell stays positively oriented when the query takes the place of p[i].
 PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p) {
     const int query = s->dim + 1;
     const double *other[PARADT__MAX_ROWS];
     unsigned done = 0;
+    PARADT_ASSERT(paradt__space_is_ready(s));
     s->counters.perturbed++;
     for (;;) {
         int largest = paradt__largest_point(s, p, query, done), sign;
@@ -2349,7 +2787,7 @@ PARADT__NOINLINE int paradt__perturbed(paradt__space *s, const double *const *p)
     }
 }
 
-// Of k + 2 points: 1 when p[k + 1] is in conflict with the cell of the positively oriented p[0..k], else 0
+// Is p[k + 1] in conflict with the cell p[0..k]? 1 or 0; there are no ties.
 static int paradt__conflict(paradt__space *s, const double *const *p) {
     int sign = paradt__insphere(s, p);
     return sign ? sign > 0 : paradt__perturbed(s, p);
@@ -2363,12 +2801,15 @@ PARADT_DEF int paradt_orient(int dim, const double *const *points) {
     return paradt__orient(&s, points);
 }
 
-// Copies of the points with their weights behind them
+// --- the public predicates
+
+// Copies of points, each with its weight behind it
 typedef struct paradt__joined {
     double memory[PARADT_MAX_DIM + 2][PARADT_MAX_DIM + 1];
     const double *points[PARADT_MAX_DIM + 2];
 } paradt__joined;
 
+// Copies dim + 2 points and their weights, and measures them. weights: NULL: none
 static void paradt__join(paradt__joined *joined, paradt__space *s, int dim, const double *const *points,
                          const double *weights) {
     paradt__space_begin(s, dim, dim, weights != NULL);
@@ -2394,6 +2835,110 @@ PARADT_DEF int paradt_insphere_perturbed(int dim, const double *const *points, c
     paradt__join(&joined, &s, dim, points, weights);
     return paradt__conflict(&s, joined.points) ? 1 : -1;
 }
+
+// --- few points of two or three dimensions, given by their coordinates
+
+// Makes the filters ready for k + 1 or k + 2 points of which no more is known than that no coordinate is 2^100 or more.
+// They decide by the error bound alone. Returns 0 where a coordinate is larger, or the filters can't be trusted.
+PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p, int count, int k) {
+    const double most = paradt__power(100);
+    int i, j, fits = 1;
+    for (i = 0; i < count; i++)
+        for (j = 0; j < k; j++) fits &= paradt__abs(p[i][j]) < most;
+    s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
+    s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
+    s->orient[k].quantum = s->insphere[k].quantum = 0;
+    s->orient[k].factor = paradt__rounding(k, k);
+    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    return fits && paradt__precise();
+}
+
+PARADT__INLINE int paradt__orient_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 1, k))
+        sign = k == 2 ? paradt__filter_orient2(&s, p) : paradt__filter_orient3(&s, p);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_orient(k, p);
+}
+
+PARADT__INLINE int paradt__insphere_few(const double *const *p, int k) {
+    paradt__space s;
+    int sign = PARADT__UNDECIDED;
+    if (paradt__space_of_few(&s, p, k + 2, k))
+        sign = k == 2 ? paradt__filter_insphere2(&s, p, 2, 0) : paradt__filter_insphere3(&s, p, 3, 0);
+    return PARADT__LIKELY(sign != PARADT__UNDECIDED) ? sign : paradt_insphere(k, p, NULL);
+}
+
+PARADT_DEF int paradt_orient2(const double a[2], const double b[2], const double c[2]) {
+    const double *p[] = {a, b, c};
+    return paradt__orient_few(p, 2);
+}
+
+PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const double c[2], const double q[2]) {
+    const double *p[] = {a, b, c, q};
+    return paradt__insphere_few(p, 2);
+}
+
+// Points of floats as doubles
+typedef struct paradt__widened {
+    double memory[5][3];
+    const double *points[5];
+} paradt__widened;
+
+PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+    int i, j;
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < k; j++) {
+            uint32_t bits;
+            memcpy(&bits, p[i] + j, sizeof bits);
+            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+        }
+        w->points[i] = w->memory[i];
+    }
+}
+
+PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
+    const float *p[] = {a, b, c};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 3, 2);
+    return paradt__orient_few(w.points, 2);
+}
+
+PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
+    const float *p[] = {a, b, c, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 2);
+    return paradt__insphere_few(w.points, 2);
+}
+
+#if PARADT_MAX_DIM >= 3
+PARADT_DEF int paradt_orient3(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    const double *p[] = {a, b, c, d};
+    return paradt__orient_few(p, 3);
+}
+
+PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const double c[3], const double d[3],
+                                const double q[3]) {
+    const double *p[] = {a, b, c, d, q};
+    return paradt__insphere_few(p, 3);
+}
+
+PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
+    const float *p[] = {a, b, c, d};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 4, 3);
+    return paradt__orient_few(w.points, 3);
+}
+
+PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
+                                 const float q[3]) {
+    const float *p[] = {a, b, c, d, q};
+    paradt__widened w;
+    paradt__widen_points(&w, p, 5, 3);
+    return paradt__insphere_few(w.points, 3);
+}
+#endif
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>curve
 //
@@ -2416,9 +2961,10 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
     PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
-    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
+    PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
+    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
 };
 
 // --- sorting by keys
@@ -2727,7 +3273,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -2774,7 +3320,7 @@ static void paradt__set_free(paradt__set *set, paradt__memory *memory) {
 }
 
 // Returns a hash of a point's coordinates. Equal points have equal hashes.
-static uint64_t paradt__hash_coordinates(const double *record, int ambient) {
+PARADT__OPTIONAL uint64_t paradt__hash_coordinates(const double *record, int ambient) {
     uint64_t h = 0, bits;
     int axis;
     for (axis = 0; axis < ambient; axis++) {
@@ -2793,32 +3339,16 @@ typedef struct paradt__source {
     size_t reserve;       // number of further points that the set's arrays are to have memory for
 } paradt__source;
 
+static size_t paradt__weight_size(const paradt_points *points) {
+    return points->weight_scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
+}
+
 static paradt__source paradt__source_of(const paradt_points *points) {
     paradt__source source;
     source.points = *points;
-    source.weight_stride = sizeof(double);
+    source.weight_stride = points->weight_stride ? points->weight_stride : paradt__weight_size(points);
     source.reserve = 0;
     return source;
-}
-
-// Makes a double of a float's bits. A processor that is told to treat subnormal floats as zero would lose them in a
-// conversion.
-static double paradt__widen(uint32_t bits) {
-    uint64_t sign = (uint64_t)(bits >> 31) << 63, exponent = bits >> 23 & 255, fraction = bits & 0x7fffff, wide;
-    double x;
-    if (exponent == 255) {
-        wide = sign | (uint64_t)2047 << 52 | fraction << 29;
-    } else if (exponent) {
-        wide = sign | (exponent + 1023 - 127) << 52 | fraction << 29;
-    } else if (!fraction) {
-        wide = sign;
-    } else {
-        int shift = 0;
-        while (!(fraction >> 23)) fraction <<= 1, shift++;
-        wide = sign | (uint64_t)(1023 - 126 - shift) << 52 | (fraction & 0x7fffff) << 29;
-    }
-    memcpy(&x, &wide, sizeof x);
-    return x;
 }
 
 PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t index) {
@@ -2826,8 +3356,12 @@ PARADT__INLINE const char *paradt__address(const paradt_points *points, size_t i
     return (const char *)points->data + index * (points->stride ? points->stride : size * (size_t)points->dim);
 }
 
-// Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a page.
-enum { PARADT__POINTS_AHEAD = 64 };
+enum {
+    // Passes over all points fetch points so far ahead of their use. Processors do that themselves, but only within a
+    // page.
+    PARADT__POINTS_AHEAD = 64,
+    PARADT__PACE = 1 << 15 // points between two looks at whether the call is cancelled
+};
 
 // Fetches a point ahead of its use; there may be no point with the index. It may lie across the border of two cache
 // lines.
@@ -2864,8 +3398,15 @@ PARADT__INLINE void paradt__coordinates(const paradt_points *points, size_t inde
 
 // Reads the weight of a point, -0.0 as 0.0.
 static double paradt__weight(const paradt__source *source, size_t index) {
+    const char *address = (const char *)source->points.weights + index * source->weight_stride;
     uint64_t bits;
-    memcpy(&bits, (const char *)source->points.weights + index * source->weight_stride, sizeof bits);
+    if (source->points.weight_scalar == PARADT_F32) {
+        uint32_t narrow;
+        memcpy(&narrow, address, sizeof narrow);
+        bits = paradt__bits(paradt__widen(narrow));
+    } else {
+        memcpy(&bits, address, sizeof bits);
+    }
     return paradt__signless_zero(bits);
 }
 
@@ -2973,10 +3514,11 @@ static int paradt__is_among(int number, const int *numbers, int count) {
     return count > 0;
 }
 
-// Returns the first place in the order, counted from `from` on and then from the begin, whose point is outside of the
+// Returns the first place in the order, from `from` on and then from the beginning, whose point is outside of the
 // affine hull of the taken + 1 points of the basis, seen in the axes taken and one more; set->count: there is none.
 static size_t paradt__find_outside(const paradt__set *set, const paradt_index *order, size_t from, int taken,
-                                   const paradt_index *basis, const int *axes, paradt__counters *counters) {
+                                   const paradt_index *basis, const int *axes, paradt__counters *counters,
+                                   paradt__meter *meter) {
     const double *points[PARADT_MAX_DIM + 1];
     size_t step;
     int i;
@@ -2984,6 +3526,7 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
     for (step = 0; step < set->count; step++) {
         size_t at = (from + step) % set->count;
         const double *x = paradt__record(set, order ? order[at] : (paradt_index)at);
+        if (meter && step % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) break;
         for (i = 0; i <= taken && points[i] != x;) i++; // a point of the basis does not extend it
         if (i > taken && paradt__extends(counters, taken, points, axes, x)) return at;
     }
@@ -2998,8 +3541,9 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
 //             return the axes in which the points are independent come first, one less than points, then the others
 //   counters  of predicates
+//   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters) {
+                             int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -3015,7 +3559,7 @@ static int paradt__set_basis(const paradt__set *set, const paradt_index *order, 
         size_t at;
         if (paradt__is_among(axis, axes, taken)) continue;
         axes[taken] = axis;
-        at = paradt__find_outside(set, order, from, taken, basis, axes, counters);
+        at = paradt__find_outside(set, order, from, taken, basis, axes, counters, meter);
         if (at < set->count) basis[++taken] = order ? order[at] : (paradt_index)at;
     }
     dim = taken;
@@ -3067,7 +3611,7 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
 
 // Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
 // rounded: all that matters is that they never get smaller as a point moves away from the cut.
-static const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
+PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
     int64_t least = 0;
@@ -3206,9 +3750,10 @@ static void paradt__cutter_bound(const paradt__cutter *c, size_t begin, size_t e
     }
 }
 
-// Returns where to cut a box, above for the first half of `boxes`, one of which is to have `extra` points more.
-static double paradt__cutter_place(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
-                                   int axis, const double *low, const double *high) {
+// Returns the coordinate at which to cut a box, above for the first half of `boxes`, one of which is to have `extra`
+// points more.
+static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, size_t end, size_t boxes, size_t extra,
+                                        int axis, const double *low, const double *high) {
     double above = (double)(boxes / 2) / (double)boxes;
     size_t count = end - begin, even = count - (extra < count ? extra : 0), i;
     if (c->cuts->partition == PARADT_UNIFORM || begin == end) return low[axis] * above + high[axis] * (1.0 - above);
@@ -3230,7 +3775,7 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
     if (c->cuts->partition == PARADT_BISECTION && begin < end && boxes < c->cuts->boxes)
         paradt__cutter_bound(c, begin, end, below, above);
     cut->axis = paradt__longest_axis(below, above, c->dim, 0);
-    cut->at = paradt__cutter_place(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
+    cut->at = paradt__cutter_coordinate(c, begin, end, boxes, first ? 0 : c->extra, cut->axis, below, above);
     for (i = begin; i < end; i++) {
         paradt_index position = c->order[i];
         c->order[i] = c->order[middle];
@@ -3260,9 +3805,6 @@ enum {
     PARADT__CUT_SAMPLED = 1 << 16 // sampled points that tell where space is cut
 };
 
-// Points between two looks at whether the call is cancelled
-enum { PARADT__LOADER_PACE = 1 << 15 };
-
 // The passes over the points, and where each begins in the progress of them all
 enum {
     PARADT__SURVEY = 0,
@@ -3282,13 +3824,14 @@ typedef struct paradt__loader {
     size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
     size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
     paradt__space space[PARADT__MOST_TASKS];
-    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed, *other; // [points.count] `other` is scratch, in memory of the records
-    size_t *next;                 // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;               // bits of a key's first digit, at most
-    int shift;                    // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;                // values that the first digit may have
+    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;   // [points.count]
+    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
+    int first_bits;         // bits of a key's first digit, at most
+    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;          // values that the first digit may have
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
@@ -3306,9 +3849,9 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
     paradt__space_begin(&set->space, source->points.dim, source->points.dim, source->points.weights != NULL);
 }
 
-// Allocates the arrays of the set and the loader, and the cuts. What has been allocated is freed by
-// paradt__loader_free, paradt__set_free and the owner of the cuts. Until the record array is filled with records, it
-// holds the sample and then is the sort's scratch buffer, so its pages are touched only once.
+// Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
+// the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
+// its pages are touched only once.
 static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
@@ -3328,9 +3871,9 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
     if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
-    // In the middle of the records, which take two doubles a point or more, as a key does at most: so each of two tasks
-    // that fill them has as many new pages to touch.
-    loader->other = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
+    // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
+    // that fill the records has as many new pages to touch.
+    loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
@@ -3463,16 +4006,21 @@ PARADT__INLINE uint64_t paradt__loader_key(const paradt__loader *loader, const p
     return paradt__hilbert_key(&loader->hilbert, lattice, x);
 }
 
+static int paradt__sort_cancels(const paradt__loader *loader, size_t task) {
+    return paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1);
+}
+
 // Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
-// becomes 0 then, and the others' 1. other: scratch for as many.
-static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, paradt__keyed *other, size_t count,
-                             int by_steps) {
+// becomes 0 then, and the others' 1; or if the call is to end. other: scratch for as many.
+static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
+                             size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
         paradt__coordinates(&loader->source->points, (size_t)run[i].item, record);
         for (axis = 0; axis < dim; axis++) {
             int64_t x = paradt__ordered_bits(record[axis]);
@@ -3486,24 +4034,26 @@ static int paradt__split_run(const paradt__loader *loader, paradt__keyed *run, p
         return 0;
     }
     paradt__lattice_begin(&lattice, dim, levels, by_steps, low, high);
-    for (i = 0; i < count; i++) run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    for (i = 0; i < count; i++) {
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__sort_cancels(loader, task)) return 0;
+        run[i].key = paradt__loader_key(loader, &lattice, (size_t)run[i].item);
+    }
     paradt__keyed_sort(run, other, count, dim * levels, 0);
     return 1;
 }
 
-// Ends the sorting of points that are sorted by keys: those with the same key are sorted again, until they differ or
-// are known to be equal. On return a key tells whether the point equals the one before. The longest run is left to the
-// loop, so that the recursion is no deeper than the logarithm of count. Where most points stay together, a few far away
-// are the reason, and others behind these, on scale after scale: after many passes by units, steps leave no more than
-// 64 / levels passes.
+// Ends the sorting: points with equal keys are sorted again, until they differ or are known to be equal. On return a
+// key is 1 if the point equals the one before, else 0. The longest run is left to the loop, so that the recursion is no
+// deeper than the logarithm of count. If most points stay together pass after pass, the reason is a few distant points,
+// with others behind them, on scale after scale. After many such passes the lattice goes by steps from one double to
+// the next, which leaves at most 64 / levels passes.
 static void paradt__refine(const paradt__loader *loader, size_t task, paradt__keyed *keyed, paradt__keyed *other,
                            size_t count) {
     enum { PASSES = 20 };
     size_t all = count, looked_at = 0;
     for (;;) {
         size_t begin, end, longest = 0, length = 1;
-        if (count > PARADT__LOADER_PACE && paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__SORT, 0, 1))
-            return;
+        if (count > PARADT__PACE && paradt__sort_cancels(loader, task)) return;
         for (begin = 0; begin < count; begin = end) {
             uint64_t key = keyed[begin].key;
             size_t run = begin, size;
@@ -3520,12 +4070,12 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
                 length = size;
                 size = was;
             }
-            if (size > 1 && paradt__split_run(loader, keyed + run, other + run, size, 0))
+            if (size > 1 && paradt__split_run(loader, task, keyed + run, other + run, size, 0))
                 paradt__refine(loader, task, keyed + run, other + run, size);
         }
         looked_at += length;
         if (length == 1 ||
-            !paradt__split_run(loader, keyed + longest, other + longest, length, looked_at / PASSES > all))
+            !paradt__split_run(loader, task, keyed + longest, other + longest, length, looked_at / PASSES > all))
             return;
         keyed += longest;
         other += longest;
@@ -3565,9 +4115,9 @@ static double paradt__sample_spacing(const paradt__loader *loader) {
     return nearer * paradt__spacing(loader->sample, (size_t)dim, dim, order, few);
 }
 
-// Returns the points of the sample that box 0 is to get more than others. By insertion its region takes no points of
-// others and asks about no cell, which spares it the work for some part of the points in a margin beside a cut through
-// all: measured on uniform points.
+// Returns how many points of the sample box 0 is to get more than other boxes. By insertion its region takes no points
+// of others and asks about no cell, which saves the work for some 2.2 times the points in a margin beside a cut through
+// all, as measured on uniform points.
 static size_t paradt__sample_extra(const paradt__loader *loader, int axis) {
     enum { SOME = 1 << 11, WIDTH = 4 }; // of the slab that is looked at, in margins
     int64_t *keys = (int64_t *)(void *)loader->keyed;
@@ -3610,9 +4160,9 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then it takes less time to make keys of more levels
-// than to sort those points anew. A few points tell, on a lattice with so many levels less that they share as many
-// places if they lie on surfaces. Where they fill space they share more, but still few.
+// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
+// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
+// large a part of them share places. Where points fill space a larger part does, but still a small one.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -3644,7 +4194,7 @@ PARADT__INLINE void paradt__make_keys(paradt__loader *loader, size_t task, int d
     for (; i < end; i++) {
         double x[PARADT_MAX_DIM];
         uint64_t key;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__KEYS, PARADT__SCATTER, i - first, end - first))
             return;
         paradt__coordinates(&points, i, x);
@@ -3663,7 +4213,7 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Turns the tasks' counts into places: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task.
 static void paradt__place_digits(const paradt__loader *loader) {
     size_t digit, task, before = 0;
     for (digit = 0; digit < loader->digits; digit++) {
@@ -3676,19 +4226,20 @@ static void paradt__place_digits(const paradt__loader *loader) {
     PARADT_ASSERT(before == loader->source->points.count);
 }
 
+// Scatters the keys of a task by their first digits, into the scratch buffer.
 static void paradt__scatter_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     const paradt__keyed *keyed = loader->keyed;
-    paradt__keyed *other = loader->other;
+    paradt__keyed *scratch = loader->scratch;
     size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
     size_t *next = paradt__loader_next(loader, task);
     int shift = loader->shift;
     for (; i < end; i++) {
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__SCATTER, PARADT__SORT, i - first, end - first))
             return;
         PARADT__FETCH(keyed, i + PARADT__POINTS_AHEAD);
-        other[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
+        scratch[next[(size_t)(keyed[i].key >> shift)]++] = keyed[i];
     }
 }
 
@@ -3703,8 +4254,8 @@ static void paradt__sort_task(void *context, size_t task) {
         if (!count || ends[digit] <= first || ends[digit] > last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
-        paradt__keyed_sort(loader->other + begin, loader->keyed + begin, count, loader->shift, 1);
-        paradt__refine(loader, task, loader->keyed + begin, loader->other + begin, count);
+        paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
+        paradt__refine(loader, task, loader->keyed + begin, loader->scratch + begin, count);
     }
 }
 
@@ -3731,6 +4282,7 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
+// Reads the records of a task's positions, and counts those that repeat the one before.
 static void paradt__gather_task(void *context, size_t task) {
     enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__loader *loader = (paradt__loader *)context;
@@ -3739,7 +4291,7 @@ static void paradt__gather_task(void *context, size_t task) {
               first = i;
     for (; i < end; i++) {
         size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__LOADER_PACE == 0 &&
+        if (i % PARADT__PACE == 0 &&
             paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
             return;
         PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
@@ -3790,9 +4342,9 @@ static paradt_status paradt__loader_gather(paradt__loader *loader) {
 // permuted. set: zeroed. cuts: NULL, or how space is to be divided: the cuts are found then, and the points are in the
 // order of the boxes. representative: [points.count] see paradt__loader_merge. *bad: see paradt__loader_survey. After
 // an error the caller frees the set and the cuts.
-static paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
-                                        const paradt__team *team, paradt__memory *memory, paradt_index *representative,
-                                        size_t *bad) {
+PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt__source *source, paradt__cuts *cuts,
+                                                  const paradt__team *team, paradt__memory *memory,
+                                                  paradt_index *representative, size_t *bad) {
     paradt__loader loader;
     paradt_status status;
     PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
@@ -3901,7 +4453,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     if (status) return status;
     scaled = paradt__set_scale(set);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters) - 1;
+    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     permuted = paradt__set_permute(set);
     if (cuts) paradt__cuts_follow(cuts, set, scaled);
@@ -4042,11 +4594,12 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// *nearby: whether all points are so near to the sphere; if not, the set remains as it is. On return set->grade_limit
-// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points. On
+// return set->grade_limit is the largest sagitta, and set->grade_error the error by cutting off:
+// paradt__set_grade_bounds makes bounds of them. *nearby: whether all points are so near to the sphere; if not, or
+// after an error, the set is as it was. meter: NULL, or asked now and then.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
-                                          paradt__memory *memory, int *nearby) {
+                                          paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
     double largest = 0.0, *records;
@@ -4063,6 +4616,10 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
     if (!records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < set->count && *nearby; i++) {
         double *to = records + i * (width + 1);
+        if (meter && i % PARADT__PACE == PARADT__PACE - 1 && paradt__meter_cancels(meter)) {
+            paradt__release(memory, records);
+            return PARADT_ERROR_CANCELLED;
+        }
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
@@ -4086,14 +4643,16 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__memory *memory) {
+// Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
+// nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
+static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                       paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
     if (set->count < 64 || set->grade || set->space.dim < set->space.ambient || !set->space.filtered) return PARADT_OK;
     if (!paradt__fit_sphere(set, nearness, set->centre, &radius2)) return PARADT_OK;
-    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, memory, &nearby);
+    status = paradt__set_sagittas(set, radius2, nearness, set->capacity, meter, memory, &nearby);
     if (!status && nearby) paradt__set_grade_bounds(set, set->grade_limit);
     return status;
 }
@@ -4195,7 +4754,7 @@ static double paradt__cells_a_point(int dim) {
 // The part of them that is left for so many points in all. The exponents for d >= 5 are fitted to uniform points: 0.78
 // of the cells for 4,000 points in five dimensions, 0.46 for 1,000 in six, 0.16 for 300 in seven, 0.04 for 150 in
 // eight.
-static double paradt__off_hull(double points, int dim) {
+PARADT__OPTIONAL double paradt__off_hull(double points, int dim) {
     double layer = pow(points + 1.0, -1.0 / dim);
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
 }
@@ -4207,16 +4766,21 @@ static size_t paradt__expected_places(size_t count, int dim) {
 
 // --- memory
 
-// Room for `count` elements in a list of which `used` are in use
-static paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
-                                       paradt__memory *memory) {
+// Replaces a list, of which `used` elements are in use, by one of `count` elements at least.
+PARADT__NOINLINE paradt_status paradt__list_grow(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                                 paradt__memory *memory) {
     void *array = *list;
     size_t larger = *capacity * 2 > count ? *capacity * 2 : count;
-    if (PARADT__LIKELY(count <= *capacity)) return PARADT_OK;
     if (!paradt__grow(memory, &array, used, larger, sizeof **list)) return PARADT_ERROR_MEMORY;
     *list = (paradt_index *)array;
     *capacity = larger;
     return PARADT_OK;
+}
+
+// Makes room for `count` elements in a list of which `used` are in use.
+PARADT__INLINE paradt_status paradt__list_room(paradt_index **list, size_t used, size_t *capacity, size_t count,
+                                               paradt__memory *memory) {
+    return PARADT__LIKELY(count <= *capacity) ? PARADT_OK : paradt__list_grow(list, used, capacity, count, memory);
 }
 
 typedef struct paradt__list {
@@ -4252,7 +4816,7 @@ static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
 }
 
 // Frees the marks, which are not needed any more.
-static void paradt__mesh_unmark(paradt__mesh *mesh, paradt__memory *memory) {
+static void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
     paradt__release(memory, mesh->marks);
     mesh->marks = NULL;
     mesh->marked = 0;
@@ -4389,6 +4953,22 @@ PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, si
     mesh->spare[mesh->spare_count++] = place;
 }
 
+// The place on the other side of a facet of the cell or ghost at a place
+PARADT__INLINE size_t paradt__mesh_across(const paradt__mesh *mesh, size_t corners, size_t place, size_t facet) {
+    return (size_t)mesh->links[place * corners + facet] / corners;
+}
+
+// Sets a mark of the cell at a place. Returns 0 if it was set already.
+PARADT__INLINE int paradt__mesh_mark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    if (mesh->marks[place] & mark) return 0;
+    mesh->marks[place] |= mark;
+    return 1;
+}
+
+PARADT__INLINE void paradt__mesh_unmark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    mesh->marks[place] &= (unsigned char)~mark;
+}
+
 // Number of the vertices of a cell or ghost that are in [0, end)
 PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
     int count = 0;
@@ -4430,6 +5010,20 @@ PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
         if (cell[i] == PARADT__INFINITE) return i;
     }
     return -1;
+}
+
+// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number in
+// that cell; else *facet is -1.
+PARADT__INLINE int paradt__mesh_behind_ghost(const paradt__mesh *mesh, size_t corners, size_t *place, int *facet) {
+    const paradt_index *vertices = mesh->vertices + *place * corners;
+    size_t mirror;
+    *facet = -1;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mirror = (size_t)mesh->links[*place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)];
+    *place = mirror / corners;
+    *facet = (int)(mirror % corners);
+    return 1;
 }
 
 // The vertices of the facet opposite `opposite`, in the cell's order.
@@ -5045,6 +5639,26 @@ PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, pa
     return scene->records + (size_t)point * scene->width;
 }
 
+// The vertices of a cell, and their records
+PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corners, size_t place, paradt_index *vertices,
+                                       const double **records) {
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        vertices[i] = scene->mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(scene, vertices[i]);
+    }
+}
+
+// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
+    const paradt_index *vertices = scene->mesh.vertices + place * corners;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(scene, vertices[i]));
+        PARADT__PREFETCH(scene->mesh.marks + paradt__mesh_across(&scene->mesh, corners, place, i));
+    }
+}
+
 // Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
 static int paradt__side(paradt__scene *scene, paradt_index cell, int place, const double *x) {
     const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
@@ -5255,8 +5869,10 @@ static void paradt__grid_keep_bounds(paradt__grid *grid, const paradt__set *set,
     }
 }
 
-// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range.
-static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around) {
+// Halves the range down to grid cells. around: low and high of each axis, by the cuts around the range. Returns 1 when
+// the meter cancels, else 0.
+static int paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin, size_t end, const double *around,
+                             paradt__meter *meter) {
     double bounds[2 * PARADT_MAX_DIM];
     memcpy(bounds, around, sizeof bounds);
     for (;;) {
@@ -5265,7 +5881,8 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         int axis;
         if (end - begin > PARADT__LANES * PARADT__LANES / 2 || end == set->count)
             paradt__grid_keep_bounds(grid, set, begin, end, bounds);
-        if (end - begin <= PARADT__LANES) return;
+        if (end - begin <= PARADT__LANES) return 0;
+        if (meter && end - begin > PARADT__PACE / 4 && paradt__meter_cancels(meter)) return 1;
         cut = paradt__grid_cut(begin, end);
         axis = paradt__grid_axis(set, begin, end);
         switch (set->width) { // the same code with the width known
@@ -5275,7 +5892,7 @@ static void paradt__grid_sort(paradt__grid *grid, paradt__set *set, size_t begin
         }
         high = bounds[2 * axis + 1];
         bounds[2 * axis + 1] = at;
-        paradt__grid_sort(grid, set, begin, cut, bounds);
+        if (paradt__grid_sort(grid, set, begin, cut, bounds, meter)) return 1;
         bounds[2 * axis + 1] = high;
         bounds[2 * axis] = at;
         begin = cut;
@@ -5389,15 +6006,17 @@ static paradt_status paradt__grid_allocate(paradt__grid *grid, const paradt__set
     return PARADT_OK;
 }
 
-// Sorts the set and lays the grid over it. The set has at least one point. After an error the caller frees the grid.
-static paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__memory *memory) {
+// Sorts the set and lays the grid over it. The set has at least one point. meter: NULL, or asked now and then. After an
+// error the caller frees the grid.
+PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__set *set, paradt__meter *meter,
+                                                  paradt__memory *memory) {
     double bounds[2 * PARADT_MAX_DIM];
     paradt_status status = paradt__grid_allocate(grid, set, 1, memory);
     size_t i;
     PARADT_ASSERT(set->count > 0 && set->space.dim > 0);
     if (status) return status;
     for (i = 0; i < 2 * PARADT_MAX_DIM; i++) bounds[i] = i % 2 ? PARADT__FAR : -PARADT__FAR;
-    paradt__grid_sort(grid, set, 0, set->count, bounds);
+    if (paradt__grid_sort(grid, set, 0, set->count, bounds, meter)) return PARADT_ERROR_CANCELLED;
     paradt__grid_fill(grid, set);
     return PARADT_OK;
 }
@@ -5931,8 +6550,8 @@ static void paradt__pencil_normal(const double rows[][PARADT_MAX_DIM], int count
 // Computes the normal, of either sign, and the dual basis of a facet in any dimension: edges = L Q by modified
 // Gram-Schmidt, and the dual basis is the columns of Q^T L^-1. The ratios of the edges to the diagonal of L are bounded
 // first, so nothing overflows before a needle is found. Returns 0 if the facet is a needle.
-static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM], double dual[][PARADT_MAX_DIM],
-                                   int dim) {
+PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                             double dual[][PARADT_MAX_DIM], int dim) {
     double q[PARADT_MAX_DIM][PARADT_MAX_DIM], l[PARADT_MAX_DIM][PARADT_MAX_DIM];
     int i, j, k;
     for (i = 0; i < dim - 1; i++) {
@@ -5952,7 +6571,7 @@ static int paradt__pencil_of_facet(paradt__pencil *p, double edges[][PARADT_MAX_
     // Dual vector i is y Q with L y = unit i.
     for (i = 0; i < dim - 1; i++) {
         double y[PARADT_MAX_DIM];
-        for (j = 0; j < dim; j++) dual[i][j] = 0.0;
+        memset(dual[i], 0, sizeof dual[i]);
         for (k = i; k < dim - 1; k++) {
             double rest = k == i ? 1.0 : 0.0;
             for (j = i; j < k; j++) rest -= l[k][j] * y[j];
@@ -6194,15 +6813,16 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
     return paradt__orient(&p->space, points) * p->outside > 0;
 }
 
-// Returns the mask of the boxes of a group that may reach strictly beyond the facet. In a box, N(u) and its error add
-// up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in u_j. Where that
-// sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a flat hull are
-// ruled out.
-static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group) {
-    unsigned mask = 0;
-    int lane, j;
-    if (p->q.n_floor > 0.0) return 255u; // then the kernel has ruled such boxes out
-    for (lane = 0; lane < PARADT__LANES; lane++) {
+// Returns the mask without those boxes of a group that surely do not reach strictly beyond the facet. In a box, N(u)
+// and its error add up to at most the sum over the axes of the largest normal_j u_j + reach_j |u_j|, which is convex in
+// u_j. Where that sum is not positive, nothing in the box is beyond. So the many points in the plane of a facet on a
+// flat hull are ruled out.
+PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
+    unsigned left, beyond = 0;
+    int j;
+    if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
+    for (left = mask; left; left &= left - 1) {
+        int lane = paradt__trailing_zeros(left);
         double most = 0.0;
         for (j = 0; j < p->space.dim; j++) {
             double low = group[2 * j * PARADT__LANES + lane] - p->q.origin[j];
@@ -6211,9 +6831,9 @@ static unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const doubl
             double b = p->q.normal[j] * high + p->q.reach[j] * paradt__abs(high);
             most += a > b ? a : b;
         }
-        mask |= (unsigned)(most > 0.0) << lane;
+        beyond |= (unsigned)(most > 0.0) << lane;
     }
-    return mask;
+    return beyond;
 }
 
 // Is every point outside of the box ruled out? box: low and high of each axis; heaviest: no point is heavier. Let there
@@ -6292,7 +6912,7 @@ static void paradt__search_begin(paradt__search *s, const paradt__set *set, cons
 }
 
 // Only the positions [begin, end) are searched from now on.
-static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
+PARADT__OPTIONAL void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
     PARADT_ASSERT(begin <= end && end <= s->set->count);
     s->begin = begin;
     s->end = end;
@@ -6300,7 +6920,7 @@ static void paradt__search_limit(paradt__search *s, size_t begin, size_t end) {
 
 // From now on searches for an apex pass over boxes without unfinished points. unfinished: [level][group] bits of the
 // boxes that have some, as they are at each search
-static void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
+PARADT__OPTIONAL void paradt__search_skip_finished(paradt__search *s, uint8_t *const *unfinished) {
     s->unfinished = unfinished;
 }
 
@@ -6441,7 +7061,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (s->boxes) remaining &= s->boxes[level][group];
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
-    if (s->aim == PARADT__AIM_BEYOND) mask &= paradt__pencil_boxes_beyond(&s->pencil, boxes);
+    if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -6562,8 +7182,8 @@ PARADT__INLINE int paradt__search_has(const paradt__search *s, const paradt_inde
 
 // Finds the cell outside the facet opposite vertex `opposite` of the positively oriented cell. Returns its apex, or
 // PARADT__HULL if there is no such cell. made: gets the cell's vertices, positively oriented; *place: the apex's place
-static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite, paradt_index *made,
-                                        int *place) {
+PARADT__OPTIONAL paradt_index paradt__search_apex(paradt__search *s, const paradt_index *cell, int opposite,
+                                                  paradt_index *made, int *place) {
     int dim = s->pencil.space.dim, i;
     PARADT_ASSERT(paradt__search_has(s, cell));
     paradt__search_aim_at_facet(s, PARADT__AIM_APEX, NULL, cell, opposite, 1);
@@ -6583,7 +7203,7 @@ static paradt_index paradt__search_apex(paradt__search *s, const paradt_index *c
 }
 
 // Returns a point in conflict with the positively oriented cell, or PARADT__OPEN: the cell is one of T(P).
-static paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
+PARADT__OPTIONAL paradt_index paradt__search_conflict(paradt__search *s, const paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 1];
     int i;
     PARADT_ASSERT(paradt__search_has(s, cell));
@@ -6650,7 +7270,7 @@ PARADT__INLINE unsigned paradt__question_boxes(const paradt__search *s, const do
     unsigned mask;
     if (!s->pencil.space.filtered) return 255u;
     mask = s->kernels.group(&s->pencil.q, group, &bounds);
-    return s->aim == PARADT__AIM_BEYOND && mask ? mask & paradt__pencil_boxes_beyond(&s->pencil, group) : mask;
+    return s->aim == PARADT__AIM_BEYOND ? paradt__pencil_boxes_beyond(&s->pencil, group, mask) : mask;
 }
 
 // Is the point an answer?
@@ -6667,6 +7287,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>first simplex
 //
@@ -6784,7 +7405,7 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
     paradt_index goal[PARADT_MAX_DIM + 1], q;
     PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
     if (!paradt__simplex_guess(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters);
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters, NULL);
     memcpy(goal, simplex, sizeof goal);
     paradt__simplex_orient(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
@@ -6809,42 +7430,45 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // ---------------------------------------------------------------------------------------------------------------------
 // >>reach
 //
-// Which cells a region of InCoDe or DeWall makes, and which of them it owns. (Insertion has another rule, see
-// >>fringe.)
+// Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
+// rule, see >>fringe.)
 //
-// The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along its axis; if equally
-// far, if w is lexicographically larger). A region reaches a cell in which an edge leads away from one of the region's
-// points; the facets that it needs are those in which one does. All these cells are found from one around each vertex:
-// the neighbours w of v that edges lead away to are connected by edges among themselves (the vertices of the vertex
-// figure of the lifted hull at v on one side of a plane: Balinski's argument), so from one edge (v, w) all the others
-// are reached around their ends, and all cells around them. A facet that is not needed is entered, so that two cells
-// that both were made get linked, but not worked on. A vertex of the region that no edge led away from gets a cell of
-// its own to start from.
+// Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
+// axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
+// leads away from one of the region's points, and needs a facet if an edge of the facet does. A needed facet is worked
+// on. Any other facet is only entered, so that two cells get linked when both have been made.
 //
-// The owner of a cell is, of the regions that reach it, the one with most of its vertices, of several the first. Two
-// points u and v of one region have an edge that leads away: let u be nearer to its nearest cut, or equally near, and
-// that cut not a later one. Then v is farther from that cut, unless the rounded distances are equal; but then the cut
-// is nearest to v too, and one of two points is always the farther. So a region reaches every cell with two vertices in
-// it, and few cells are made by several regions: those across a cut with two vertices on either side, and some in which
-// the cut nearest to a vertex is not the one that the cell crosses.
+// Why a region finds every cell that it reaches: consider the neighbours w of v to which edges lead away. In the vertex
+// figure of the lifted hull at v they are the vertices on one side of a plane, so edges among themselves connect them
+// (Balinski's argument). From one such edge (v, w) the work on needed facets therefore gets around the ends of all the
+// others, and to all cells around these edges. A vertex of the region from which no edge of a cell has led away gets a
+// cell of its own to start from, a seed.
 //
-// A few cells nobody reaches, where boxes meet at an edge or corner. They form clusters, connected by facets in which
-// no edge leads away. A region that owns a cell with such a facet looks behind the facet, its gate; if a cell of a
-// cluster is there, the region goes on to all of the cluster and the cells next to it. So whoever owns a cell next to a
-// cluster knows all of these cells, and the first of them owns the cluster. If there is none, the cluster is all of
-// T(P): then every region has it, since all begin with a cell, and the first that has points owns it.
+// Ownership. Of the regions that reach a cell the one with most of its vertices owns the cell; of several the first
+// does. A region reaches every cell in which it has two vertices u and v, for one of the edges between them leads away:
+// let u be nearer to its nearest cut than v to its own, or equally near and the cut of u not the later one. Then v is
+// farther from the cut of u than u is. If the rounded distances are equal, that cut is nearest to v, too, and of two
+// points one is always the farther from a cut. So few cells are made by several regions: those across a cut with two
+// vertices on either side, and some cells that cross another cut than the one nearest to a vertex.
+//
+// Cells that no region reaches. There are a few, where boxes meet at an edge or a corner. They form clusters, whose
+// cells are connected by facets in which no edge leads away. If a cell has such a facet, the region that owns the cell
+// looks behind the facet, its gate. If a cluster is there, the region makes all of the cluster and the cells next to
+// it. So every owner of a cell next to a cluster knows all cells next to it, and the first of these owners owns the
+// cluster. If a cluster has no cell next to it, it is all of T(P): every region makes it, as each begins with a cell,
+// and the first region that has points owns it.
 //
 // Vertices are positions in the set.
-// Doors: paradt__region_view, paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
+// Doors: paradt__edge_leads_away, paradt__leads_away, paradt__needs, paradt__cell_owner.
 
-// A region, as its front sees it
+// What a front knows of its region and of the others
 typedef struct paradt__region_view {
     const uint32_t *owner; // [set.count] region of each point; NULL: space is undivided
     const paradt__cuts *cuts;
     uint32_t region;
 } paradt__region_view;
 
-// Does the edge from a point to another lead away from the cut nearest to the point (NULL: there is none)?
+// Does the edge from one point to another lead away? cut: the one nearest to `from`; NULL: there is none
 static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut *cut, const double *from,
                                    const double *to) {
     if (cut) {
@@ -6854,7 +7478,7 @@ static int paradt__edge_leads_away(const paradt__space *space, const paradt__cut
     return paradt__compare(space, to, from) > 0;
 }
 
-// Does an edge of the simplex lead away from its vertex `place`?
+// Does any edge of the simplex lead away from its vertex `place`? count: vertices of the simplex
 static int paradt__leads_away(const paradt__region_view *view, const paradt__set *set, const paradt_index *simplex,
                               int count, int place) {
     const double *x = paradt__record(set, simplex[place]);
@@ -6867,8 +7491,7 @@ static int paradt__leads_away(const paradt__region_view *view, const paradt__set
     return 0;
 }
 
-// Does the region need the facet: has it an edge that leads away from a point of the region? Two points of the region
-// have one.
+// Does the region need the facet? Two points of the region always have an edge that leads away.
 static int paradt__needs(const paradt__region_view *view, const paradt__set *set, const paradt_index *facet,
                          int count) {
     int i, inside = 0, only = 0;
@@ -6880,12 +7503,13 @@ static int paradt__needs(const paradt__region_view *view, const paradt__set *set
     return paradt__leads_away(view, set, facet, count, only);
 }
 
-// The owner of a cell or facet: of the regions that reach it, the one with most vertices, of several the first.
-// PARADT__OPEN: nobody reaches it.
+// Returns the owner of a cell or facet: of the regions that reach it, the one with most of its vertices, of several the
+// first; or PARADT__OPEN if no region reaches it.
 static paradt_index paradt__cell_owner(const paradt__region_view *view, const paradt__set *set,
                                        const paradt_index *simplex, int count) {
     paradt_index owner = PARADT__OPEN;
     int most = 0, i, j;
+    PARADT_ASSERT(view->owner);
     for (i = 0; i < count; i++) {
         paradt_index region = (paradt_index)view->owner[simplex[i]];
         int inside = 0;
@@ -6902,29 +7526,33 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>front
 //
-// What builds facet by facet has in common: a mesh that is not closed, the facets whose other cell is not known yet
-// (the active face list of the thesis, AFL), the search for the cell across such a facet, and the region for which the
-// cells are made. A cell once made is never changed. Vertices are positions in the set.
+// What InCoDe and DeWall, which build facet by facet, have in common: a mesh that is not closed; its active facets,
+// those whose other cell is not known yet (the thesis' active face list, AFL); the search for the cell across an active
+// facet; and the region for which cells are made. A cell is never changed once it is made. Vertices are positions in
+// the set.
 //
-// A vertex at which no facet is active has all its cells, and can't be an apex any more. InCoDe counts the active
-// facets at each vertex and takes grid cells and groups without unfinished points out of the search: it need not look
-// behind the front.
+// What holds between two cells: every facet whose link is PARADT__OPEN stands once in one of two tables. `active` has
+// the AFL; `unneeded` has those that the region does not need (see >>reach) and is used with regions only.
 //
-// Work lists, for methods with an order of their own, are linked lists of handles; a facet that was matched meanwhile
-// stays in its list and is passed over when it comes up.
+// A vertex with no active facet has all its cells and can't be an apex any more: it is finished. InCoDe counts the
+// active facets at each vertex and takes grid cells and groups of them out of the search once all their points are
+// finished. So the search need not look behind the front.
+//
+// A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
+// while it is in a list stays there, and is passed over when it comes up.
 // Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
 // paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
 // paradt__list_pop.
 
-// Work lists of handles, in one pool of nodes. The head of an empty list is PARADT__OPEN.
 typedef struct paradt__node {
-    paradt_index handle, next;
+    paradt_index handle, next; // next: PARADT__OPEN at the end
 } paradt__node;
 
+// The pool from which all work lists take their nodes. A list is the index of its first node; PARADT__OPEN: empty.
 typedef struct paradt__lists {
     paradt__node *nodes;
     size_t capacity;
-    paradt_index fresh, spare; // first node never used, first node given back
+    paradt_index fresh, spare; // the first node never used; the list of nodes given back
 } paradt__lists;
 
 static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
@@ -6932,6 +7560,7 @@ static void paradt__lists_free(paradt__lists *lists, paradt__memory *memory) {
     memset(lists, 0, sizeof *lists);
 }
 
+// Puts a handle at the head of a list.
 static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head, paradt_index handle,
                                        paradt__memory *memory) {
     paradt_index node = lists->spare;
@@ -6955,20 +7584,21 @@ static paradt_status paradt__list_push(paradt__lists *lists, paradt_index *head,
     return PARADT_OK;
 }
 
-// The list must not be empty.
+// Takes the first handle out of a list that is not empty.
 static paradt_index paradt__list_pop(paradt__lists *lists, paradt_index *head) {
     paradt_index node = *head, handle = lists->nodes[node].handle;
+    PARADT_ASSERT(node < lists->fresh);
     *head = lists->nodes[node].next;
     lists->nodes[node].next = lists->spare;
     lists->spare = node;
     return handle;
 }
 
-// Vertices that may still get cells
+// Which vertices may still get cells
 typedef struct paradt__finished {
     uint32_t *incident;                 // [set.count] active facets at each vertex; NULL: not counted
-    uint8_t *unfinished;                // [grid.cell_count] points of each grid cell
-    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] bits of the boxes with unfinished points
+    uint8_t *unfinished;                // [grid.cell_count] number of unfinished points in each grid cell
+    uint8_t *alive[PARADT__MAX_LEVELS]; // [level][group] a bit for each box that has unfinished points
 } paradt__finished;
 
 typedef struct paradt__front {
@@ -6976,20 +7606,20 @@ typedef struct paradt__front {
     const paradt__grid *grid;
     paradt__memory *memory;
     paradt__search search;
-    paradt__mesh mesh;     // without ghosts
-    paradt__facets active; // the AFL: facets to be worked on
-    paradt__facets passed; // with regions: open facets that the region does not need
+    paradt__mesh mesh;       // without ghosts
+    paradt__facets active;   // the AFL: facets to be worked on
+    paradt__facets unneeded; // with regions: open facets that the region does not need
     paradt__lists lists;
     paradt__region_view view;
     paradt__progress progress;
-    double expected;  // cells, for the progress
-    int impatient;    // 1: give up where the filters decide too little; see paradt__front_is_stuck
-    uint64_t seeding; // predicates for the cells to start from: they come with the region, not with its cells
+    double expected;          // number of cells, for the progress
+    int impatient;            // 1: give up where the filters decide too little; see paradt__front_is_stuck
+    uint64_t seed_predicates; // predicates evaluated to find seeds: they say nothing about the region's cells
     uint64_t hull_facets;
     paradt__finished finished;
-    uint64_t *touched;  // with regions: a bit for each vertex that an edge leads away from
+    uint64_t *seeded;   // with regions: a bit for each vertex from which an edge of a cell leads away; needs no seed
     paradt_index gates; // with regions: list of facets to look behind
-    size_t next_seed;   // positions before it need no seed
+    size_t next_seed;   // no position before this one needs a seed
 } paradt__front;
 
 static void paradt__finished_free(paradt__finished *finished, paradt__memory *memory) {
@@ -7000,6 +7630,7 @@ static void paradt__finished_free(paradt__finished *finished, paradt__memory *me
     memset(finished, 0, sizeof *finished);
 }
 
+// Begins with no vertex finished. After an error paradt__finished_free frees what there is.
 static paradt_status paradt__finished_begin(paradt__finished *finished, const paradt__set *set,
                                             const paradt__grid *grid, paradt__memory *memory) {
     size_t i;
@@ -7022,7 +7653,7 @@ static paradt_status paradt__finished_begin(paradt__finished *finished, const pa
     return PARADT_OK;
 }
 
-// Adds to the count of active facets at a vertex; at 0 it is finished.
+// Adds `change` to the number of active facets at a vertex. When the number becomes 0 the vertex is finished.
 PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const paradt__grid *grid, paradt_index vertex,
                                            int change) {
     size_t box = (size_t)vertex / PARADT__LANES;
@@ -7036,16 +7667,17 @@ PARADT__INLINE void paradt__finished_count(paradt__finished *finished, const par
     }
 }
 
+// Frees all but the mesh.
 static void paradt__front_end(paradt__front *front) {
     paradt__facets_free(&front->active, front->memory);
-    paradt__facets_free(&front->passed, front->memory);
+    paradt__facets_free(&front->unneeded, front->memory);
     paradt__lists_free(&front->lists, front->memory);
     paradt__finished_free(&front->finished, front->memory);
-    paradt__release(front->memory, front->touched);
-    front->touched = NULL;
+    paradt__release(front->memory, front->seeded);
+    front->seeded = NULL;
 }
 
-// Room for the cells that are expected, or where that is refused for some: weighted points may have far fewer.
+// Makes room for the expected number of cells; if that is refused, for some: weighted points may have far fewer cells.
 static paradt_status paradt__front_room(paradt__front *front) {
     const size_t some = 1 << 16, most = paradt__most_cells(front->mesh.corners);
     double expected = front->expected * 1.01 + 64.0;
@@ -7057,7 +7689,8 @@ static paradt_status paradt__front_room(paradt__front *front) {
     return paradt__mesh_reserve(&front->mesh, 1, some, front->memory);
 }
 
-// part: of the set's points, those that the front is for
+// Begins a front without cells. part: fraction of the set's points for which the front makes cells. After an error
+// paradt__front_end is called as well.
 static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
                                          paradt__memory *memory, paradt__region_view view, double part) {
     double points = (double)set->count * part;
@@ -7072,55 +7705,63 @@ static paradt_status paradt__front_begin(paradt__front *front, const paradt__set
     paradt__search_begin(&front->search, set, grid);
     if (view.owner) {
         size_t words = set->count / 64 + 1;
-        front->touched = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
-        if (!front->touched || paradt__facets_begin(&front->passed, 0, 0, memory)) return PARADT_ERROR_MEMORY;
-        memset(front->touched, 0, words * sizeof(uint64_t));
+        front->seeded = (uint64_t *)paradt__alloc(memory, words, sizeof(uint64_t));
+        if (!front->seeded || paradt__facets_begin(&front->unneeded, 0, 0, memory)) return PARADT_ERROR_MEMORY;
+        memset(front->seeded, 0, words * sizeof(uint64_t));
     }
     if (paradt__facets_begin(&front->active, (size_t)points, 0, memory)) return PARADT_ERROR_MEMORY;
     return paradt__front_room(front);
 }
 
-// Notes for which of its vertices an edge of a new cell leads away.
-static void paradt__touch(paradt__front *front, const paradt_index *cell) {
+// Notes the vertices of the region from which an edge of a new cell leads away: they need no seed.
+static void paradt__front_note_seeded(paradt__front *front, const paradt_index *cell) {
     int corners = front->mesh.corners, i;
     for (i = 0; i < corners; i++) {
-        uint64_t *word = front->touched + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
+        uint64_t *word = front->seeded + cell[i] / 64, bit = (uint64_t)1 << cell[i] % 64;
         if (front->view.owner[cell[i]] != front->view.region || *word & bit) continue;
         if (paradt__leads_away(&front->view, front->set, cell, corners, i)) *word |= bit;
     }
 }
 
-// Called for a facet that has become active and is needed: puts it into a work list. NULL: there are no lists.
+// Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
-// Stores a cell and updates the AFL with its facets: a facet that was active is tied and leaves, the others enter.
-// across: the place of the apex, whose facet is the one that the cell was made on; from: the mirror of that facet,
-// which has left the AFL; or -1 and PARADT__OPEN
+// Fills the keys of a cell's facets and the active facets' chains for them, and prefetches what these begin with.
+PARADT__INLINE void paradt__front_keys(const paradt__facets *active, const paradt_index *cell, int corners,
+                                       paradt__facet_key *key, paradt_index **chain) {
+    uint64_t sum = paradt__cell_sum(cell, corners);
+    int i;
+    for (i = 0; i < corners; i++) {
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(active, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(active->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+}
+
+// Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
+// the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
+// vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
 PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const paradt_index *cell, int across,
                                                  paradt_index from, paradt__activate activate, void *method,
                                                  int corners) {
     paradt__mesh *mesh = &front->mesh;
     paradt_index base = (paradt_index)mesh->count * corners;
-    uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
-    for (i = 0; i < corners; i++) {
-        mesh->vertices[base + i] = cell[i];
-        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
-        key[i].smallest = paradt__smallest_but(cell, corners, i);
-        chain[i] = paradt__facets_chain(table, key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+    PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
+    for (i = 0; i < corners; i++) mesh->vertices[base + i] = cell[i];
+    paradt__front_keys(table, cell, corners, key, chain);
     for (i = 0; i < corners && !status; i++) {
         paradt_index mirror = from;
         if (i != across) {
             if (front->view.owner) {
                 paradt__facet_without(cell, corners, i, facet);
-                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->passed;
+                table = paradt__needs(&front->view, front->set, facet, corners - 1) ? &front->active : &front->unneeded;
                 chain[i] = paradt__facets_chain(table, key[i]);
             }
             mirror = paradt__facets_match(table, mesh, chain[i], key[i], base + i, corners);
@@ -7141,8 +7782,8 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
     return status;
 }
 
-// Lists the gates of the newest cell: the facets behind which there may be a cell that nobody reaches, if it is for the
-// region to look. No two vertices of such a cell are of one region.
+// Lists the gates of the newest cell, if it is up to this region to look behind them: the facets behind which there may
+// be a cell that no region reaches. The vertices of such a cell are all of different regions.
 static paradt_status paradt__front_list_gates(paradt__front *front) {
     const paradt__mesh *mesh = &front->mesh;
     int corners = mesh->corners, foreign = 0, i;
@@ -7163,30 +7804,32 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     return status;
 }
 
-// Adds a cell, see paradt__front_store.
+// Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
                                        paradt__activate activate, void *method) {
     paradt_status status = paradt__mesh_room(&front->mesh, front->memory);
     if (!status) status = paradt__facets_room(&front->active, PARADT_MAX_DIM + 1, front->memory);
-    if (!status && front->view.owner) status = paradt__facets_room(&front->passed, PARADT_MAX_DIM + 1, front->memory);
+    if (!status && front->view.owner) status = paradt__facets_room(&front->unneeded, PARADT_MAX_DIM + 1, front->memory);
     if (status) return status;
-    if (front->touched) paradt__touch(front, cell);
+    if (front->seeded) paradt__front_note_seeded(front, cell);
     if (front->mesh.corners == 4) status = paradt__front_store(front, cell, across, from, activate, method, 4);
     else status = paradt__front_store(front, cell, across, from, activate, method, front->mesh.corners);
     if (!status && front->view.owner) status = paradt__front_list_gates(front);
-    if (!status && front->mesh.count % 1024 == 0) {
+    if (!status && front->mesh.count % PARADT__REPORT_STEP == 0) {
         double done = (double)front->mesh.count / front->expected;
         if (paradt__progress_cancels(&front->progress, done)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
 }
 
-// MakeSimplex on a facet that was taken out of the AFL: the cell outside of it, or a facet of the hull.
+// The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
+// cell; if there is none the facet is one of the hull's.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
                                           void *method) {
     int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
     const paradt_index *cell = front->mesh.vertices + (handle - opposite);
     paradt_index made[PARADT_MAX_DIM + 1];
+    PARADT_ASSERT(front->mesh.links[handle] == PARADT__OPEN);
     if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
         return paradt__front_add(front, made, place, handle, activate, method);
     }
@@ -7198,15 +7841,15 @@ static paradt_status paradt__front_expand(paradt__front *front, paradt_index han
     return PARADT_OK;
 }
 
-// Takes a facet from a work list out of the AFL. Returns whether it was still active.
+// Takes a facet that came from a work list out of the AFL. Returns 0 if it was not active any more.
 static int paradt__front_take(paradt__front *front, paradt_index handle) {
     if (front->mesh.links[handle] != PARADT__OPEN) return 0;
     paradt__facets_remove(&front->active, paradt__facet_key_of(&front->active, &front->mesh, handle), handle);
     return 1;
 }
 
-// Finds a cell behind a gate: one of a cluster, or next to one. 0: there is none.
-static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
+// Finds a cell behind a gate that is in a cluster or next to one. Returns 0 if there is none.
+static int paradt__front_seed_behind_gate(paradt__front *front, paradt_index *cell) {
     int corners = front->mesh.corners, unused;
     while (front->gates >= 0) {
         paradt_index handle = paradt__list_pop(&front->lists, &front->gates);
@@ -7220,8 +7863,8 @@ static int paradt__front_pass_gate(paradt__front *front, paradt_index *cell) {
     return 0;
 }
 
-// Finds a cell with an edge that leads away from the vertex; the region's first cell may be any at the vertex. 0: there
-// is none.
+// Finds a cell with an edge that leads away from the vertex; for the region's first cell any cell at the vertex will
+// do. Returns 0 if there is none.
 static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_index *cell) {
     const paradt__set *set = front->set;
     const double *x = set->records + vertex * set->width;
@@ -7242,8 +7885,8 @@ static int paradt__front_seed_at(paradt__front *front, size_t vertex, paradt_ind
     return 0;
 }
 
-// Finds a cell to start from: behind a gate, or at a vertex of the region that still needs one; undivided, one cell. 0:
-// there is none.
+// Finds the next seed: a cell behind a gate or at a vertex of the region that still needs a seed; without regions any
+// one cell. Returns 0 if no seed is left.
 static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
     const paradt__set *set = front->set;
     if (!front->view.owner) {
@@ -7252,45 +7895,52 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
         paradt__cell_towards(&front->search, cell, 1);
         return 1;
     }
-    if (paradt__front_pass_gate(front, cell)) return 1;
+    if (paradt__front_seed_behind_gate(front, cell)) return 1;
     while (front->next_seed < set->count) {
         size_t at = front->next_seed++;
-        if (front->view.owner[at] != front->view.region || front->touched[at / 64] >> at % 64 & 1) continue;
+        if (front->view.owner[at] != front->view.region || front->seeded[at / 64] >> at % 64 & 1) continue;
         if (paradt__front_seed_at(front, at, cell)) return 1;
     }
     return 0;
 }
 
-enum { PARADT__PATIENCE = 4, PARADT__FIRST_PATIENCE = 2000 };
+enum {
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
+    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+};
 
+// Number of predicates that the searches have evaluated so far
 static uint64_t paradt__front_predicates(const paradt__front *front) {
     const paradt__counters *c = paradt__search_counters(&front->search);
     return c->orient_calls + c->insphere_calls;
 }
 
-// Do searches take so many predicates that insertion would be faster? Where many points are on one sphere (lattices,
-// points exactly on a sphere), a search has to compare them all with each other, exactly. On points in general position
-// a cell takes less than a tenth of a predicate.
+// Do the searches take so many predicates that insertion would be faster? Where many points are on one sphere, as in a
+// lattice, a search has to compare all of them with each other, exactly. Among points in general position hardly any
+// cell takes a predicate.
 static int paradt__front_is_stuck(const paradt__front *front) {
     uint64_t patience = PARADT__PATIENCE * (uint64_t)front->mesh.count + PARADT__FIRST_PATIENCE;
-    return paradt__front_predicates(front) - front->seeding > patience;
+    return paradt__front_predicates(front) - front->seed_predicates > patience;
 }
 
-// paradt__front_seed, its predicates apart.
+// Finds the next seed as paradt__front_seed does, and counts the predicates that this takes.
 static int paradt__front_next_seed(paradt__front *front, paradt_index *cell) {
     uint64_t before = paradt__front_predicates(front);
     int found = paradt__front_seed(front, cell);
-    front->seeding += paradt__front_predicates(front) - before;
+    front->seed_predicates += paradt__front_predicates(front) - before;
     return found;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>incode
 //
-// Incremental construction (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 2): from a first cell, the cell
-// across each active facet, until there is none. The facets at the lowest vertices in grid order come first: the front
-// sweeps over the grid, and what it touches stays in the cache. Doors: paradt__incode.
+// InCoDe, incremental construction (Cignoni, Montani, Scopigno, "DeWall: a fast divide and conquer Delaunay
+// triangulation algorithm in E^d", CAD 1998; thesis, chapter 2). Begins with one cell and adds the cell across each
+// active facet until no facet is active. Facets at the lowest vertices in grid order come first, so that the front
+// sweeps over the grid and what it works on stays in the cache.
+// Doors: paradt__incode.
 
+// Makes all cells of the front, or returns PARADT__GAVE_UP if the front is impatient and stuck.
 static paradt_status paradt__incode(paradt__front *front) {
     paradt_status status = PARADT_OK;
     paradt_index cell[PARADT_MAX_DIM + 1];
@@ -7312,25 +7962,32 @@ static paradt_status paradt__incode(paradt__front *front) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>dewall
 //
-// Divide and conquer, merge first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane alpha halves the
-// points; first all cells that cross it are made, the wall, with MakeSimplex on the facets that cross it (AFL alpha);
-// what remains on the two sides has nothing in common any more, and is built by recursion from the facets the wall left
-// there (AFL 1 and AFL 2). The planes are those of the grid, so a half is a range of positions, and MakeSimplex looks
-// into that range only: all cells with a vertex elsewhere are in walls made before. Where no active facet crosses
-// alpha, either no cell of this range crosses it or none that crosses it has been made: for a facet between a cell of
-// the range and one of another wall would be active and cross alpha. Any cell of T(P) that crosses alpha decides which;
-// one is found by a walk from one side to the other. With a region not all of a wall is needed; then facets can lead
-// out of a range, and go back to the caller. Vertices are positions in the set.
+// DeWall, divide and conquer with the merging first (Cignoni, Montani, Scopigno, CAD 1998; thesis, chapter 3). A plane
+// alpha halves the points. First all cells that cross it are made, the wall, with MakeSimplex on the active facets that
+// cross it (AFL alpha). Then the cells on its two sides are independent of each other. They are made by recursion from
+// the active facets that the wall has left on either side (AFL 1 and AFL 2).
+//
+// The planes are those of the grid. So a half is a range of positions, and MakeSimplex searches that range only: all
+// cells with a vertex outside of it are in walls made before.
+//
+// If no active facet crosses alpha, either no cell of the range crosses alpha or no such cell has been made: a facet
+// between a cell of the range that crosses alpha and a cell of another wall would be active and cross alpha. Any cell
+// of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
+//
+// A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
+// positions in the set.
 // Doors: paradt__dewall.
 
-enum { PARADT__WALL_SMALL = 64 }; // points that are not divided further
+enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
 
+// A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
-    size_t begin, cut, end;
-    paradt_index alpha, one, two; // facets that cross the plane, or are in [begin, cut), or in [cut, end)
-    paradt_index outside;         // facets with a vertex out of the range
+    size_t begin, cut, end;       // positions in [begin, cut) are on the plane's one side, [cut, end) on its other
+    paradt_index alpha, one, two; // facets that cross the plane, are in [begin, cut), are in [cut, end)
+    paradt_index outside;         // facets with a vertex outside of [begin, end)
 } paradt__wall;
 
+// Puts an active facet into the wall's list for it. method: the wall
 static paradt_status paradt__wall_activate(paradt__front *front, void *method, paradt_index handle) {
     paradt__wall *wall = (paradt__wall *)method;
     size_t low = SIZE_MAX, high = 0;
@@ -7349,15 +8006,15 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
     return paradt__list_push(&front->lists, head, handle, front->memory);
 }
 
-// Moves the facets of a list to the lists of the wall.
-static paradt_status paradt__wall_receive(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Moves the facets of a list to the wall's lists.
+static paradt_status paradt__wall_distribute(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) status = paradt__wall_activate(front, wall, paradt__list_pop(&front->lists, head));
     return status;
 }
 
-// Works on a list of the wall until it is empty.
-static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall, paradt_index *head) {
+// Expands the facets of one of the wall's lists until the list is empty.
+static paradt_status paradt__wall_expand(paradt__front *front, paradt__wall *wall, paradt_index *head) {
     paradt_status status = PARADT_OK;
     while (*head >= 0 && !status) {
         paradt_index handle = paradt__list_pop(&front->lists, head);
@@ -7368,7 +8025,7 @@ static paradt_status paradt__wall_serve(paradt__front *front, paradt__wall *wall
     return status;
 }
 
-// A cell of the range that crosses the plane, where no active facet does. 0: there is none.
+// Finds a cell of the range that crosses the plane, where no active facet does. Returns 0 if there is none.
 static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, paradt_index *cell) {
     const paradt__set *set = front->set;
     const paradt__space *space = &set->space;
@@ -7398,8 +8055,8 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     return 0;
 }
 
-// Builds the cells of the positions [begin, end), of which some facets in *head are active. Facets that lead out of the
-// range are added to *outside. The depth is at most the logarithm of the number of points.
+// Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
+// which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
 static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
                                         paradt_index *outside) {
     paradt__wall wall;
@@ -7409,7 +8066,8 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     wall.alpha = wall.one = wall.two = PARADT__OPEN;
     wall.outside = *outside;
     if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    status = paradt__wall_receive(front, &wall, head);
+    PARADT_ASSERT(begin < wall.cut && wall.cut <= end);
+    status = paradt__wall_distribute(front, &wall, head);
     if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
         paradt_index cell[PARADT_MAX_DIM + 1];
         if (paradt__wall_seed(front, &wall, cell)) {
@@ -7419,17 +8077,17 @@ static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
         if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
-        status = paradt__wall_serve(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_serve(front, &wall, &wall.one);
+        status = paradt__wall_expand(front, &wall, &wall.alpha);
+        if (!status && wall.cut == end) status = paradt__wall_expand(front, &wall, &wall.one);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
         if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
-        if (!status) status = paradt__wall_receive(front, &wall, &back);
+        if (!status) status = paradt__wall_distribute(front, &wall, &back);
     }
     *outside = wall.outside;
     return status;
 }
 
-// On a line facets are points, which cross nothing: there is no wall to build.
+// Makes all cells of the front. On a line facets are points and cross no plane, so there is no wall: InCoDe does it.
 static paradt_status paradt__dewall(paradt__front *front) {
     paradt_index cell[PARADT_MAX_DIM + 1];
     size_t count = front->set->count;
@@ -7444,23 +8102,25 @@ static paradt_status paradt__dewall(paradt__front *front) {
     }
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>order of insertion
 //
-// Points are inserted in rounds, each 16 times the size of the one before, and within a round along Hilbert's curve
-// (Amenta, Choi and Rote, "Incremental constructions con BRIO", SoCG 2003). The order matters only for speed. Of every
-// 16 neighbours along the curve one, drawn by a hash of their number, is dealt to an earlier round; of 16 such ones,
-// one to a still earlier round. So a round's points are spread more evenly than by chance. Doors: paradt__round_order,
-// paradt__merged_order, paradt__curve.
+// The order in which points are inserted; it matters for speed only. Points are inserted in rounds, each 16 times as
+// large as the one before, and within a round along Hilbert's curve (Amenta, Choi and Rote, "Incremental constructions
+// con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
+// a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
+// one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
+// Doors: paradt__round_order, paradt__merged_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
-    PARADT__FIRST_ROUND = 16, // points of the first round, about
-    PARADT__MOST_ROUNDS = 15
+    PARADT__FIRST_ROUND = 16, // the first round has at least so many points
+    PARADT__MOST_ROUNDS = 15  // after the first
 };
 
-// Number of the rounds after the first, for so many points
+// Returns the number of rounds after the first for `count` points.
 static int paradt__round_count(size_t count) {
     int rounds = 0;
     while (rounds < PARADT__MOST_ROUNDS && count >> ((rounds + 1) * PARADT__ROUND_SHIFT) >= PARADT__FIRST_ROUND)
@@ -7468,14 +8128,14 @@ static int paradt__round_count(size_t count) {
     return rounds;
 }
 
-// The number of that one of the 16 neighbours of a group that comes earlier than in the last round. level: 0 for
-// neighbours along the curve, 1 for 16 such ones, and so on
+// Draws the one of a group's 16 members that goes to an earlier round, and returns its number. level: what the members
+// are: 0: points, 1: groups of points, 2: groups of these, and so on
 PARADT__INLINE size_t paradt__earlier_one(size_t group, int level) {
     uint64_t draw = paradt__mix((uint64_t)group + ((uint64_t)level << 58) + 1);
     return (group << PARADT__ROUND_SHIFT) + (size_t)(draw >> 32 & ((1u << PARADT__ROUND_SHIFT) - 1));
 }
 
-// The round, 0 to rounds - 1, of the one of a group that comes earlier.
+// Returns the round of the point drawn from a group of points, 0 to rounds - 1.
 static int paradt__earlier_round(size_t group, int rounds) {
     int level = 1;
     for (; level < rounds && paradt__earlier_one(group >> PARADT__ROUND_SHIFT, level) == group; level++)
@@ -7483,14 +8143,15 @@ static int paradt__earlier_round(size_t group, int rounds) {
     return rounds - level;
 }
 
-// Deals points, which come along the curve, to the rounds of an insertion.
+// Points that come along the curve, dealt to rounds
 typedef struct paradt__rounds {
-    paradt_index *order;                   // [count] what is dealt, round after round
-    int rounds;                            // after the first
-    size_t place[PARADT__MOST_ROUNDS + 1]; // where each round's next point goes
-    size_t next, earlier; // the number of the next point, and of that one of its group which comes earlier
+    paradt_index *order;                 // [count] round after round
+    int rounds;                          // after the first
+    size_t end[PARADT__MOST_ROUNDS + 1]; // where in `order` each round's next point goes
+    size_t next, earlier; // numbers along the curve: of the next point, and of the one drawn in its group
 } paradt__rounds;
 
+// Allocates the order, and finds where each round begins in it.
 static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, paradt__memory *memory) {
     size_t group, groups = 0, before = 0;
     int round;
@@ -7499,14 +8160,14 @@ static paradt_status paradt__rounds_begin(paradt__rounds *r, size_t count, parad
     if (!r->order) return PARADT_ERROR_MEMORY;
     r->rounds = paradt__round_count(count);
     for (group = 0; r->rounds && group << PARADT__ROUND_SHIFT < count; group++) {
-        if (paradt__earlier_one(group, 0) < count) r->place[paradt__earlier_round(group, r->rounds)]++, groups++;
+        if (paradt__earlier_one(group, 0) < count) r->end[paradt__earlier_round(group, r->rounds)]++, groups++;
     }
     for (round = 0; round < r->rounds; round++) {
-        size_t size = r->place[round];
-        r->place[round] = before;
+        size_t size = r->end[round];
+        r->end[round] = before;
         before += size;
     }
-    r->place[r->rounds] = groups;
+    r->end[r->rounds] = groups;
     return PARADT_OK;
 }
 
@@ -7516,11 +8177,12 @@ PARADT__INLINE void paradt__rounds_put(paradt__rounds *r, paradt_index point) {
     int round = r->rounds;
     if (r->next == group << PARADT__ROUND_SHIFT) r->earlier = r->rounds ? paradt__earlier_one(group, 0) : SIZE_MAX;
     if (r->next++ == r->earlier) round = paradt__earlier_round(group, r->rounds);
-    r->order[r->place[round]++] = point;
+    PARADT_ASSERT(r->rounds == 0 || round == r->rounds || r->end[round] < r->end[round + 1]);
+    r->order[r->end[round]++] = point;
 }
 
-// Returns the positions 0 to count - 1, which are along the curve, in the order of insertion: a new block, or NULL when
-// there is no memory.
+// Returns the positions 0 to count - 1, whose points are along the curve, in the order of insertion: a new block, or
+// NULL when there is no memory.
 static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     paradt__rounds r;
     size_t i;
@@ -7529,11 +8191,11 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     return r.order;
 }
 
-// Deals all points of the set. Its first `own` points are along a curve; the others are dealt where the curve passes
-// them, within a few own ones. sorted, other: scratch for set->count - own.
+// Deals all points of the set. Its first `own` points are along the curve. The others are sorted, and each is dealt
+// near the own points between which the curve passes it. sorted, other: scratch for set->count - own elements
 static void paradt__merge_others(const paradt__set *set, size_t own, const paradt__curve *curve, paradt__keyed *sorted,
                                  paradt__keyed *other, paradt__rounds *r) {
-    enum { FEW = 16 };
+    enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
     paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
@@ -7545,8 +8207,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     while (next < others) paradt__rounds_put(r, sorted[next++].item);
 }
 
-// Returns the positions of the set's points in the order of insertion, as above: a new block, or NULL when there is no
-// memory.
+// Returns the positions of the set's points in the order of insertion, where only the first `own` are along the curve:
+// a new block, or NULL when there is no memory.
 static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
                                           paradt__memory *memory) {
     size_t others = set->count - own;
@@ -7562,41 +8224,69 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     return r.order;
 }
 
+// Returns the order in which to insert points that come late: by rounds, and in each along a curve. A new block, or
+// NULL when there is no memory.
+PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
+    paradt_index *order = paradt__round_order(set->count, memory);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
+    size_t i;
+    if (keyed && other && order) {
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, keyed);
+    paradt__release(memory, other);
+    return order;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion
 //
-// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension: the cells in conflict with a new point form a
-// star-shaped cavity, found from any one of them through their neighbours; the point and each facet of the cavity's rim
-// make a new cell. Inside and outside of the hull are one case, as ghosts close the mesh. Every T(P_i) of the points so
-// far is complete and exact, so no cell is ever flat, and the last one is T(P). A weighted point that is in conflict
-// with no cell is hidden; a vertex inside of the cavity becomes hidden.
+// Incremental insertion (Bowyer 1981, Watson 1981) in any dimension. The cells in conflict with a new point form a
+// star-shaped cavity, which is found from any one of them through their neighbours. The point and each facet of the
+// cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
-// Between two insertions the scene is that of >>scene, no cell has the mark PARADT__CONFLICT, and `update` tells what
-// the last one did. After an error the mesh is good for nothing but to be freed. Doors: paradt__insertion_point,
-// paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points, paradt__insertion_first_cells,
-// paradt__cavity_star, paradt__insert.
+// After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
+// A weighted point is hidden if no cell is in conflict with it; a vertex becomes hidden if it is on no facet of the
+// rim.
+//
+// Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
+// `update` says what the last insertion did. After an error the mesh may only be freed.
+// Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert.
 
-struct paradt__kept;
+struct paradt__kept; // see >>kept spheres
 
+// An insertion of points, from its first cells on
 typedef struct paradt__insertion {
     paradt__scene scene;
     paradt__memory *memory;
     const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
-    size_t count;              // points to be inserted
-    size_t inserted;           // points so far
-    size_t later;              // points that may come after these, as far as can be foreseen: for the room
-    double rate, rate_at;      // cells a point when there was last made room, and 1 + the points then; 0: never
-    paradt__relay *relay;      // NULL: it does not pause
+    size_t count;              // number of points to insert
+    size_t inserted;           // number of points inserted so far
+    size_t later;              // number of points that may have to be inserted after these; for the room only
+    double rate, rate_at;      // cells a point when room was last made, and 1 + `inserted` then; 0: never
+    paradt__relay *relay;      // tells the insertion to pause; NULL: it never does
     paradt__update update;     // what the last insertion did
-    paradt_index *rim;         // [rim_capacity] handles of the cavity's facets on the rim, in its cells
+    paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
     paradt__facets ridges;     // facets of new cells that wait for their mirrors; empty between insertions
-    struct paradt__kept *kept; // spheres of cells, in three dimensions where the filter holds; else NULL
-    int graded;                // records have sagittas, of at most grade_limit in size, wrong by grade_error
-    double grade_limit, grade_error;
+    struct paradt__kept *kept; // NULL: spheres are not kept
+    int graded;                // records have sagittas (see >>reference sphere)
+    double grade_limit;        // the largest size of a sagitta
+    double grade_error;        // the largest error of a sagitta
 } paradt__insertion;
 
-// The i-th point to be inserted
+// Returns the position of the i-th point to be inserted.
 PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *build, size_t i) {
     return build->order ? build->order[i] : (paradt_index)i;
 }
@@ -7604,27 +8294,29 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 // --- room
 
 enum {
-    PARADT__GROW_PART = 16,       // a mesh grows by at least that part
-    PARADT__FEW_POINTS = 1 << 15, // get room for all the cells to be expected together
-    PARADT__JUDGED_PART = 32      // of more points this part tells how many cells the rest will have
+    PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
+    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08
+#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
+#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
 
-// Makes room for the places that are needed, and for those that are wanted if it can be had.
+// Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
     if (needed <= build->scene.mesh.capacity && wanted <= build->scene.mesh.capacity) return PARADT_OK;
     return paradt__mesh_reserve(&build->scene.mesh, needed, wanted, build->memory);
 }
 
-// Number of places to make room for when `needed` are too many for now: what the cells a point, now and when there was
-// last made room, let expect, and somewhat more. Along curves the cells a point grow with the points. Few sets have
-// more cells than uniform points; scanned surfaces and shaken lattices do. In the plane no set has more.
+// Returns the number of places to make room for when `needed` places are more than there are. The number of cells a
+// point is extrapolated from what it is now and what it was when room was last made, since on curves it grows with the
+// number of points. Few sets have more cells than uniform points (scanned surfaces and shaken lattices do), and in the
+// plane none has; so the number for uniform points is a limit there, and a guide in space.
 static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
     int dim = build->scene.mesh.corners - 1;
     size_t points = build->count + build->later;
     double inserted = (double)build->inserted + 1.0, count = (double)points, rate = (double)needed / inserted;
-    double judged = count / (double)PARADT__JUDGED_PART; // before, the hull has too large a share
+    double judged = count / (double)PARADT__JUDGED_PART; // with fewer points the hull has too large a share
     int known = build->rate_at > judged && inserted > build->rate_at;
     double rise = known ? paradt__larger(rate - build->rate, 0.0) / (inserted - build->rate_at) : 0.0;
     double more = rise * (count - inserted),
@@ -7634,19 +8326,21 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
     size_t least = needed + needed / PARADT__GROW_PART + 64;
     build->rate = rate;
     build->rate_at = inserted;
-    if (expected > most && (double)least < most) expected = dim == 3 ? paradt__larger(most, rate * count * 1.06) : most;
+    if (expected > most && (double)least < most)
+        expected = dim == 3 ? paradt__larger(most, rate * count * PARADT__RATE_MORE) : most;
     if (expected > numbered) expected = numbered;
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Number of points whose cells get room in the beginning: of all, and the more that surfaces have; or of few of them,
-// as the rows are copied when there is more.
+// Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
+// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
+// copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
 }
 
-// Makes sure of `count` places to take.
+// Makes sure that `count` places can be taken.
 static paradt_status paradt__insertion_room(paradt__insertion *build, size_t count) {
     paradt__mesh *mesh = &build->scene.mesh;
     size_t needed = mesh->count + count - (mesh->spare_count < count ? mesh->spare_count : count);
@@ -7660,14 +8354,13 @@ static paradt_status paradt__insertion_room(paradt__insertion *build, size_t cou
 
 // --- the cavity
 
-// Digs the cavity of x from the first cell in conflict with it: fills update.killed and the rim, and marks the cavity's
-// cells.
+// Digs the cavity of x: marks its cells and fills update.killed and the rim. first: a cell in conflict with x
 static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     int corners = mesh->corners, i;
     size_t head;
-    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT));
+    PARADT_ASSERT(!(mesh->marks[first] & PARADT__CONFLICT) && *paradt__mesh_row(mesh, first) != PARADT__DEAD);
     update->killed[0] = first * corners;
     update->killed_count = 1;
     build->rim_count = 0;
@@ -7691,10 +8384,11 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
             }
         }
     }
+    PARADT_ASSERT(build->rim_count >= (size_t)corners);
     return PARADT_OK;
 }
 
-// Room for what starring the rim makes: places, the list of them, and ridges, each of which is in two new cells.
+// Makes room for what starring makes: places, update.made, and ridges, each of which is in two new cells.
 static paradt_status paradt__cavity_room(paradt__insertion *build) {
     paradt__update *update = &build->update;
     size_t count = build->rim_count, ridges = count * (size_t)(build->scene.mesh.corners - 1);
@@ -7704,8 +8398,8 @@ static paradt_status paradt__cavity_room(paradt__insertion *build) {
     return status ? status : paradt__facets_room(&build->ridges, ridges / 2 + 1, build->memory);
 }
 
-// Makes a cell of each rim facet and the point: that of the cavity with the point in the place of the vertex off the
-// facet.
+// Makes a cell of each facet of the rim: a copy of the cavity's cell at the facet, with the point instead of the vertex
+// opposite the facet.
 PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__facets *ridges = &build->ridges;
@@ -7715,6 +8409,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
         paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
         paradt_index base = made * corners, *vertices = mesh->vertices + base;
         uint64_t sum;
+        PARADT_ASSERT(!(mesh->marks[paradt__mesh_cell(mesh, mesh->links[inner])] & PARADT__CONFLICT));
         memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
         vertices[place] = point;
         paradt__mesh_tie(mesh, base + place, mesh->links[inner]);
@@ -7729,7 +8424,7 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
     build->update.made_count = build->rim_count;
 }
 
-// Stars the cavity. Fills update.made with the new cells' handles of the rim facets.
+// Stars the cavity with the point. Fills update.made with the facets of the rim, as handles in the new cells.
 static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index point) {
     paradt_status status = paradt__cavity_room(build);
     if (status) return status;
@@ -7742,7 +8437,7 @@ static paradt_status paradt__cavity_star(paradt__insertion *build, paradt_index 
     return PARADT_OK;
 }
 
-// Clears the cavity's marks and gives its places back.
+// Clears the marks of the cavity's cells and gives their places back.
 static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
@@ -7757,7 +8452,7 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Inserts a point: search, dig, star.
+// Inserts a point: walk, dig, star.
 static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
@@ -7773,11 +8468,11 @@ static paradt_status paradt__insert(paradt__insertion *build, paradt_index point
 
 // --- the first cells
 
-// Makes the cell of the first points, which span, at place 0, and the ghost on its facet opposite vertex i at place
-// 1 + i.
+// Makes the cell of the first points, which span the space, at place 0, and at place 1 + i the ghost on its facet
+// opposite vertex i.
 static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
-    int corners = mesh->corners, i, j;
+    int corners = mesh->corners, side, i, j;
     const double *p[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__insertion_reserve(build, (size_t)corners + 1, (size_t)corners + 1);
     if (status) return status;
@@ -7786,12 +8481,15 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
         mesh->vertices[i] = paradt__insertion_point(build, (size_t)i);
         p[i] = paradt__scene_record(&build->scene, mesh->vertices[i]);
     }
-    if (paradt__orient(&build->scene.space, p) < 0) {
+    side = paradt__orient(&build->scene.space, p);
+    PARADT_ASSERT(side != 0);
+    if (side < 0) {
         mesh->vertices[0] = paradt__insertion_point(build, 1);
         mesh->vertices[1] = paradt__insertion_point(build, 0);
     }
-    // In a ghost two vertices change places, 0 and 1, for the infinite vertex is on the other side of the facet. Ghosts
-    // i and j meet in the facet without vertices i and j, which is opposite what stands for i in ghost j.
+    // The infinite vertex is on the other side of the facet than vertex i; so in a ghost vertices 0 and 1 are
+    // exchanged. Ghosts i and j have the facet without vertices i and j in common; in ghost j it is opposite vertex i
+    // of the cell.
     for (i = 0; i < corners; i++) {
         paradt_index base = (paradt_index)((i + 1) * corners);
         for (j = 0; j < corners; j++) {
@@ -7809,82 +8507,102 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 // >>kept spheres
 //
 // Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
-// too. The predicates decide where its value does not exceed the bound on its error. What they decide and what the
-// spheres decide is the same.
+// too. Where the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
 //
-// A cell's sphere is kept as the affine function of x that the power of x with regard to the sphere is, less |x|^2:
-//     power(x) = |x|^2 + normal . x + constant, x from the centre of the set's bounding box; negative inside.
-// Ghosts have the halfspace beyond their facet in the place of a ball: a function so steep that |x|^2 does not matter.
-// The spheres stand in a table, each in the slot that its cell's place says, modulo the table's size. A sphere that
-// another cell's has driven out is made again when it is wanted.
+// A cell's sphere is kept as an affine function of x: the power of x with regard to the sphere, without |x|^2.
+//     power(x) = |x|^2 + normal . x + constant, negative inside; x is relative to the centre of the set's bounding box
+// A ghost has the halfspace beyond its facet instead of a ball: a function so steep that |x|^2 does not matter. The
+// spheres stand in a table, in slots. A cell's slot is its place modulo the table's size, a power of two. If another
+// cell's sphere has driven a sphere out of its slot, the sphere is made again when it is wanted.
 //
-// The error. u = 2^-52 bounds a rounding's relative error in any rounding mode. With p one of the vertices, and a, b, c
-// the differences of the other three to it, a cell's sphere is power(x) = |x - p|^2 - w . (x - p), w = n / det,
-//     n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
-// Let P be at least the sum of the sizes of det's six terms, and N_j that of n_j's. A difference has an error of u
-// relative to it, so a product of two has at most 3u, the terms of b x c 4u, those of det 8u: det is wrong by at most
-// 8.1u P. |a|^2 is wrong by 5u of it, n_j by 12.1u N_j. Where det > 32u P, the true determinant is more than 0.74 of
-// it, and w_j is wrong by at most 2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det. (The first two terms of n may be made
-// as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: 8u for v's terms, 11u for v x c's, 12.1u for n's.) With s_p,
-// s_x the computed differences of p and x to the centre, h_j the largest size of an |s_j| in the set, and
-//     normal = -(2 s_p + w), constant = |s_p|^2 + w . s_p,
-// a term of the power passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W, H = sum
-// h_j^2, W = sum |w_j| h_j: that is 60u H + 30u W. The error of w counts 2 h_j times. As det < 1.1 P, W alone counts
-// less than 1.1 W P / det. In all less than
-//     64u (H + (P W + sum N_j h_j) / det);
-// 60 and less than 60 are rounded up so far that the roundings of this bound itself and of P, N and h don't matter. Two
-// choices of P and N: the sums themselves (sharp), or, with m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2,
-// the products P = m_x m_y m_z, N_x = L m_y m_z, N_y = m_x L m_z, N_z = m_x m_y L, for fewer operations. The sums are
-// taken once the products have left many powers open that the in-sphere filter decides: where cells are long and thin.
-// Sums may be associated in any order and contracted: that only drops roundings.
-// Points near a reference sphere, of centre o, have sagittas (see >>reference sphere). There g(x) = -sagitta is taken
-// for |x|^2, which adds an affine function to it: with g(a) - g(p) in the place of |a|^2 in n,
-//     normal = -w, constant = w . s_p - g(p),   and power(x) = g(x) + normal . x + constant is what it was.
-// g is wrong by E at most, and G at most in size. n_j is wrong by 12.1u N_j again if N_j has E / 4u added to the size
-// of each difference: two of E are less than 12.1u of that. The power's terms add up to 2 G + 2 W, and E counts twice:
-// with H = G + E / 16u the same bound holds, which is as small as the noise. A power times det is the in-sphere
-// determinant, a multiple of the set's quantum, and det <= 6 * 8 h_x h_y h_z: a power whose size is surely less than
-// quantum / (64 h_x h_y h_z) is 0. No ghost's is, for its error exceeds 2 H. A ghost's function is -t N . (x - p) +
-// |x|^2 with N = a x b and t = 2^60 H^(1/2) / max |N_j|. N_x is wrong by 3.1u * 2 m_y m_z and by u |N_x|, the terms
-// N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and the lift adds at most 1.1 H. In all less than
-//     2 H + u t (16 sum |N_j| h_j * 2 + 16 Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z, m_j = max(|a_j|, |b_j|).
+// THE ERROR of a power. u = 2^-52 bounds the relative error of a rounding in any rounding mode.
+// (1) The exact sphere. Let p be one of the vertices, and a, b, c the differences of the other three to p. Then
+//         power(x) = |x - p|^2 - w . (x - p),   w = n / det,
+//         n = |a|^2 b x c + |b|^2 c x a + |c|^2 a x b,   det = a . b x c > 0.
+//     The centre is p + w / 2. With s_p and s_x the differences of p and x to the box's centre, as computed, what is
+//     kept is normal = -(2 s_p + w) and constant = |s_p|^2 + w . s_p.
+// (2) det and n. Let P be at least the sum of the sizes of the six terms of det, and N_j that of the terms of n_j. A
+//     computed difference has a relative error of at most u. So the product of two has at most 3u, the terms of b x c
+//     have 4u, and those of det 8u: det is wrong by at most 8.1u P. |a|^2 has 5u, so n_j is wrong by at most 12.1u N_j.
+//     (The first two terms of n may also be computed as v x c, v = |a|^2 b - |b|^2 a, with fewer operations: the terms
+//     of v have 8u then, those of v x c 11u, and n_j is wrong by at most 12.1u N_j again.)
+// (3) w. Where det > 32u P, the true determinant is more than 0.74 det. Then w_j is wrong by at most
+//         2.1u |w_j| + (11u P |w_j| + 16.4u N_j) / det.
+// (4) The power. Let h_j be the largest |s_j| in the set, H = sum h_j^2 and W = sum |w_j| h_j. A term of the power
+//     passes at most 15 roundings, and the sizes of the terms add up to at most 4 H + 2 W: that makes 60u H + 30u W.
+//     The error of w_j counts 2 h_j times. As det < 1.1 P, what is a multiple of W alone is less than 1.1 W P / det. In
+//     all the power is wrong by less than
+//         error = 64u (H + (P W + sum N_j h_j) / det).
+//     The two factors are 60 and less than 60. Rounding them up covers the roundings in this bound itself, and in P,
+//     N_j and h_j.
+// (5) P and N_j. Sharp bounds take the sums of the terms' sizes themselves. Quick bounds take fewer operations: with
+//     m_j = |a_j| + |b_j| + |c_j| and L = |a|^2 + |b|^2 + |c|^2 they take the products
+//         P = m_x m_y m_z,   N_x = L m_y m_z,   N_y = m_x L m_z,   N_z = m_x m_y L.
+//     Where cells are long and thin the quick bounds leave many powers open that the in-sphere filter decides; then
+//     paradt__kept_adapt changes over to sharp ones. All sums may be associated in any order and contracted, which only
+//     drops roundings.
+// (6) Ghosts. A ghost's function is power(x) = |x|^2 - t N . (x - p) with N = a x b, a and b the differences of its
+//     facet's other vertices to p, and t = 2^60 H^(1/2) / max |N_j|. With m_j = max(|a_j|, |b_j|), N_x is wrong by at
+//     most 3.1u * 2 m_y m_z + u |N_x|. The terms N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and
+//     the lift |x|^2 adds at most 1.1 H. In all the sign of the power is right if its size exceeds
+//         error = 2 H + 16u t (2 sum |N_j| h_j + Q),   Q = h_x m_y m_z + m_x h_y m_z + m_x m_y h_z.
+// (7) Sagittas (see >>reference sphere). Near a sphere of centre o records have sagittas, and g(x) = -sagitta is taken
+//     for |x|^2. This adds an affine function to |x|^2, so with g(a) - g(p) instead of |a|^2 in n, a here the vertex,
+//         normal = -w,   constant = w . s_p - g(p),
+//     power(x) = g(x) + normal . x + constant is what it was. Let E bound the error of g, and G its size. If N_j is
+//     computed with E / 4u added to the size of each difference of g, n_j is wrong by at most 12.1u N_j again, for 2 E
+//     is less than 12.1u times that. The terms of the power add up to at most 2 G + 2 W, and E counts twice. So the
+//     bound of (4) holds with H = G + E / 16u, which is as small as the noise.
+// (8) Zero. A power times det is the in-sphere determinant, a multiple of the set's quantum, and det is at most
+//     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
+//     never passes this test, for the ghost's error exceeds 2 H.
 //
-// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_make, paradt__kept_settle,
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
 // paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
 // paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
+// Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
+// slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
+// common allocators from giving pages back.
+enum { PARADT__MOST_SPHERES = 1 << 16, PARADT__MANY_SPHERES = 1 << 14, PARADT__LEAST_SPHERES = 1 << 11 };
+
+// Stars. Of a star of R cells the rim has R facets and 2 + R / 2 vertices (Euler). The edges of its rim stand in a
+// table. There are three: a small one for common stars, which stays in the first cache; a second for wide stars; and
+// one for larger stars, which is allocated when it is first needed.
 enum {
-    PARADT__MOST_SPHERES = 1 << 16,  // of the table, for very many points, one for 5 of them (8 in slices);
-    PARADT__SPHERES = 1 << 14,       // for many, and
-    PARADT__LEAST_SPHERES = 1 << 11, // room at least: a block that large keeps common allocators from giving pages back
-    PARADT__MOST_RIM = 2048,         // new cells that are made together, at most; else the general way is taken
-    PARADT__RIM_VERTICES = 1026,     // their vertices: that many facets have at most 2 + 2048 / 2 (Euler)
-    PARADT__COMMON_RIM = 60,         // new cells that a point has as a rule at most, with
-    PARADT__COMMON_VERTICES = 32,    // so many vertices: their edges take an eighth of the first cache
-    PARADT__WIDE_RIM = 256,          // new cells for whose edges there is room to begin with
+    PARADT__COMMON_RIM = 60, // few stars have more cells
+    PARADT__COMMON_VERTICES = 32,
+    PARADT__WIDE_RIM = 256,
     PARADT__WIDE_VERTICES = 130,
-    PARADT__EDGE_ROW = 32,               // rows of the tables of edges are multiples of this
-    PARADT__WIDE_ROWS = 5,               // so many of these
-    PARADT__LATE = 16,                   // facets that wait for a sphere to be made again, while others are looked at
-    PARADT__DIG_ROOM = PARADT__LATE + 4, // in the lists of the cavity and the rim
-    PARADT__DIG_AT_ONCE = 512,           // cells whose facets are looked at between two looks at the room
-    PARADT__FIRST_DIG = 512,             // cells and facets of the rim that there is room for to begin with
-    PARADT__PLACES_AHEAD = 16,           // cells: then the place of a sphere that is fetched is wanted
-    PARADT__AHEAD = 4                    // insertions: then the point that is fetched is wanted
+    PARADT__MOST_RIM = 2048, // larger stars are made by >>insertion
+    PARADT__RIM_VERTICES = 1026,
+    PARADT__EDGE_UNIT = 32, // the length of a row of edges is a multiple of this
+    PARADT__WIDE_UNITS = 5  // of a row for wide stars
 };
 
-#define PARADT__LAST_NUMBER 0xfffe0000                // that a cavity may begin with: its vertices take less than 2^17
-#define PARADT__KNOWN       (~((paradt__tag)-1 >> 1)) // of a tag: the cell is in the cavity
-#define PARADT__NO_SPHERE   (PARADT__KNOWN - 1)       // a tag that is no cell's
+enum {
+    PARADT__MOST_WAITING = 16,                   // facets that wait at a time for their spheres to be made again
+    PARADT__DIG_ROOM = PARADT__MOST_WAITING + 4, // room in the lists before a cell is dug: for the facets that wait,
+                                                 // and for the cell's own, of which four are stored together
+    PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
+    PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
+    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
+    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+};
 
+#define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
+#define PARADT__IN_CAVITY   (~((paradt__tag)-1 >> 1)) // bit of a tag: the cell is in the cavity that is being dug
+#define PARADT__NO_SPHERE   (PARADT__IN_CAVITY - 1)   // tag of an empty slot: no cell has this place
+
+// A slot of the table
 typedef struct paradt__sphere {
     double normal[3], constant;
-    double error;
-    paradt__tag tag;                                  // the cell, with the two marks
-    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // 64 bytes
+    double error;                                     // bound on the error of a power
+    paradt__tag tag;                                  // place of the cell, and PARADT__IN_CAVITY
+    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
 } paradt__sphere;
 
-// A point relative to the centre of the box, and its lift
+// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas g
 typedef struct paradt__centred {
     double s[3], lift;
 } paradt__centred;
@@ -7892,123 +8610,122 @@ typedef struct paradt__centred {
 // A vertex of the cavity: at first its position, then the edge that leads to it from the new point
 typedef union paradt__spoke {
     paradt_index vertex;
-    double edge[4]; // by axis, and the square of its length, or how much g is larger there
+    double edge[4]; // by axis; last the square of its length, or with sagittas how much larger g is at the vertex
 } paradt__spoke;
 
-enum { PARADT__NEXT_NUMBER = sizeof(paradt__spoke) }; // from number to number
+enum { PARADT__NUMBER_STEP = sizeof(paradt__spoke) }; // from the number of one vertex to the next one's
 
-// What bounds the errors: half of the bounding box' sides, rounded up, H, and with sagittas E / 4u
+// What the bounds on errors are made of: h_j, rounded up; H; and with sagittas E / 4u
 typedef struct paradt__frame {
     double half[3], square, slack;
 } paradt__frame;
 
-// How spheres are made
-typedef enum paradt__making {
-    PARADT__MAKE_QUICKLY,
-    PARADT__MAKE_SHARP,  // with sharp bounds on the powers' errors
-    PARADT__MAKE_GRADED, // with these, by sagittas
-} paradt__making;
+// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas
+typedef enum paradt__making { PARADT__MAKE_QUICKLY, PARADT__MAKE_SHARP, PARADT__MAKE_GRADED } paradt__making;
 
+// The spheres, and what an insertion with their help works on
 typedef struct paradt__kept {
-    paradt__sphere *table; // [mask + 1] on cache lines, in the same block behind this
+    paradt__sphere *table; // [mask + 1] on cache lines; at first in the same block, behind this struct
     paradt__tag mask;
-    int evicted;      // a cell of the cavity that is being dug has lost its sphere, and has PARADT__CONFLICT instead
-    double centre[3]; // of the bounding box
-    paradt__frame frame;
-    double square;        // H as it is without sagittas
-    double steep;         // 2^60 times its root
-    double nil;           // powers of less than this in size are 0
+    int evicted;          // a cell of the cavity has lost its sphere, and has the mark PARADT__CONFLICT instead
+    double centre[3];     // of the bounding box
+    paradt__frame frame;  // of the spheres of cells
+    double box_square;    // H without sagittas
+    double steepness;     // of ghosts: 2^60 times the root of box_square
+    double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // the cell to start from for it: of the last new ones, that in whose sphere it is deepest
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
 
-    // new cells since the table was judged; spheres wanted that were not in it; powers that told nothing where the
-    // in-sphere filter did
-    size_t made, missed, vague;
+    // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
+    size_t made_count, missed_count, doubtful_count;
     paradt__making making;
-    void *large_table; // its block; NULL: it is in the same block, behind this
-    paradt_index *large_edges;
-    size_t large_rim, large_rows; // for so many new cells
+    void *table_block;             // NULL: the table is in the same block as this struct
+    paradt_index *large_edges;     // the table of edges for stars of up to large_rim cells; NULL: none
+    size_t large_rim, large_units; // large_units: of its rows
 
-    // The vertices around the point have small numbers, that of v is number[v + 1] - first: offsets in bytes in
-    // `spokes`. Numbers go on from point to point, so what is less than `first` is none.
-    uint32_t *number;                        // [numbers]
-    size_t numbers;                          // points + 1, at least
-    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
-    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_AT_ONCE + 4]; // see paradt__kept_limit_numbers
+    // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
+    // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    uint32_t *number;                                                   // [numbers]
+    size_t numbers;                                                     // at least points + 1
+    uint32_t first, next_number, spokes_end;                            // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
-    // For the edge from vertex i to j the handle of the new cells' facet with it: [i * row + j] in one of these, or in
-    // large_edges.
+    // Tables of edges. Row i, element j: the handle of the facet that contains the edge from vertex i to vertex j and
+    // the new point, in the new cell that sees the edge in this direction.
     paradt_index common_edges[PARADT__COMMON_VERTICES * PARADT__COMMON_VERTICES];
-    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_ROWS * PARADT__EDGE_ROW];
+    paradt_index wide_edges[PARADT__WIDE_VERTICES * PARADT__WIDE_UNITS * PARADT__EDGE_UNIT];
 
-    paradt_index waiting[PARADT__LATE]; // facets of the cavity, as handles in its cells, to be looked at later
+    paradt_index waiting[PARADT__MOST_WAITING]; // facets whose spheres are missing, as handles in the cavity's cells
 
-    // The new cells. Spheres are made four at a time: there is room for three copies of the last one.
-    uint16_t corner[PARADT__MOST_RIM + 3][4]; // the vertices, as offsets
-    paradt_index row[PARADT__MOST_RIM][4];    // vertices
-    paradt_index outer[PARADT__MOST_RIM];
-    int ghosts; // there are some among them; those that are none then:
+    // The new cells, one for each facet of the rim. Spheres are made four at a time: hence three more.
+    uint16_t offsets[PARADT__MOST_RIM + 3][4]; // of the spokes of the facet's vertices
+    paradt_index row[PARADT__MOST_RIM][4];     // vertices, the point last
+    paradt_index outer[PARADT__MOST_RIM];      // mirrors of the facets of the rim
+    int ghosts;                                // there are ghosts among the new cells; then these are the others:
     paradt_index finite_base[PARADT__MOST_RIM + 3];
-    uint16_t finite_corner[PARADT__MOST_RIM + 3][4];
+    uint16_t finite_offsets[PARADT__MOST_RIM + 3][4];
 } paradt__kept;
 
 #define PARADT__UNIT_ERROR     2.220446049250313e-16
 #define PARADT__NO_ERROR_BOUND 3.2733906078961419e150 // 2^500: more than any power in a filtered set
-#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300
-#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: sagittas below tell more than |x|^2
+#define PARADT__FLATTEST       2.0370359763344861e90  // 2^300: limit of a ghost's t, and of sum N_j h_j / det
+#define PARADT__GRADE_PAYS     1.4901161193847656e-8  // 2^-26, of H or r^2: smaller sagittas tell more than |x|^2 does
 
-// The vertex with a number, as an offset
-PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *around, size_t offset) {
-    return (paradt__spoke *)(void *)((char *)around + offset);
+// Returns the spoke at an offset in bytes.
+PARADT__INLINE paradt__spoke *paradt__spoke_at(paradt__spoke *spokes, size_t offset) {
+    return (paradt__spoke *)(void *)((char *)spokes + offset);
 }
 
-// The first cache line that begins there
-PARADT__INLINE paradt__sphere *paradt__on_line(void *memory) {
+// Returns the first cache line that begins in the block.
+PARADT__INLINE paradt__sphere *paradt__on_cache_line(void *memory) {
     return (paradt__sphere *)(void *)((char *)memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
 static void paradt__kept_free(paradt__kept *s, paradt__memory *memory) {
     if (!s) return;
     paradt__release(memory, s->number);
-    paradt__release(memory, s->large_table);
+    paradt__release(memory, s->table_block);
     paradt__release(memory, s->large_edges);
     paradt__release(memory, s);
 }
 
+// Returns a point, given by its record, as the spheres need it.
 PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const double *x) {
-    paradt__centred seen;
-    seen.s[0] = x[0] - s->centre[0];
-    seen.s[1] = x[1] - s->centre[1];
-    seen.s[2] = x[2] - s->centre[2];
-    seen.lift = seen.s[0] * seen.s[0] + seen.s[1] * seen.s[1] + seen.s[2] * seen.s[2];
-    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) seen.lift = -x[3];
-    return seen;
+    paradt__centred centred;
+    centred.s[0] = x[0] - s->centre[0];
+    centred.s[1] = x[1] - s->centre[1];
+    centred.s[2] = x[2] - s->centre[2];
+    centred.lift = centred.s[0] * centred.s[0] + centred.s[1] * centred.s[1] + centred.s[2] * centred.s[2];
+    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) centred.lift = -x[3];
+    return centred;
 }
 
-// The edge from a point to another
+// Returns the edge from one point to another, given by their records.
 PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
-    paradt__spoke around;
+    paradt__spoke spoke;
     double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
-    around.edge[0] = x;
-    around.edge[1] = y;
-    around.edge[2] = z;
-    around.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
-    return around;
+    spoke.edge[0] = x;
+    spoke.edge[1] = y;
+    spoke.edge[2] = z;
+    spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
+    return spoke;
 }
 
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
 
-// The size of the terms of a 2 x 2 determinant
+// Returns the sum of the sizes of the two terms of ad - bc.
 PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d) {
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// The sphere through p and p + a, p + b, p + c, positively oriented; a[3] is |a|^2, or g(p + a) - g(p). Straight code,
-// to be vectorised: where the determinant is too small it is replaced, and the bound on the error leaves all in doubt.
-// (By a choice: with x87 registers the difference of the two need not be 0 where they are the same, as one may have
-// been rounded.)
+// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5) and (7). a[3]:
+// |a|^2, or with sagittas g(p + a) - g(p).
+// The code has no branches, so that compilers can make vectors of several calls. Where det is too small, a larger
+// number stands in for it and the error is so large that all powers are in doubt. That is a choice by comparison: with
+// x87 registers a term like (safe - det) * 2^500 need not be 0 where both are equal, as one of them may have been
+// rounded.
 PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
                                         const double *a, const double *b, const double *c, double *normal,
                                         double *constant, double *error) {
@@ -8018,8 +8735,8 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
     double bcx = by * cz - bz * cy, bcy = bz * cx - bx * cz, bcz = bx * cy - by * cx;
     double cax = cy * az - cz * ay, cay = cz * ax - cx * az, caz = cx * ay - cy * ax;
     double abx = ay * bz - az * by, aby = az * bx - ax * bz, abz = ax * by - ay * bx;
-    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // P, sum N_j h_j
-    double floor, safe, inverse, wx, wy, wz, reach;
+    double det = ax * bcx + ay * bcy + az * bcz, size, sides; // size: P; sides: sum N_j h_j
+    double floor, safe, inverse, wx, wy, wz, reach;           // reach: W
     if (making != PARADT__MAKE_QUICKLY) {
         double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
         double slc = graded ? paradt__abs(lc) + f->slack : lc;
@@ -8039,6 +8756,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
         size = mx * my * mz;
         sides = (la + lb + lc) * (f->half[0] * my * mz + mx * f->half[1] * mz + mx * my * f->half[2]);
     }
+    // the least det; the last two terms keep quotients from overflowing
     floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
     safe = det > floor ? det : floor;
     inverse = 1.0 / safe;
@@ -8054,12 +8772,14 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// The order of the vertices of a cell without vertex i that, followed by what comes in its place, keeps the orientation
+// Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
-// The sphere of the ghost on a facet. seen: p
-PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere, const paradt__centred *seen,
-                                            const double *p, const double *q, const double *r) {
+// Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
+// powers are in doubt.
+PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__sphere *sphere,
+                                            const paradt__centred *centred, const double *p, const double *q,
+                                            const double *r) {
     const double *h = s->frame.half;
     double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2], bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
     double nx = ay * bz - az * by, ny = az * bx - ax * bz, nz = ax * by - ay * bx,
@@ -8067,28 +8787,30 @@ PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__spher
     double mx = paradt__largest_of_three(ax, bx, 0.0), my = paradt__largest_of_three(ay, by, 0.0),
            mz = paradt__largest_of_three(az, bz, 0.0), t;
     double sides = h[0] * my * mz + mx * h[1] * mz + mx * my * h[2];
-    if (!(s->steep < PARADT__FLATTEST * size)) {
+    if (!(s->steepness < PARADT__FLATTEST * size)) {
         sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
         sphere->error = PARADT__NO_ERROR_BOUND;
         return;
     }
-    t = s->steep / size;
+    t = s->steepness / size;
     sphere->normal[0] = -t * nx;
     sphere->normal[1] = -t * ny;
     sphere->normal[2] = -t * nz;
-    sphere->constant = t * (nx * seen->s[0] + ny * seen->s[1] + nz * seen->s[2]);
-    sphere->error = 2.0 * s->square +
+    sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1] + nz * centred->s[2]);
+    sphere->error = 2.0 * s->box_square +
                     PARADT__UNIT_ERROR * t * 16.0 *
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
+// Makes the function of a ghost. place: that of the infinite vertex
 static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
                                     const paradt_index *vertices, int place) {
     const unsigned char *order = paradt__facet_order[place];
     const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
                  *q = paradt__scene_record(&build->scene, vertices[order[1]]);
-    paradt__centred seen = paradt__centred_of(build->kept, p);
-    paradt__sphere_of_facet(build->kept, sphere, &seen, p, q, paradt__scene_record(&build->scene, vertices[order[2]]));
+    paradt__centred centred = paradt__centred_of(build->kept, p);
+    paradt__sphere_of_facet(build->kept, sphere, &centred, p, q,
+                            paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
 // Makes the sphere of a cell and puts it into the table.
@@ -8106,45 +8828,49 @@ PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_i
                      *p = paradt__scene_record(&build->scene, vertices[3]);
         paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
                       to_c = paradt__spoke_of(s->making, p, c);
-        paradt__centred seen = paradt__centred_of(s, p);
+        paradt__centred centred = paradt__centred_of(s, p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(s->making, &s->frame, &seen, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
+        paradt__sphere_make(s->making, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                             &sphere->constant, &sphere->error);
     }
     sphere->tag = (paradt__tag)cell;
 }
 
-// Makes the slot of a cell's sphere free for it. If the sphere there is that of a cell in the cavity, the cell gets the
-// mark PARADT__CONFLICT instead.
+// Drives the sphere out that is in a cell's slot, and returns the slot. If the sphere is that of a cell in the cavity,
+// this cell gets the mark PARADT__CONFLICT instead.
 PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build, paradt_index cell) {
     paradt__kept *s = build->kept;
     paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
-    if (sphere->tag & PARADT__KNOWN) {
-        build->scene.mesh.marks[sphere->tag & ~PARADT__KNOWN] |= PARADT__CONFLICT;
+    if (sphere->tag & PARADT__IN_CAVITY) {
+        build->scene.mesh.marks[sphere->tag & ~PARADT__IN_CAVITY] |= PARADT__CONFLICT;
         s->evicted = 1;
     }
-    s->missed++;
+    s->missed_count++;
+    PARADT_ASSERT(((s->mask + 1) & s->mask) == 0 && *paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     return sphere;
 }
 
-// Makes a sphere that is not in the table.
-PARADT__NOINLINE void paradt__kept_missed(const paradt__insertion *build, paradt_index cell) {
+// Makes a sphere again that is not in the table.
+PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__KNOWN;
+    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
+// Returns the sphere of a cell, which is in the table afterwards.
 PARADT__INLINE const paradt__sphere *paradt__kept_sphere(const paradt__insertion *build, paradt_index cell) {
     const paradt__sphere *sphere = build->kept->table + ((paradt__tag)cell & build->kept->mask);
-    if (!PARADT__LIKELY((sphere->tag & ~PARADT__KNOWN) == (paradt__tag)cell)) paradt__kept_missed(build, cell);
+    if (!PARADT__LIKELY((sphere->tag & ~PARADT__IN_CAVITY) == (paradt__tag)cell)) paradt__kept_remake(build, cell);
     return sphere;
 }
 
+// Returns the power of x.
 PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const paradt__centred *x) {
     return (x->lift + sphere->constant) +
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
 
+// Fills p with the vertices of a cell, and x.
 PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
                                          const double **p) {
     int i;
@@ -8153,7 +8879,7 @@ PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_
     p[4] = x;
 }
 
-// Is the cell in conflict with the point? For a point on the sphere of a cell that is no ghost
+// Is the cell, which is no ghost, in conflict with a point that is on its sphere?
 PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     paradt__kept_corners(build, cell, x, p);
@@ -8162,7 +8888,7 @@ PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index 
     return (unsigned)paradt__perturbed(&build->scene.space, p);
 }
 
-// Is the cell in conflict with the point? Where nothing is known.
+// Is the cell or ghost in conflict with the point? Asks the predicates.
 PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
@@ -8172,49 +8898,52 @@ PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_i
     build->scene.space.counters.insphere_calls++;
     sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
     if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
-    else build->kept->vague++;
+    else build->kept->doubtful_count++;
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
 }
 
-// Is the cell in conflict with the point? Where its sphere may not be in the table, or the power does not tell.
-PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *seen,
-                                              const double *x) {
+// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
+PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell,
+                                              const paradt__centred *centred, const double *x) {
     const paradt__kept *s = build->kept;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power;
-    if (sphere->tag & PARADT__KNOWN) return 1;
-    power = paradt__sphere_power(sphere, seen);
+    if (sphere->tag & PARADT__IN_CAVITY) return 1;
+    power = paradt__sphere_power(sphere, centred);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->nil) return paradt__kept_tie(build, cell, x);
+    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x);
     return paradt__kept_decide(build, cell, x);
 }
 
-// Where cells are long and points have hundreds of them in common: sharp bounds if many powers tell nothing without,
-// and a table of four times the size if many spheres have had to be made again, and so many more would be for the cells
-// to come that it has no more places. It takes at most half of the memory that the cells take; where that can't be had
-// the table stays as it is.
+// Adapts to long cells, and to points with hundreds of cells. Changes over to sharp bounds if quick ones leave many
+// powers in doubt. Makes the table four times as large if many spheres have been made again, and if for the cells to
+// come more would be than the larger table has slots. The table takes at most half of the memory that the cells take.
+// If that is refused the table stays as it is.
 PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells, at least
-    int often = s->missed > s->made / 4 && (double)s->missed * to_come > (double)s->made * (double)size;
-    if (s->vague > s->made / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
-    s->made = s->missed = s->vague = 0;
+    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    int often =
+        s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
+    PARADT_ASSERT(build->inserted < build->count);
+    if (s->doubtful_count > s->made_count / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
+    s->made_count = s->missed_count = s->doubtful_count = 0;
     if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
         larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
     if (!larger) return;
-    paradt__release(build->memory, s->large_table);
-    s->large_table = larger;
-    s->table = paradt__on_line(larger);
+    paradt__release(build->memory, s->table_block);
+    s->table_block = larger;
+    s->table = paradt__on_cache_line(larger);
     s->mask = (paradt__tag)(size - 1);
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Room for the numbers of more vertices
+// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
+    PARADT_ASSERT(numbers > s->numbers);
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -8223,38 +8952,20 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Takes the sagittas where they are so small that without them most powers would tell nothing.
+// Changes over to sagittas if the records have them, so small that without them most powers would be in doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
-    if (!build->graded || !(square < s->square * PARADT__GRADE_PAYS)) return;
+    if (!build->graded || !(square < s->box_square * PARADT__GRADE_PAYS)) return;
     s->making = PARADT__MAKE_GRADED;
     s->frame.square = square;
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
-// Where the floating-point filter holds; elsewhere the insertion in any dimension does it.
-static paradt_status paradt__kept_begin(paradt__insertion *build) {
-    paradt__kept *s;
-    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
+// Finds what the set's bounding box decides: its centre, and what bounds on errors and ghosts are made of.
+static void paradt__kept_measure(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
     int axis;
-    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
-        return PARADT_OK;
-    while (size < 8 * build->count && size < PARADT__SPHERES) size *= 2;
-    while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
-    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
-    bytes = sizeof *s + (room + 1) * sizeof *s->table;
-    s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
-    build->kept = s;
-    if (!s) return PARADT_ERROR_MEMORY;
-    // not for few: allocators keep the pages from the call before, and only to look for them takes a seventh of a call
-    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
-    memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
-    s->mask = (paradt__tag)(size - 1);
-    s->table = paradt__on_line(s + 1);
-    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
-    s->next_number = PARADT__NEXT_NUMBER;
-    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
         double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
@@ -8262,10 +8973,38 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
         s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
-    s->square = s->frame.square;
-    s->steep = sqrt(s->square) * paradt__power(60);
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
     paradt__kept_grade(build);
-    s->nil = build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+}
+
+// Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
+// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
+static paradt_status paradt__kept_begin(paradt__insertion *build) {
+    paradt__kept *s;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
+    size_t room, bytes, i;
+    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
+        return PARADT_OK;
+    while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
+    while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
+    room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
+    bytes = sizeof *s + (room + 1) * sizeof *s->table;
+    s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
+    build->kept = s;
+    if (!s) return PARADT_ERROR_MEMORY;
+    // not for few points: allocators keep the pages from the call before, and even to look for them takes long then
+    if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
+    memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
+    s->mask = (paradt__tag)(size - 1);
+    s->table = paradt__on_cache_line(s + 1);
+    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->next_number = PARADT__NUMBER_STEP;
+    for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    paradt__kept_measure(build);
+    PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
     return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
@@ -8274,26 +9013,31 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space
 //
-// >>insertion once more for three dimensions, with kept spheres. The steps are the same: locate, dig, star; the new
-// cells take the places of the cavity. What is different is the form: no step has a branch that nothing foretells,
-// memory is asked for before it is used, and the inner functions, which have twins for AVX2, are handed in as constants
-// to functions that are inlined. A sphere's tag says whether its cell is in the cavity.
+// The insertion once more for three dimensions, with kept spheres. The steps are those of >>insertion: locate, dig,
+// star; here the new cells take the places of the cavity's cells. The form differs: there is no branch that processors
+// can't predict in any step, and memory is prefetched before it is used. The inner functions have twins for AVX2, so
+// they are handed in as a constant (paradt__kept_kernels) to functions that are inlined. Handles are taken apart by
+// shifts, as there are four a cell.
 //
-// The vertices of the cavity get small numbers, and a table by two such numbers takes the place of the ridges' hash
-// table. Cavities whose rim has more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__kept_insert, paradt__kept_insert_any, the types of its inner functions, what these have in common with
-// their twins, and paradt__kept_fetch_around.
+// While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
+// the sphere has been driven out of the table. When all of the cavity is dug its vertices have numbers, and a table of
+// edges, by the numbers of their ends, takes the place of the table of ridges. Cavities whose rim has more than
+// PARADT__MOST_RIM facets, or no table of edges, are starred by >>insertion.
+//
+// Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and kept->next is the point to come.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number,
+// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad, paradt__kept_fetch_around.
 
-// A cell in conflict with the point: down the powers, from neighbour to neighbour. The powers of a point with regard to
-// two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards the point;
-// it may end at the first cell in conflict. Where powers are too inexact for that, the walk by orientations goes on.
-// Powers are compared as rounded: of two neighbours with equal ones each could be less than the other else, if one is
-// in a longer register and the other is not, and the walk would not end.
-PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *seen,
+// Finds a cell in conflict with the point, from neighbour to neighbour down the powers. The powers of a point with
+// regard to two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards
+// the point. It ends at the first cell that is in conflict for certain. Where powers are too inexact to go on, the walk
+// by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
+// powers each could be less than the other where one power is in a longer register, and the walk would not end.
+PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
                                                 const double *x) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__sphere_power(sphere, seen)), error = sphere->error;
+    double power = paradt__rounded(paradt__sphere_power(sphere, centred)), error = sphere->error;
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
         double least = power;
@@ -8303,7 +9047,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             paradt_index other = links[i] >> 2;
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__sphere_power(sphere, seen));
+            value = paradt__rounded(paradt__sphere_power(sphere, centred));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
@@ -8315,9 +9059,11 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
     return cell;
 }
 
-// What the search for the cavity works with
+// What digging works with: parts of the mesh, the update, the rim and paradt__kept, close together
 typedef struct paradt__dig {
-    paradt_index *killed, *rim;
+    paradt_index
+        *killed; // the cavity's cells: by the handles by which they were entered; once dug, by their first ones
+    paradt_index *rim;
     size_t killed_count, rim_count;
     const paradt_index *links;
     paradt__sphere *table;
@@ -8325,61 +9071,62 @@ typedef struct paradt__dig {
     int waiting_count;
     const paradt_index *vertices;
     paradt__spoke *spokes;
-    uint32_t *numbers, first, next; // of the vertices: as in paradt__kept, from vertex 0 on
+    uint32_t *numbers, first, next; // of vertices, as in paradt__kept; numbers: that of vertex 0
 } paradt__dig;
 
-// Begins with the numbers of another cavity's vertices. Where they come near their end they begin again.
+// Begins to number the vertices of a new cavity. Near the largest number that there is, numbers start again.
 PARADT__INLINE void paradt__kept_begin_numbers(const paradt__insertion *build, paradt__dig *dig) {
     paradt__kept *s = build->kept;
     dig->vertices = build->scene.mesh.vertices;
     dig->spokes = s->spokes;
     if (!PARADT__LIKELY(s->next_number <= PARADT__LAST_NUMBER)) {
         memset(s->number, 0, s->numbers * sizeof *s->number);
-        s->next_number = PARADT__NEXT_NUMBER;
+        s->next_number = PARADT__NUMBER_STEP;
     }
     dig->numbers = s->number + 1;
     dig->first = dig->next = s->next_number;
 }
 
-// Numbers a vertex of the cavity, if it has no number yet. There is no branch, as nothing foretells it.
+// Gives a vertex of the cavity a number if it has none yet; without a branch, as processors can't predict which.
 PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     uint32_t number = dig->numbers[vertex], is_new = 0 - (uint32_t)(number < dig->first);
     paradt__spoke_at(dig->spokes, dig->next - dig->first)->vertex = vertex;
     dig->numbers[vertex] = number + ((dig->next - number) & is_new);
-    dig->next += is_new & PARADT__NEXT_NUMBER;
+    dig->next += is_new & PARADT__NUMBER_STEP;
 }
 
-// Numbers of more vertices than a star may have are not used, so they needn't differ: from there on they are given
-// again. To be called every PARADT__DIG_AT_ONCE vertices.
+// Keeps numbers in bounds; to be called for every PARADT__DIG_BATCH cells that are dug. The numbers of a cavity with
+// more than PARADT__RIM_VERTICES vertices are not used, so they may be given twice.
 PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
 // Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
 PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NEXT_NUMBER, end = dig->next - dig->first;
+    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP, end = dig->next - dig->first;
     s->first = dig->first;
     s->spokes_end = end < most ? end : most;
     s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
     s->ghosts = dig->numbers[PARADT__INFINITE] >= dig->first;
-    // what comes of it is not used, but any point will do where its record is read
+    // any vertex will do instead of the infinite one: its record is read, and what is made of it is not used
     if (s->ghosts) paradt__spoke_at(s->spokes, dig->numbers[PARADT__INFINITE] - dig->first)->vertex = 0;
 }
 
-// What is across a facet of the cavity becomes part of the cavity or the rim, without branches.
+// Adds the cell across a facet of the cavity to the cavity, unless it is there, or the facet to the rim; without
+// branches. inner: the facet's handle in the cavity's cell; sphere: the slot of the cell across; conflict: 1 or 0
 PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
                                        unsigned conflict) {
-    unsigned fresh = conflict & !(sphere->tag & PARADT__KNOWN);
-    sphere->tag |= conflict ? PARADT__KNOWN : 0;
+    unsigned fresh = conflict & !(sphere->tag & PARADT__IN_CAVITY);
+    sphere->tag |= conflict ? PARADT__IN_CAVITY : 0;
     dig->killed[dig->killed_count] = dig->links[inner];
     dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
 }
 
-// Looks later at a facet, across which the sphere is not in the table, and fetches the vertices that it is made of.
-// count: of facets that wait already. Returns how many wait then.
+// Lets a facet wait whose sphere across is not in the table, and prefetches the vertices of the cell across. count:
+// number of facets that wait so far. Returns their new number.
 PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
                                        int count) {
     PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
@@ -8387,37 +9134,65 @@ PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_in
     return count + 1;
 }
 
-// Looks at the other side of a facet of the cavity.
-PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
+// Looks at the cell across a facet of the cavity: it joins the cavity, the facet joins the rim, or the facet waits.
+// inner: the facet's handle in the cavity's cell
+PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *centred,
                                       const double *x, paradt_index inner) {
     paradt_index handle = dig->links[inner];
     paradt__tag other = (paradt__tag)handle >> 2;
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere_power(sphere, seen);
+    double power = paradt__sphere_power(sphere, centred);
     unsigned conflict = power < 0.0;
     PARADT__PREFETCH(dig->links + 4 * (size_t)other);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__KNOWN) == other) & (paradt__abs(power) > sphere->error))) {
-        if ((sphere->tag & ~PARADT__KNOWN) != other && dig->waiting_count < PARADT__LATE) {
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
+        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, seen, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x);
     }
     paradt__kept_judge(dig, inner, sphere, conflict);
 }
 
-// Makes the spheres across facets that wait, where they are not in the table. Not all need be there then: of two cells
-// with the same place one drives out the other.
+// New cells that are no ghosts: first handles, and the offsets of their vertices' spokes; with room for three more
+typedef struct paradt__new_cells {
+    paradt_index *base;
+    uint16_t (*offsets)[4];
+    int count;
+} paradt__new_cells;
+
+// The inner functions that have versions for an instruction set; two of them are handed on alone
 typedef void (*paradt__remake_kernel)(const paradt__insertion *build, const paradt_index *waiting, int count);
+typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
+                                     paradt_index d);
+
+typedef struct paradt__kept_kernels {
+    // Digs the cells of the cavity from number `head` on, as long as the lists have room; facets may wait. Returns the
+    // number of cells that are dug.
+    size_t (*spread)(paradt__insertion *build, paradt__dig *work, const paradt__centred *centred, const double *x,
+                     size_t head);
+    // Makes the missing spheres of the cells across facets that wait. Some may be missing again afterwards: of two
+    // cells with the same slot one drives out the other.
+    paradt__remake_kernel remake;
+    // Makes the spheres of new cells, and chooses kept->start among them.
+    void (*make)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                 const paradt__centred *centred);
+    // Fills the row of a new cell: a cell's vertices but for one, and the point last.
+    void (*fill_row)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
+    // Stores the four links of a new cell.
+    paradt__links_kernel store_links;
+} paradt__kept_kernels;
 
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
 }
 
-// Looks at the facets that wait. Of the vertices across one, that opposite it is the least likely to be in the caches.
-PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__dig *dig, const paradt__centred *seen,
-                                             const double *x, paradt__remake_kernel remake) {
+// Looks at the facets that wait, whose spheres are made again together. Of the vertices of the cell across a facet the
+// one opposite the facet is the least likely to be in a cache, so it is prefetched.
+PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt__dig *dig,
+                                                const paradt__centred *centred, const double *x,
+                                                paradt__remake_kernel remake) {
     const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
@@ -8428,49 +9203,37 @@ PARADT__NOINLINE void paradt__kept_look_late(paradt__insertion *build, paradt__d
     for (i = 0; i < count; i++) {
         paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
         paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                           paradt__kept_settle(build, (paradt_index)other, seen, x));
+                           paradt__kept_settle(build, (paradt_index)other, centred, x));
     }
     dig->waiting_count = 0;
 }
 
-// Looks through the facets of the cavity's cells from number `head` on, while the lists have room for four more and for
-// those that wait, and numbers the vertices. A cell has those of the cell that it was entered from, and that opposite
-// the facet between them.
-PARADT__INLINE size_t paradt__kept_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                          const double *x, size_t head) {
+// The kernel `spread`. Numbers vertices, too: of the vertices of a cell, only the one opposite the facet by which the
+// cell was entered has not been met.
+static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                        const double *x, size_t head) {
     size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig dig = *work;
-    paradt__centred seen = *at;
-    size_t last = head + PARADT__DIG_AT_ONCE;
-    if (!head) paradt__kept_look(build, &dig, &seen, x, dig.killed[0]); // the first cell was not entered by that facet
+    paradt__centred centred = *point;
+    size_t last = head + PARADT__DIG_BATCH;
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 1) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 2) & 3));
-        paradt__kept_look(build, &dig, &seen, x, base | ((entry + 3) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 1) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 2) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 3) & 3));
     }
     *work = dig;
     return head;
 }
 
-// New cells that are no ghosts, with room for three more: 4 times their places, the numbers of their vertices
-typedef struct paradt__new_cells {
-    paradt_index *base;
-    uint16_t (*corner)[4];
-    int count;
-} paradt__new_cells;
-
-// The inner functions that have versions for an instruction set
-typedef size_t (*paradt__spread_kernel)(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head);
-typedef void (*paradt__make_kernel)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen);
-
-PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first, const paradt__centred *seen,
-                                              const double *x, paradt__spread_kernel spread,
-                                              paradt__remake_kernel remake) {
+// Digs the cavity of x from the cell `first`, which is in conflict with x. Fills update.killed with the cells' first
+// handles, and the rim; and numbers the cavity's vertices.
+PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first,
+                                              const paradt__centred *centred, const double *x,
+                                              const paradt__kept_kernels *kernels) {
     size_t head = 0, i;
     paradt__dig dig;
     dig.killed = build->update.killed;
@@ -8478,20 +9241,21 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     dig.links = build->scene.mesh.links;
     dig.table = build->kept->table;
     dig.mask = build->kept->mask;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, first) != PARADT__DEAD);
     dig.killed[0] = 4 * first;
     dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
     paradt__kept_sphere(build, first);
-    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__KNOWN;
+    dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__IN_CAVITY;
     paradt__kept_begin_numbers(build, &dig);
     for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
-        head = spread(build, &dig, seen, x, head);
+        head = kernels->spread(build, &dig, centred, x, head);
         paradt__kept_limit_numbers(&dig);
         if (head == dig.killed_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__kept_look_late(build, &dig, seen, x, remake);
+        if (dig.waiting_count) paradt__kept_look_waiting(build, &dig, centred, x, kernels->remake);
         status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
                                    dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
@@ -8504,31 +9268,32 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     build->update.killed_count = dig.killed_count;
     build->rim_count = dig.rim_count;
     paradt__kept_end_numbers(build->kept, &dig);
+    PARADT_ASSERT(dig.rim_count >= 4 && dig.rim_count % 2 == 0);
+    PARADT_ASSERT(dig.rim_count > PARADT__MOST_RIM ||
+                  build->kept->spokes_end == (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP);
     return PARADT_OK;
 }
 
-// Room for the edges of the cavity's rim, if it can be had and takes at most half of the memory that the cells take,
-// and the largest, which few stars need, at most an eighth.
+// Allocates a table of edges that is large enough for the cavity's rim, unless it would take more than half of the
+// memory that the cells take; the largest table, which few stars need, may take an eighth of it. If there is no memory
+// there is no table.
 PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    size_t star = PARADT__WIDE_RIM, vertices, rows;
+    size_t star = PARADT__WIDE_RIM, vertices, units;
     if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
         return;
     while (star < build->rim_count) star *= 2;
     vertices = 2 + star / 2;
-    rows = (vertices + PARADT__EDGE_ROW - 1) / PARADT__EDGE_ROW | 1; // odd: so they don't compete for the same lines
-    if (vertices * rows * PARADT__EDGE_ROW > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
+    units = (vertices + PARADT__EDGE_UNIT - 1) / PARADT__EDGE_UNIT | 1; // odd: columns spread over the sets of a cache
+    if (vertices * units * PARADT__EDGE_UNIT > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
     paradt__release(build->memory, s->large_edges);
     s->large_rim = 0;
     s->large_edges =
-        (paradt_index *)paradt__alloc(build->memory, vertices * rows * PARADT__EDGE_ROW, sizeof *s->large_edges);
+        (paradt_index *)paradt__alloc(build->memory, vertices * units * PARADT__EDGE_UNIT, sizeof *s->large_edges);
     if (!s->large_edges) return;
     s->large_rim = star;
-    s->large_rows = rows;
+    s->large_units = units;
 }
-
-// The vertices of a new cell: those of a cell but for one, and the point.
-typedef void (*paradt__row_kernel)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
 
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
@@ -8539,45 +9304,45 @@ static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, 
     row[3] = point;
 }
 
-// The place of the edge from one vertex to another, by their offsets, in a table of edges
-PARADT__INLINE size_t paradt__edge_slot(size_t from, size_t to, size_t rows) {
-    return from * (PARADT__EDGE_ROW * rows / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
+// Returns the index of an edge in a table of edges. from, to: offsets of its ends; units: of the table's rows
+PARADT__INLINE size_t paradt__edge_index(size_t from, size_t to, size_t units) {
+    return from * (PARADT__EDGE_UNIT * units / sizeof(paradt__spoke)) + to / sizeof(paradt__spoke);
 }
 
-// The rows of the new cells, and what is across the rim
-PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point, paradt__row_kernel turn) {
+// Fills kept->row and kept->outer.
+PARADT__INLINE void paradt__kept_rows(paradt__insertion *build, paradt_index point,
+                                      const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag inner = (paradt__tag)rim[i];
-        turn(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
+        kernels->fill_row(s->row[i], vertices + (inner & ~(paradt__tag)3), (int)(inner & 3), point);
         s->outer[i] = links[inner];
+        PARADT_ASSERT(s->table[(paradt__tag)s->outer[i] >> 2 & s->mask].tag !=
+                      ((paradt__tag)s->outer[i] >> 2 | PARADT__IN_CAVITY));
     }
 }
 
-// Enters the rim's edges.
-PARADT__INLINE void paradt__kept_outline(paradt__insertion *build, paradt_index *edges, size_t rows) {
+// Enters the edges of the rim into a table, and fills kept->offsets.
+PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_index *edges, size_t units) {
     paradt__kept *s = build->kept;
     const uint32_t *numbers = s->number + 1, first = s->first;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         const paradt_index *row = s->row[i];
         size_t a = numbers[row[0]] - first, b = numbers[row[1]] - first, c = numbers[row[2]] - first;
-        paradt_index edge = build->update.made[i];
-        uint16_t *corner = s->corner[i];
-        corner[0] = (uint16_t)a;
-        corner[1] = (uint16_t)b;
-        corner[2] = (uint16_t)c;
-        edges[paradt__edge_slot(b, c, rows)] = edge;
-        edges[paradt__edge_slot(c, a, rows)] = edge + 1;
-        edges[paradt__edge_slot(a, b, rows)] = edge + 2;
+        paradt_index base = build->update.made[i];
+        uint16_t *offsets = s->offsets[i];
+        offsets[0] = (uint16_t)a;
+        offsets[1] = (uint16_t)b;
+        offsets[2] = (uint16_t)c;
+        PARADT_ASSERT(a < s->spokes_end && b < s->spokes_end && c < s->spokes_end);
+        edges[paradt__edge_index(b, c, units)] = base;
+        edges[paradt__edge_index(c, a, units)] = base + 1;
+        edges[paradt__edge_index(a, b, units)] = base + 2;
     }
 }
-
-// The links of a new cell
-typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
-                                     paradt_index d);
 
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
@@ -8587,52 +9352,52 @@ static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt
     links[3] = d;
 }
 
-// Makes the new cells in the places of the cavity, and in fresh ones, and links them.
-PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
+// Stores the new cells at their places, and links them. A new cell sees an edge of the rim from b to c; its neighbour
+// there sees it from c to b.
+PARADT__INLINE void paradt__kept_star(paradt__insertion *build, const paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
     const paradt__kept *s = build->kept;
     paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     size_t i, count = build->rim_count;
     for (i = 0; i < count; i++) {
         paradt__tag base = (paradt__tag)build->update.made[i], outer = (paradt__tag)s->outer[i];
-        size_t a = s->corner[i][0], b = s->corner[i][1], c = s->corner[i][2];
+        size_t a = s->offsets[i][0], b = s->offsets[i][1], c = s->offsets[i][2];
         memcpy(vertices + base, s->row[i], sizeof s->row[i]);
-        put(links + base, edges[paradt__edge_slot(c, b, rows)], edges[paradt__edge_slot(a, c, rows)],
-            edges[paradt__edge_slot(b, a, rows)], (paradt_index)outer);
+        store_links(links + base, edges[paradt__edge_index(c, b, units)], edges[paradt__edge_index(a, c, units)],
+                    edges[paradt__edge_index(b, a, units)], (paradt_index)outer);
         links[outer] = (paradt_index)(base + 3);
     }
 }
 
-// The new cells and their links by a table of edges with so many times PARADT__EDGE_ROW places a row. Inlined with a
-// constant it is faster.
-PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t rows,
-                                      paradt__links_kernel put) {
-    paradt__kept_outline(build, edges, rows);
-    paradt__kept_star(build, edges, rows, put);
+// Stores and links the new cells by a table of edges. units: of its rows; a constant for common stars
+PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *edges, size_t units,
+                                      paradt__links_kernel store_links) {
+    paradt__kept_enter_edges(build, edges, units);
+    paradt__kept_star(build, edges, units, store_links);
 }
 
-// The same for more new cells than a point has as a rule
+// Stores and links the new cells of a star that is larger than common ones.
 PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     if (build->rim_count <= PARADT__WIDE_RIM)
-        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_ROWS, paradt__kept_links_plain);
-    else paradt__kept_link(build, s->large_edges, s->large_rows, paradt__kept_links_plain);
+        paradt__kept_link(build, s->wide_edges, PARADT__WIDE_UNITS, paradt__kept_links_plain);
+    else paradt__kept_link(build, s->large_edges, s->large_units, paradt__kept_links_plain);
 }
 
-// Lists the places of the new cells in update.made: those of the cavity, then more. The spheres of the next cells have
-// slots where nothing has been for long; these are fetched.
+// Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
+// Slots of places that have not been used lately are prefetched for the cells to come.
 PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
+    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
     const paradt__kept *s = build->kept;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
-    size_t count = build->rim_count, i;
-    paradt_status status =
-        update->killed_count < count ? paradt__insertion_room(build, count - update->killed_count) : PARADT_OK;
-    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + 3, build->memory);
+    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
+    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
     if (status) return status;
-    for (i = 0; i < update->killed_count && i < count; i += 4) // there is room behind both
-        memcpy(update->made + i, update->killed + i, 4 * sizeof *update->made);
-    for (i = update->killed_count; i < count; i++) {
+    for (i = 0; i < reused; i += TOGETHER)
+        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = reused; i < count; i++) {
         update->made[i] = 4 * paradt__mesh_take(mesh);
         PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
     }
@@ -8640,96 +9405,118 @@ PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
     return PARADT_OK;
 }
 
-// Four new cells that are no ghosts: the edges to their vertices, and what their spheres are made of
-typedef struct paradt__four {
-    double edge[3][4][4]; // [vertex][axis, or square][cell]
-    double normal[3][4], constant[4], error[4], power[4], least[4], least_at[4];
-} paradt__four;
-
-// Of new cells, none of them a ghost, the last one again, up to a multiple of four
+// Repeats the last of the new cells up to a multiple of four.
 PARADT__INLINE void paradt__new_cells_pad(paradt__new_cells *star) {
     int last = star->count - 1, i;
     for (i = star->count; i % 4; i++) {
         star->base[i] = star->base[last];
-        memcpy(star->corner[i], star->corner[last], sizeof star->corner[i]);
+        memcpy(star->offsets[i], star->offsets[last], sizeof star->offsets[i]);
     }
 }
 
-// The spheres of new cells, none of them a ghost, four at a time in vectors, and the next point's powers. In each of
-// the four lanes the least power so far is kept, and of which four it is.
+// Four new cells that are no ghosts, in lanes: the edges to their vertices, and what is made of them
+typedef struct paradt__four_cells {
+    double edge[3][4][4]; // [vertex][as in paradt__spoke][lane]
+    double normal[3][4], constant[4], error[4], power[4];
+    double least[4], least_at[4]; // by lane the least power so far, and the index of the first cell of that four
+} paradt__four_cells;
+
+// Fills the edges. offsets: of the four cells
+PARADT__INLINE void paradt__four_load(paradt__four_cells *four, paradt__kept *s, uint16_t (*offsets)[4]) {
+    int lane, vertex, axis;
+    for (lane = 0; lane < 4; lane++) {
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *edge = paradt__spoke_at(s->spokes, offsets[lane][vertex])->edge;
+            for (axis = 0; axis < 4; axis++) four->edge[vertex][axis][lane] = edge[axis];
+        }
+    }
+}
+
+// Makes the spheres of the four cells, and the next point's powers. p: the new point; at: index of the first cell
+PARADT__INLINE void paradt__four_make(paradt__four_cells *four, paradt__making making, const paradt__frame *frame,
+                                      const paradt__centred *p, const paradt__centred *next, double at) {
+    double(*a)[4] = four->edge[0], (*b)[4] = four->edge[1], (*c)[4] = four->edge[2];
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
+        const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
+        const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
+        double n[3], d, e;
+        paradt__sphere_make(making, frame, p, to_b, to_a, to_c, n, &d, &e);
+        for (axis = 0; axis < 3; axis++) four->normal[axis][lane] = n[axis];
+        four->constant[lane] = d;
+        four->error[lane] = e;
+        four->power[lane] = (next->lift + d) + (n[0] * next->s[0] + n[1] * next->s[1] + n[2] * next->s[2]);
+        four->least_at[lane] = four->power[lane] < four->least[lane] ? at : four->least_at[lane];
+        four->least[lane] = four->power[lane] < four->least[lane] ? four->power[lane] : four->least[lane];
+    }
+}
+
+// Stores the spheres of the four cells in the table. base: the cells' first handles
+PARADT__INLINE void paradt__four_put(const paradt__four_cells *four, const paradt__kept *s, const paradt_index *base) {
+    int lane, axis;
+    for (lane = 0; lane < 4; lane++) {
+        paradt__tag cell = (paradt__tag)base[lane] >> 2;
+        paradt__sphere *to = s->table + (cell & s->mask);
+        for (axis = 0; axis < 3; axis++) to->normal[axis] = four->normal[axis][lane];
+        to->constant = four->constant[lane];
+        to->error = four->error[lane];
+        to->tag = cell;
+    }
+}
+
+// The kernel `make` for one kind of spheres. The code of four cells has no branches, so that compilers can make vectors
+// of the lanes.
 PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__insertion *build,
-                                          paradt__new_cells *star, const double *x, const paradt__centred *seen) {
+                                          paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
-    paradt__centred p = *seen, next = s->next;
-    paradt__four four;
-    double(*a)[4] = four.edge[0], (*b)[4] = four.edge[1], (*c)[4] = four.edge[2];
-    paradt__spoke *around = s->spokes, *end = paradt__spoke_at(around, s->spokes_end);
-    int i, vertex, axis, lane, best = 0;
-    for (; around < end; around++)
-        *around = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, around->vertex));
+    paradt__centred p = *centred, next = s->next;
+    paradt__four_cells four;
+    paradt__spoke *spoke = s->spokes, *end = paradt__spoke_at(spoke, s->spokes_end);
+    int i, lane, best = 0;
+    for (; spoke < end; spoke++)
+        *spoke = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, spoke->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
     }
     paradt__new_cells_pad(star);
     for (i = 0; i < star->count; i += 4) {
-        const double at = i;
-        for (lane = 0; lane < 4; lane++) {
-            for (vertex = 0; vertex < 3; vertex++) {
-                const double *edge = paradt__spoke_at(s->spokes, star->corner[i + lane][vertex])->edge;
-                for (axis = 0; axis < 4; axis++) four.edge[vertex][axis][lane] = edge[axis];
-            }
-        }
-        for (lane = 0; lane < 4; lane++) {
-            const double to_a[4] = {a[0][lane], a[1][lane], a[2][lane], a[3][lane]};
-            const double to_b[4] = {b[0][lane], b[1][lane], b[2][lane], b[3][lane]};
-            const double to_c[4] = {c[0][lane], c[1][lane], c[2][lane], c[3][lane]};
-            double n[3], d, e;
-            paradt__sphere_make(making, &frame, &p, to_b, to_a, to_c, n, &d, &e);
-            for (axis = 0; axis < 3; axis++) four.normal[axis][lane] = n[axis];
-            four.constant[lane] = d;
-            four.error[lane] = e;
-            four.power[lane] = (next.lift + d) + (n[0] * next.s[0] + n[1] * next.s[1] + n[2] * next.s[2]);
-            four.least_at[lane] = four.power[lane] < four.least[lane] ? at : four.least_at[lane];
-            four.least[lane] = four.power[lane] < four.least[lane] ? four.power[lane] : four.least[lane];
-        }
-        for (lane = 0; lane < 4; lane++) {
-            paradt__tag cell = (paradt__tag)star->base[i + lane] >> 2;
-            paradt__sphere *to = s->table + (cell & s->mask);
-            for (axis = 0; axis < 3; axis++) to->normal[axis] = four.normal[axis][lane];
-            to->constant = four.constant[lane];
-            to->error = four.error[lane];
-            to->tag = cell;
-        }
+        paradt__four_load(&four, s, star->offsets + i);
+        paradt__four_make(&four, making, &frame, &p, &next, i);
+        paradt__four_put(&four, s, star->base + i);
     }
     for (lane = 1; lane < 4; lane++) best = four.least[lane] < four.least[best] ? lane : best;
     s->start = star->base[(int)four.least_at[best] + best] >> 2;
 }
 
+// The kernel `make` for sharp bounds
 PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *build, paradt__new_cells *star,
-                                                    const double *x, const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, seen);
+                                                    const double *x, const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
 }
 
+// The kernel `make` for sagittas; it has no twin for AVX2
 PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                               const paradt__centred *seen) {
-    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, seen);
+                                               const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                    const paradt__centred *seen) {
+                                    const paradt__centred *centred) {
     paradt__making making = build->kept->making;
     if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
-        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+        paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of the ghosts among the new cells; the others into `star`. They are told apart without branches, as
-// nothing foretells which is what: the others from the begin of its lists on, ghosts from the end.
+// Makes the functions of the ghosts among the new cells, and fills `star` with the other new cells. Tells them apart
+// without branches, as processors can't predict which is which: ghosts fill its lists from the end, the others from the
+// beginning.
 PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
-                                          const paradt__centred *seen) {
+                                          const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const size_t rim = build->rim_count;
     const paradt_index *made = build->update.made;
@@ -8738,7 +9525,7 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
     for (i = 0; i < rim; i++) {
         size_t is_ghost = (s->row[i][0] | s->row[i][1] | s->row[i][2]) < 0, at = is_ghost ? end - 1 : count;
         base[at] = made[i];
-        memcpy(s->finite_corner[at], s->corner[i], sizeof s->corner[i]);
+        memcpy(s->finite_offsets[at], s->offsets[i], sizeof s->offsets[i]);
         count += is_ghost ^ 1;
         end -= is_ghost;
     }
@@ -8746,31 +9533,31 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
         const paradt_index *vertices = build->scene.mesh.vertices + base[i];
         paradt__tag cell = (paradt__tag)base[i] >> 2;
         paradt__sphere *sphere = s->table + (cell & s->mask);
-        // the facet's vertices in the order of paradt__facet_order, but from the point on, which is the cell's last one
+        // the facet's vertices in the order of paradt__facet_order, from the point on, which is the cell's last vertex
         int q = vertices[0] < 0 ? 2 : vertices[1] < 0 ? 0 : 1, r = q ? q - 1 : 2;
-        paradt__sphere_of_facet(s, sphere, seen, x, paradt__scene_record(&build->scene, vertices[q]),
+        paradt__sphere_of_facet(s, sphere, centred, x, paradt__scene_record(&build->scene, vertices[q]),
                                 paradt__scene_record(&build->scene, vertices[r]));
         sphere->tag = cell;
     }
     star->base = base;
-    star->corner = s->finite_corner;
+    star->offsets = s->finite_offsets;
     star->count = (int)count;
 }
 
-// The spheres of the new cells, and where to start for the next point.
-PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *seen,
-                                         paradt__make_kernel make) {
+// Makes the spheres of the new cells, and chooses where the search for the next point starts.
+PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
+                                         const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     paradt__new_cells star;
     star.base = build->update.made;
-    star.corner = s->corner;
+    star.offsets = s->offsets;
     star.count = (int)build->rim_count;
     s->start = build->update.made[0] >> 2;
-    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, seen);
-    if (star.count) make(build, &star, x, seen);
+    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, centred);
+    if (star.count) kernels->make(build, &star, x, centred);
 }
 
-// Gives back the places of the cavity from number `first` on, and takes the marks off their spheres.
+// Gives back the places of the cavity's cells from number `first` on, and takes their spheres out of the table.
 static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
     paradt__kept *s = build->kept;
     const paradt__update *update = &build->update;
@@ -8779,13 +9566,13 @@ static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) 
     if (status) return status;
     for (i = first; i < update->killed_count; i++) {
         paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
-        if (*tag & PARADT__KNOWN) *tag = PARADT__NO_SPHERE;
+        if (*tag & PARADT__IN_CAVITY) *tag = PARADT__NO_SPHERE;
         paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
     }
     return PARADT_OK;
 }
 
-// Stars the cavity by >>insertion, where the rim is too large for the tables.
+// Stars a cavity whose rim is too large for the tables of edges, by >>insertion.
 static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
     paradt__kept *s = build->kept;
     paradt_status status = paradt__cavity_star(build, point);
@@ -8798,56 +9585,65 @@ static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_in
     return status ? status : paradt__kept_clear(build, 0);
 }
 
-PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
-                                                     paradt__spread_kernel spread, paradt__remake_kernel remake,
-                                                     paradt__make_kernel make, paradt__row_kernel turn,
-                                                     paradt__links_kernel put) {
+// Prepares the next insertion: sets kept->next, and prefetches the record of a later point.
+PARADT__INLINE void paradt__kept_look_ahead(const paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    const double *x = paradt__scene_record(&build->scene, point);
-    paradt__centred seen = s->next;
-    paradt_status status = paradt__kept_dig(build, paradt__kept_locate(build, &seen, x), &seen, x, spread, remake);
+    size_t next = build->inserted + 1, later = build->inserted + PARADT__INSERTIONS_AHEAD;
+    if (next < build->count)
+        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, next)));
+    if (later < build->count)
+        PARADT__PREFETCH(paradt__scene_record(&build->scene, paradt__insertion_point(build, later)));
+}
+
+// After digging: takes back the marks that stood in for evicted spheres, counts, and adapts if there is reason to.
+PARADT__INLINE void paradt__kept_dug(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
     size_t i;
-    int is_common;
-    if (status) return status;
-    if (build->inserted + 1 < build->count)
-        s->next = paradt__centred_of(
-            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + 1)));
-    if (build->inserted + PARADT__AHEAD < build->count)
-        PARADT__PREFETCH(
-            paradt__scene_record(&build->scene, paradt__insertion_point(build, build->inserted + PARADT__AHEAD)));
     for (i = 0; s->evicted && i < build->update.killed_count; i++)
         build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
     s->evicted = 0;
-    s->made += build->rim_count;
-    if (!PARADT__LIKELY(s->missed + s->vague <= s->mask)) paradt__kept_adapt(build);
+    s->made_count += build->rim_count;
+    if (!PARADT__LIKELY(s->missed_count + s->doubtful_count <= s->mask)) paradt__kept_adapt(build);
+}
+
+// Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     const paradt__kept_kernels *kernels) {
+    paradt__kept *s = build->kept;
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred centred = s->next;
+    paradt_index first = paradt__kept_locate(build, &centred, x);
+    paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
+    int is_common;
+    if (status) return status;
+    paradt__kept_look_ahead(build);
+    paradt__kept_dug(build);
     is_common = build->rim_count <= PARADT__COMMON_RIM;
     if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
     if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
         return paradt__kept_star_large(build, point);
     status = paradt__kept_places(build);
     if (status) return status;
-    paradt__kept_rows(build, point, turn);
+    paradt__kept_rows(build, point, kernels);
     if (PARADT__LIKELY(is_common))
-        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_ROW, put);
+        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_UNIT, kernels->store_links);
     else paradt__kept_link_uncommon(build);
-    paradt__kept_spheres(build, x, &seen, make);
+    paradt__kept_spheres(build, x, &centred, kernels);
+    PARADT_ASSERT(build->update.made_count == build->rim_count);
     return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
 }
 
-static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *at,
-                                        const double *x, size_t head) {
-    return paradt__kept_spread(build, work, at, x, head);
-}
-
+// Inserts the point kept->next, by plain kernels.
 static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_plain, paradt__kept_remake_plain,
-                                   paradt__kept_make_plain, paradt__kept_row_plain, paradt__kept_links_plain);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_plain, paradt__kept_remake_plain, paradt__kept_make_plain,
+                                          paradt__kept_row_plain, paradt__kept_links_plain};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 
-// Fetches what the insertion of a point in conflict with the cell looks at, up to three facets away, all at once: where
-// nothing of that is in a cache, the insertion would wait for one after another.
+// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
+// it is in a cache, the insertion would otherwise wait for one thing after another.
 PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 };
+    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
     const paradt__kept *s = build->kept;
     paradt_index around[CELLS];
     size_t count = 1, i, j;
@@ -8868,14 +9664,15 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space by AVX2
 //
-// The inner functions of >>insertion in space for four facets, cells or vertices together, chosen where the processor
-// has AVX2 and FMA. They differ from the plain ones in nothing but the last bits of powers, which decide nothing where
-// they are in doubt. In names `four` stands for four lanes. Doors: paradt__kept_insert_avx2.
+// The kernels of >>insertion in space for four facets, cells or vertices together, chosen at run time where the
+// processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and powers decide
+// nothing where these bits matter. In names `four` stands for four lanes.
+// Doors: paradt__kept_insert_avx2.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
 
-// Bytes to shuffle so that the elements of four of which the mask has bits come first
+// By mask: the shuffle that moves the elements, of four, whose bits the mask has to the front
 #define PARADT__LANE(i) 4 * (i), 4 * (i) + 1, 4 * (i) + 2, 4 * (i) + 3
 static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0), PARADT__LANE(0)},
@@ -8896,48 +9693,50 @@ static const unsigned char paradt__packing[16][16] = {
     {PARADT__LANE(0), PARADT__LANE(1), PARADT__LANE(2), PARADT__LANE(3)},
 };
 
-// The elements of which the mask has bits, first
+// Returns the elements with the bits of the mask moved to the front.
 PARADT__AVX2 PARADT__INLINE __m128i paradt__packed(__m128i elements, unsigned mask) {
     return _mm_shuffle_epi8(elements, _mm_loadu_si128((const __m128i *)(const void *)paradt__packing[mask]));
 }
 
-// Where the spheres of four cells are, or others that have their places
-typedef struct paradt__four_at {
+// The slots of four cells; each may hold another cell's sphere.
+typedef struct paradt__four_slots {
     char *a, *b, *c, *d;
-} paradt__four_at;
+} paradt__four_slots;
 
 enum { PARADT__ERROR_AT = offsetof(paradt__sphere, error), PARADT__TAG_AT = offsetof(paradt__sphere, tag) };
 
-// Of the cells across the facets of a row. Not by way of vectors, so they are known sooner.
-PARADT__INLINE paradt__four_at paradt__four_across(const paradt__dig *dig, const paradt_index *row) {
-    const paradt__tag places = 4 * dig->mask; // of handles, which times 16 are times 64 of the cells' numbers
+// Returns the slots of the four cells across the facets of a cell. links: of this cell. Vectors would take longer.
+PARADT__INLINE paradt__four_slots paradt__four_across(const paradt__dig *dig, const paradt_index *links) {
+    const paradt__tag mask = 4 * dig->mask; // of first handles: 16 times such a handle is 64 times the cell's place
     char *table = (char *)dig->table;
-    paradt__four_at at;
-    at.a = table + 16 * (size_t)((paradt__tag)row[0] & places);
-    at.b = table + 16 * (size_t)((paradt__tag)row[1] & places);
-    at.c = table + 16 * (size_t)((paradt__tag)row[2] & places);
-    at.d = table + 16 * (size_t)((paradt__tag)row[3] & places);
+    paradt__four_slots at;
+    at.a = table + 16 * (size_t)((paradt__tag)links[0] & mask);
+    at.b = table + 16 * (size_t)((paradt__tag)links[1] & mask);
+    at.c = table + 16 * (size_t)((paradt__tag)links[2] & mask);
+    at.d = table + 16 * (size_t)((paradt__tag)links[3] & mask);
     return at;
 }
 
+// Returns the products that a sphere's affine function is the sum of.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__terms(const char *sphere, __m256d query) {
     return _mm256_mul_pd(_mm256_load_pd((const double *)(const void *)sphere), query);
 }
 
-// A point's powers. query: its place and 1; lift: its lift, four times
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_at at, __m256d query, __m256d lift) {
+// Returns a point's powers with regard to four spheres. query: its coordinates and 1; lift: its lift, four times
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_powers(paradt__four_slots at, __m256d query, __m256d lift) {
     __m256d ab = _mm256_hadd_pd(paradt__terms(at.a, query), paradt__terms(at.b, query));
     __m256d cd = _mm256_hadd_pd(paradt__terms(at.c, query), paradt__terms(at.d, query));
     __m256d ends = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x31), lift);
     return _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), ends);
 }
 
+// Returns the errors of two spheres.
 PARADT__AVX2 PARADT__INLINE __m128d paradt__two_errors(const char *a, const char *b) {
     __m128d error = _mm_load_sd((const double *)(const void *)(a + PARADT__ERROR_AT));
     return _mm_loadh_pd(error, (const double *)(const void *)(b + PARADT__ERROR_AT));
 }
 
-PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_errors(paradt__four_slots at) {
     __m128d ab = paradt__two_errors(at.a, at.b), cd = paradt__two_errors(at.c, at.d);
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(ab), cd, 1);
 }
@@ -8946,49 +9745,50 @@ PARADT__INLINE int *paradt__tag_at(char *sphere) {
     return (int *)(void *)(sphere + PARADT__TAG_AT);
 }
 
-PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_at at) {
+PARADT__AVX2 PARADT__INLINE __m128i paradt__four_tags(paradt__four_slots at) {
     __m128i tags = _mm_cvtsi32_si128(*paradt__tag_at(at.a));
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.b), 1);
     tags = _mm_insert_epi32(tags, *paradt__tag_at(at.c), 2);
     return _mm_insert_epi32(tags, *paradt__tag_at(at.d), 3);
 }
 
-// The cells become the tags, with a mark where the power is negative: its sign, narrowed to 32 bits.
-PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_at at, __m128i cells, __m256d power) {
+// Stores the tags of four cells, with PARADT__IN_CAVITY where the power is negative: the signs, narrowed to 32 bits.
+PARADT__AVX2 PARADT__INLINE void paradt__four_mark(paradt__four_slots at, __m128i cells, __m256d power) {
     __m128i tags = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(power)),
                                                    _mm_castpd_ps(_mm256_extractf128_pd(power, 1)), 0xdd));
-    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__KNOWN)));
+    tags = _mm_or_si128(cells, _mm_and_si128(tags, _mm_set1_epi32((int)PARADT__IN_CAVITY)));
     *paradt__tag_at(at.a) = _mm_cvtsi128_si32(tags);
     *paradt__tag_at(at.b) = _mm_extract_epi32(tags, 1);
     *paradt__tag_at(at.c) = _mm_extract_epi32(tags, 2);
     *paradt__tag_at(at.d) = _mm_extract_epi32(tags, 3);
 }
 
+// Returns a mask of the negative elements.
 PARADT__AVX2 PARADT__INLINE unsigned paradt__signs_avx2(__m128i x) {
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(x));
 }
 
-// Facets wait behind which a sphere is missing or the power does not tell. The order of the statements matters for
-// speed.
+// The kernel `spread`. A facet waits if the sphere of the cell across is missing or the power with regard to it does
+// not tell. The order of the statements matters for speed.
 PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, paradt__dig *work,
-                                                    const paradt__centred *seen, const double *x, size_t head) {
+                                                    const paradt__centred *centred, const double *x, size_t head) {
     paradt__dig dig = *work;
     const size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM - dig.killed_count;
     const size_t facets = build->rim_capacity - PARADT__DIG_ROOM - dig.rim_count;
     const size_t room = (cells < facets ? cells : facets) / 4;
-    const __m256d query = _mm256_setr_pd(seen->s[0], seen->s[1], seen->s[2], 1.0);
-    const __m256d lift = _mm256_set1_pd(seen->lift), sign = _mm256_set1_pd(-0.0);
-    const __m128i marks = _mm_set1_epi32((int)PARADT__KNOWN), order = _mm_setr_epi32(0, 1, 2, 3);
+    const __m256d query = _mm256_setr_pd(centred->s[0], centred->s[1], centred->s[2], 1.0);
+    const __m256d lift = _mm256_set1_pd(centred->lift), sign = _mm256_set1_pd(-0.0);
+    const __m128i marks = _mm_set1_epi32((int)PARADT__IN_CAVITY), order = _mm_setr_epi32(0, 1, 2, 3);
     paradt_index *cell = dig.killed + head, *end = dig.killed + dig.killed_count, *rim = dig.rim + dig.rim_count;
-    paradt_index *last = cell + (room < PARADT__DIG_AT_ONCE ? room : PARADT__DIG_AT_ONCE - 1);
-    paradt__sphere nowhere; // what no cell is marked in
+    paradt_index *last = cell + (room < PARADT__DIG_BATCH ? room : PARADT__DIG_BATCH - 1);
+    paradt__sphere nowhere; // where tags are stored that are not to be
     (void)x;
     for (; cell < end && cell <= last; cell++) {
         paradt_index entry = *cell, base = entry & ~(paradt_index)3;
         const paradt_index *row = dig.links + (paradt__tag)base;
         __m128i across = _mm_loadu_si128((const __m128i *)(const void *)row), others = _mm_srli_epi32(across, 2);
         __m128i here = _mm_castps_si128(_mm_broadcast_ss((const float *)(const void *)cell)), tags;
-        paradt__four_at at = paradt__four_across(&dig, row);
+        paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
@@ -9009,7 +9809,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
             _mm_storeu_si128((__m128i *)(void *)(build->kept->waiting + dig.waiting_count),
                              paradt__packed(here, sure ^ 15));
             dig.waiting_count += __builtin_popcount(sure ^ 15);
-            if (dig.waiting_count > PARADT__LATE - 4) last = cell;
+            if (dig.waiting_count > PARADT__MOST_WAITING - 4) last = cell;
             at.a = sure & 1 ? at.a : (char *)&nowhere;
             at.b = sure & 2 ? at.b : (char *)&nowhere;
             at.c = sure & 4 ? at.c : (char *)&nowhere;
@@ -9038,14 +9838,14 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__dot_avx2(const __m256d *a, const __m
     return _mm256_fmadd_pd(a[2], b[2], _mm256_fmadd_pd(a[1], b[1], _mm256_mul_pd(a[0], b[0])));
 }
 
-// a x b along an axis; with sign -1 the sum of its two terms instead: of sizes, their size
+// Returns a component of a x b; with sign -1 the sum of its two terms instead of their difference.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const __m256d *b, int axis, int sign) {
     int j = (axis + 1) % 3, k = (axis + 2) % 3;
     __m256d product = _mm256_mul_pd(a[k], b[j]);
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
-// P and sum N_j h_j of paradt__sphere_make, for four cells
+// Computes P and sum N_j h_j of paradt__sphere_make for four cells.
 PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
                                                     const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
@@ -9075,8 +9875,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
     }
 }
 
-// The spheres of four cells, as paradt__sphere_make makes them: the normals by axis, and the constants. p: by axis,
-// and the lift, as the spheres see it; a, b, c: by axis, and the squares of the lengths
+// Makes the spheres of four cells, as paradt__sphere_make does. sphere: the normals by axis, and the constants; p: by
+// axis relative to the box's centre, and the lift; a, b, c: by axis, and the squares of their lengths
 PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
@@ -9107,7 +9907,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__f
                               _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
 }
 
-// Four columns to four rows
+// Stores four columns as four rows.
 PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double *a, double *b, double *c, double *d) {
     __m256d xy_02 = _mm256_unpacklo_pd(column[0], column[1]), xy_13 = _mm256_unpackhi_pd(column[0], column[1]);
     __m256d zw_02 = _mm256_unpacklo_pd(column[2], column[3]), zw_13 = _mm256_unpackhi_pd(column[2], column[3]);
@@ -9117,11 +9917,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_rows(const __m256d *column, double
     _mm256_storeu_pd(d, _mm256_permute2f128_pd(xy_13, zw_13, 0x31));
 }
 
-// Puts the spheres of four cells into the table.
+// Stores the spheres of four cells in the table.
 PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, paradt__tag mask, __m128i cells,
                                                     const __m256d *sphere, __m256d error) {
-    __m128i places = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
-    uint64_t low = (uint64_t)_mm_cvtsi128_si64(places), high = (uint64_t)_mm_extract_epi64(places, 1);
+    __m128i slots = _mm_slli_epi32(_mm_and_si128(cells, _mm_set1_epi32((int)mask)), 6);
+    uint64_t low = (uint64_t)_mm_cvtsi128_si64(slots), high = (uint64_t)_mm_extract_epi64(slots, 1);
     double *to[4];
     __m256d tags = _mm256_castsi256_pd(_mm256_cvtepu32_epi64(cells));
     __m256d rest_02 = _mm256_unpacklo_pd(error, tags), rest_13 = _mm256_unpackhi_pd(error, tags);
@@ -9136,9 +9936,9 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, parad
     _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
 }
 
-// Four places, by axis, less a point
-PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const double *b, const double *c, const double *d,
-                                                     const __m256d *point, __m256d *to) {
+// Returns the differences of four points to another point, by axis.
+PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const double *b, const double *c,
+                                                          const double *d, const __m256d *point, __m256d *to) {
     __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
     __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
     __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
@@ -9148,33 +9948,34 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_places(const double *a, const doub
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// The edges to the vertices around the point, in the place of these
+// Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
+// four.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
-    for (i = 0; i < 3; i++) end[i].vertex = 0; // they are made four at a time: any will do behind the last
+    for (i = 0; i < 3; i++) end[i].vertex = 0;
     for (; at < end; at += 4) {
         __m256d to[4];
-        paradt__four_places(paradt__scene_record(&build->scene, at[0].vertex),
-                            paradt__scene_record(&build->scene, at[1].vertex),
-                            paradt__scene_record(&build->scene, at[2].vertex),
-                            paradt__scene_record(&build->scene, at[3].vertex), point, to);
+        paradt__four_differences(paradt__scene_record(&build->scene, at[0].vertex),
+                                 paradt__scene_record(&build->scene, at[1].vertex),
+                                 paradt__scene_record(&build->scene, at[2].vertex),
+                                 paradt__scene_record(&build->scene, at[3].vertex), point, to);
         to[3] = paradt__dot_avx2(to, to);
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
 }
 
-// Half of two rows
+// Returns two elements of a row and two of another.
 PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
 }
 
-// The edges to the vertices that four new cells have in a place
-PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (*corner)[4], int place, __m256d *to) {
-    const double *a = paradt__spoke_at(s->spokes, corner[0][place])->edge;
-    const double *b = paradt__spoke_at(s->spokes, corner[1][place])->edge;
-    const double *c = paradt__spoke_at(s->spokes, corner[2][place])->edge;
-    const double *d = paradt__spoke_at(s->spokes, corner[3][place])->edge;
+// Returns, by axis, the edges to the vertices with number `vertex` of four new cells.
+PARADT__AVX2 PARADT__INLINE void paradt__four_edges(paradt__kept *s, uint16_t (*offsets)[4], int vertex, __m256d *to) {
+    const double *a = paradt__spoke_at(s->spokes, offsets[0][vertex])->edge;
+    const double *b = paradt__spoke_at(s->spokes, offsets[1][vertex])->edge;
+    const double *c = paradt__spoke_at(s->spokes, offsets[2][vertex])->edge;
+    const double *d = paradt__spoke_at(s->spokes, offsets[3][vertex])->edge;
     __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d);
     __m256d zl_02 = paradt__two_halves(a + 2, c + 2), zl_13 = paradt__two_halves(b + 2, d + 2);
     to[0] = _mm256_unpacklo_pd(xy_02, xy_13);
@@ -9183,7 +9984,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_around(paradt__kept *s, uint16_t (
     to[3] = _mm256_unpackhi_pd(zl_02, zl_13);
 }
 
-// Of four cells that with the least power
+// Returns that of four cells which has the least power.
 PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m128i cells) {
     int cell[4];
     __m256d least = _mm256_min_pd(powers, _mm256_permute2f128_pd(powers, powers, 1));
@@ -9192,13 +9993,14 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
+// The kernel `make` for quick or sharp bounds
 PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
                                                         paradt__new_cells *star, const double *x,
-                                                        const paradt__centred *seen) {
+                                                        const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
-    const __m256d p[4] = {_mm256_set1_pd(seen->s[0]), _mm256_set1_pd(seen->s[1]), _mm256_set1_pd(seen->s[2]),
-                          _mm256_set1_pd(seen->lift)};
+    const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_set1_pd(centred->s[2]),
+                          _mm256_set1_pd(centred->lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
     const paradt__frame frame = s->frame;
     paradt__sphere *table = s->table;
@@ -9211,12 +10013,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
         __m128i cells = _mm_srli_epi32(_mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), 2), is_less;
-        paradt__four_around(s, star->corner + i, 1, a);
-        paradt__four_around(s, star->corner + i, 0, b);
-        paradt__four_around(s, star->corner + i, 2, c);
+        paradt__four_edges(s, star->offsets + i, 1, a);
+        paradt__four_edges(s, star->offsets + i, 0, b);
+        paradt__four_edges(s, star->offsets + i, 2, c);
         paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
         paradt__four_store(table, mask, cells, sphere, error);
-        power = _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // less the next point's lift
+        power =
+            _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // without the next point's lift, which all have
         less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
         least = _mm256_min_pd(power, least);
         is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
@@ -9227,19 +10030,19 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
 }
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                                const double *x, const paradt__centred *seen) {
-    paradt__kept_make_four(1, build, star, x, seen);
+                                                                const double *x, const paradt__centred *centred) {
+    paradt__kept_make_four(1, build, star, x, centred);
 }
 
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
-                                                const double *x, const paradt__centred *seen) {
+                                                const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, seen);
-    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, seen);
-    else paradt__kept_make_graded(build, star, x, seen);
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, centred);
+    else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, centred);
+    else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// The spheres of four cells that are not in the table, none of them a ghost
+// Makes the spheres of four cells again, none of them a ghost.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
     const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
@@ -9249,10 +10052,10 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_places(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
-                            paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
+        paradt__four_differences(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
+                                 paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
@@ -9265,10 +10068,11 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertio
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
+// The kernel `remake`. Ghosts stay missing: there are few, and they are made one by one when they are needed.
 PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build, const paradt_index *waiting,
                                                   int count) {
     const paradt__kept *s = build->kept;
-    int cells[PARADT__LATE + 3], missing = 0, i;
+    int cells[PARADT__MOST_WAITING + 3], missing = 0, i;
     if (s->making == PARADT__MAKE_GRADED) {
         paradt__kept_remake_plain(build, waiting, count);
         return;
@@ -9276,7 +10080,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < count; i++) {
         paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
-        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__KNOWN) != (paradt__tag)cell) &
+        missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__IN_CAVITY) != (paradt__tag)cell) &
                    paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
@@ -9285,16 +10089,17 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) {
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
-            sphere->tag |= PARADT__KNOWN;
+            sphere->tag |= PARADT__IN_CAVITY;
     }
 }
 
-// The shuffles for paradt__facet_order; the last place is left empty.
-#define PARADT__TURN(a, b, c)                                                                                          \
+// paradt__facet_order as shuffles, which leave the last element 0
+#define PARADT__FACET_SHUFFLE(a, b, c)                                                                                 \
     { PARADT__LANE(a), PARADT__LANE(b), PARADT__LANE(c), 128, 128, 128, 128 }
-static const unsigned char paradt__facet_shuffle[4][16] = {PARADT__TURN(1, 3, 2), PARADT__TURN(0, 2, 3),
-                                                           PARADT__TURN(1, 0, 3), PARADT__TURN(0, 1, 2)};
-#undef PARADT__TURN
+static const unsigned char paradt__facet_shuffle[4][16] = {
+    PARADT__FACET_SHUFFLE(1, 3, 2), PARADT__FACET_SHUFFLE(0, 2, 3), PARADT__FACET_SHUFFLE(1, 0, 3),
+    PARADT__FACET_SHUFFLE(0, 1, 2)};
+#undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
@@ -9305,28 +10110,35 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store: what reads all four soon need not wait until they are in the cache.
+// One store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
 }
 
+// Inserts the point kept->next, by these kernels.
 PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
-    return paradt__kept_insert_any(build, point, paradt__kept_spread_avx2, paradt__kept_remake_avx2,
-                                   paradt__kept_make_avx2, paradt__kept_row_avx2, paradt__kept_links_avx2);
+    const paradt__kept_kernels kernels = {paradt__kept_spread_avx2, paradt__kept_remake_avx2, paradt__kept_make_avx2,
+                                          paradt__kept_row_avx2, paradt__kept_links_avx2};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>inserting
 //
-// Insertions from begin to end: points in their order, with pauses, and one more point at a time. Where spheres can be
-// kept they are, else the insertion is that in any dimension; nobody else need know which.
-// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
-// paradt__insertion_go, paradt__insertion_go_on, paradt__insert_one_more, paradt__insertion_start,
-// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
+// Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
+// between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
+//
+// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
+// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
+// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
+// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
+// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
+// paradt__bowyer_watson.
 
-// Frees what only changes need; the mesh stays, without marks and free places.
+// Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
     paradt__update_free(&build->update, build->memory);
     paradt__release(build->memory, build->rim);
@@ -9337,15 +10149,16 @@ static void paradt__insertion_rest(paradt__insertion *build) {
     build->kept = NULL;
 }
 
+// Frees everything.
 static void paradt__insertion_end(paradt__insertion *build) {
     paradt__insertion_rest(build);
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
 
-// Points that span the set come first in the order.
+// Moves dim + 1 points that span the space to the front of the order.
 static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
-    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters);
+    int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
         while (order[at] != basis[i]) at++;
@@ -9356,6 +10169,7 @@ static void paradt__insertion_span_first(const paradt__set *set, paradt_index *o
 
 typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
 
+// Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
     if (!build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
@@ -9364,13 +10178,13 @@ static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) 
     return paradt__kept_insert;
 }
 
-// Inserts the points that are left, in their order, until it pauses.
+// Inserts the points that are left, in their order, until there are none or the relay says to pause.
 static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt__progress *progress) {
     paradt__inserter insert = paradt__choose_inserter(build);
     paradt_status status = PARADT_OK;
     size_t i;
     for (i = build->inserted; i < build->count && !status; i++) {
-        if (i % 1024 == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
+        if (i % PARADT__REPORT_STEP == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
         status = insert(build, paradt__insertion_point(build, i));
         if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
@@ -9380,7 +10194,8 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
     return status;
 }
 
-// Inserts all points: the first, which span, make the first cells. After a pause paradt__insertion_go goes on.
+// Makes the first cells of the points that come first, which span the space, and inserts the others as
+// paradt__insertion_go does.
 static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
@@ -9396,16 +10211,17 @@ static paradt_status paradt__insertion_run(paradt__insertion *build, const parad
     return status ? status : paradt__insertion_go(build, progress);
 }
 
-// A cell near the last point
+// Returns a cell near the point that was inserted last.
 PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
     return build->kept ? build->kept->start : build->scene.hint;
 }
 
-// Prepares the insertion of more points, which have been counted. first: the next; numbers: of points that there are;
-// cell: where the search for the first begins
+// Prepares the insertion of more points; build->count has been increased. first: the first of them; numbers: the number
+// of points that there are; cell: where the search for the first begins
 static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_index first, size_t numbers,
                                              paradt_index cell) {
     paradt__kept *kept = build->kept;
+    PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
     if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
@@ -9415,8 +10231,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     return PARADT_OK;
 }
 
-// Inserts a point that has just been counted. cell: in conflict with the point; or negative: one is walked to, by
-// orientations, for the spheres on the way are in no table.
+// Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
+// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
 static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
     paradt__kept *kept = build->kept;
     paradt_status status;
@@ -9428,7 +10244,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     build->order = NULL;
     build->inserted = build->count - 1;
     if (kept) {
-        kept->missed = 0; // such points are here and there: no larger table would have their spheres
+        kept->missed_count = 0; // such points are here and there: a larger table would not have their spheres either
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
@@ -9436,7 +10252,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     return status;
 }
 
-// Takes records as those of the set are.
+// Notes how the records of the set are laid out, and what is known of their sagittas.
 static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
     build->scene.width = set->width;
     build->graded = set->grade == PARADT__SAGITTA;
@@ -9444,7 +10260,7 @@ static void paradt__insertion_layout(paradt__insertion *build, const paradt__set
     build->grade_error = set->grade_error;
 }
 
-// Before paradt__insertion_run: the insertion of a set in an order, which gets points that span the set first.
+// Begins the insertion of a set in an order. Points that span the space are moved to the front of the order.
 static void paradt__insertion_begin(paradt__insertion *build, const paradt__set *set, paradt_index *order,
                                     paradt__memory *memory) {
     memset(build, 0, sizeof *build);
@@ -9458,7 +10274,8 @@ static void paradt__insertion_begin(paradt__insertion *build, const paradt__set 
     build->count = set->count;
 }
 
-// Makes the mesh of the set, whose points are along a curve, by insertion: closed by ghosts, vertices are positions.
+// Makes the closed mesh of a set, whose points are along a curve, by insertion. Vertices are positions in the set.
+// After an error the mesh is empty.
 static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                            const paradt__progress *progress, paradt__counters *counters) {
     paradt__insertion build;
@@ -9475,6 +10292,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
     return status;
 }
 
+#ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of fronts
 //
@@ -9590,6 +10408,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
     paradt__facets_free(&table, memory);
     return status;
 }
+#endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>fringe
@@ -9622,30 +10441,29 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // paradt__owns.
 
 // Adds a place to the list of the fringe, unless it is marked as listed.
-PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, const paradt__mesh *mesh, paradt_index place,
+PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__mesh *mesh, paradt_index place,
                                                 paradt__memory *memory) {
-    if (mesh->marks[place] & PARADT__LISTED) return PARADT_OK;
-    mesh->marks[place] |= PARADT__LISTED;
-    return paradt__list_append(fringe, place, memory);
+    return paradt__mesh_mark(mesh, (size_t)place, PARADT__LISTED) ? paradt__list_append(fringe, place, memory)
+                                                                  : PARADT_OK;
 }
 
 // Adds the first place of the fringe from *place on, which *place becomes; or, if there is none, mesh->count. corners:
 // the mesh's; inlined with a constant
-PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, const paradt__mesh *mesh, size_t corners,
+PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, paradt__mesh *mesh, size_t corners,
                                                      paradt_index own, size_t *place, paradt__memory *memory) {
     *place = paradt__mesh_fringe_from(mesh, corners, own, *place);
     return *place < mesh->count ? paradt__fringe_add(fringe, mesh, (paradt_index)*place, memory) : PARADT_OK;
 }
 
 // Empties the list of the fringe.
-static void paradt__fringe_forget(paradt__list *fringe, const paradt__mesh *mesh) {
+static void paradt__fringe_forget(paradt__list *fringe, paradt__mesh *mesh) {
     size_t i;
-    for (i = 0; i < fringe->count; i++) mesh->marks[fringe->items[i]] &= (unsigned char)~PARADT__LISTED;
+    for (i = 0; i < fringe->count; i++) paradt__mesh_unmark(mesh, (size_t)fringe->items[i], PARADT__LISTED);
     fringe->count = 0;
 }
 
 // Lists the fringe anew.
-static paradt_status paradt__fringe_list(paradt__list *fringe, const paradt__mesh *mesh, paradt_index own,
+static paradt_status paradt__fringe_list(paradt__list *fringe, paradt__mesh *mesh, paradt_index own,
                                          paradt__memory *memory) {
     paradt_status status = PARADT_OK;
     size_t place = 0;
@@ -9808,7 +10626,7 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
 // Frees what only building needs: all patches wait together for the last step.
 static void paradt__patch_rest(paradt__patch *patch) {
     paradt__insertion_rest(&patch->build);
-    paradt__mesh_unmark(&patch->build.scene.mesh, patch->memory);
+    paradt__mesh_free_marks(&patch->build.scene.mesh, patch->memory);
     paradt__release(patch->memory, patch->order);
     if (!patch->records_lent) paradt__release(patch->memory, patch->records);
     paradt__release(patch->memory, patch->a_cell);
@@ -9990,7 +10808,7 @@ static int paradt__spans(const paradt__set *set) {
     paradt__counters counters;
     memset(&counters, 0, sizeof counters);
     return set->count > (size_t)set->space.dim &&
-           paradt__set_basis(set, NULL, 0, basis, NULL, &counters) == set->space.dim + 1;
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
 }
 
 // If the patch's points do not span the space, adds those of `basis` that it has not got; basis: positions of points
@@ -10058,8 +10876,8 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 // cells have to wait in turn. A cell need not be asked about if its sphere is inside K, nor, near a sphere, a ghost
 // whose facet cuts a cap off that sphere which is inside K.
 //
-// A question about a cell is put to the other fields one by one, in one of two ways. Through the field's grid: see
-// >>questions; near a sphere the questions are asked with sagittas. Or through the neighbours of a vertex:
+// A question about a cell is put to the other fields one by one, in one of two ways. Through the field's grid, by
+// the doors of >>questions, near a sphere with sagittas. Or through the neighbours of a vertex:
 //
 // Let v be a vertex of the cell, or of the ghost's facet, and a point of a set Q. If any point of Q is in conflict with
 // the cell, so is one of v's neighbours in T(Q). For, lifted, Q is in the convex cone that the edges at v and the
@@ -10093,15 +10911,14 @@ static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) 
 
 // Adds a cell to those that wait, unless it waits or has been asked about.
 static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
-    unsigned char *mark = patch->build.scene.mesh.marks + cell;
-    if (*mark & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
-    *mark |= PARADT__WAITING;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    if (mesh->marks[cell] & PARADT__ASKED || !paradt__mesh_mark(mesh, (size_t)cell, PARADT__WAITING)) return PARADT_OK;
     return paradt__list_append(&patch->waiting, cell, patch->memory);
 }
 
 // Lists the fringe, and has its suspects wait. corners: the mesh's; inlined with a constant
 PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_index own = (paradt_index)patch->own->set.count, outer = (paradt_index)patch->outer;
     paradt_status status = PARADT_OK;
     size_t place = 0;
@@ -10241,14 +11058,14 @@ PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index c
 // wait.
 static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
     paradt__insertion *build = &patch->build;
-    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
     size_t i;
     paradt_status status = paradt__patch_add(patch, position);
     if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
     patch->answer_cells += update->made_count;
     for (i = 0; i < update->killed_count && !status; i++)
-        mesh->marks[paradt__mesh_cell(mesh, update->killed[i])] &= PARADT__LISTED; // new cells may be there
+        paradt__mesh_unmark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[i]), PARADT__WAITING | PARADT__ASKED);
     for (i = 0; i < update->made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(mesh, update->made[i]);
         PARADT_ASSERT(!(mesh->marks[made] & (PARADT__WAITING | PARADT__ASKED)));
@@ -10261,12 +11078,13 @@ static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position,
 
 // Asks about a cell and inserts the answer, if there is one; or defers the cell.
 static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
     const paradt__field *field = patch->fields, *end = field + patch->field_count;
     int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), mesh->corners);
     paradt_index answer = -1;
     if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
-    mesh->marks[cell] = (unsigned char)((mesh->marks[cell] & ~PARADT__WAITING) | PARADT__ASKED);
+    paradt__mesh_unmark(mesh, (size_t)cell, PARADT__WAITING);
+    paradt__mesh_mark(mesh, (size_t)cell, PARADT__ASKED);
     if (paradt__patch_on_seam(patch, cell)) {
         paradt_status status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
         if (status) return status;
@@ -10444,7 +11262,7 @@ static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_inde
 
 // Lists the seam of a region that has all cells of T(P) with its vertices.
 static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
     size_t i;
     paradt_status status = PARADT_OK;
     PARADT_ASSERT(!patch->waiting.count && !patch->deferred.count && !patch->own_points_only);
@@ -10452,7 +11270,7 @@ static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
     for (i = 0; i < patch->seam_cells.count && !status; i++) {
         paradt_index cell = patch->seam_cells.items[i];
         if (!(mesh->marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue; // another one by now
-        mesh->marks[cell] &= (unsigned char)~PARADT__ASKED; // it may be listed twice
+        paradt__mesh_unmark(mesh, (size_t)cell, PARADT__ASKED); // it may be listed twice
         status = paradt__patch_add_to_seam(patch, cell);
     }
     return status;
@@ -10525,9 +11343,7 @@ PARADT__INLINE int paradt__seam_stops(const paradt__seam *seam, const paradt__me
 
 // Lists a wrong cell, unless it is listed.
 static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
-    unsigned char *mark = patch->build.scene.mesh.marks + cell;
-    if (*mark & PARADT__WRONG) return PARADT_OK;
-    *mark |= PARADT__WRONG;
+    if (!paradt__mesh_mark(&patch->build.scene.mesh, (size_t)cell, PARADT__WRONG)) return PARADT_OK;
     return paradt__list_append(&patch->wrong, cell, patch->memory);
 }
 
@@ -10592,7 +11408,7 @@ static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam
 
 // Lists the ghosts that are reached from those in the fringe's list through facets.
 static paradt_status paradt__patch_flood_ghosts(paradt__patch *patch) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_index corners = (paradt_index)mesh->corners, i;
     size_t next;
     paradt_status status = PARADT_OK;
@@ -10609,7 +11425,7 @@ static paradt_status paradt__patch_flood_ghosts(paradt__patch *patch) {
 
 // Lists the first region's fringe, which are its ghosts. If any ghost is wrong, so is the first cell that was listed.
 static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_status status;
     if (!patch->wrong.count || paradt__is_finite_cell(paradt__mesh_row(mesh, patch->wrong.items[0]), mesh->corners))
         return paradt__fringe_list(&patch->fringe, mesh, PARADT__NOWHERE, patch->memory);
@@ -10792,18 +11608,1308 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>triangulate
+// >>known points
+//
+// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
+// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
+// the own points are the first. It is compiled where paradt_mpi.h is implemented.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
 
-// How a method builds: facet by facet from a front, or (NULL) by insertion; both for any region.
-typedef paradt_status (*paradt__front_method)(paradt__front *front);
+#ifdef PARADT_MPI_IMPLEMENTATION
+#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
 
-static paradt__front_method paradt__choose_front(paradt_method method) {
-    static const paradt__front_method methods[PARADT_METHOD_COUNT] = {NULL, paradt__incode, paradt__dewall, NULL};
-    return methods[method];
+typedef struct paradt__known {
+    paradt__insertion build;
+    paradt_index *order; // of the insertion of the first points
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
+    // such ones have been, and few more than once
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
+} paradt__known;
+
+static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
+    known->build.memory = memory;
+    paradt__insertion_end(&known->build);
+    paradt__release(memory, known->fringe);
+    paradt__release(memory, known->order);
+    memset(known, 0, sizeof *known);
 }
+
+// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
+// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
+// box, as ordered bits
+static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
+                                         const int64_t *high, paradt__memory *memory,
+                                         const paradt__progress *progress) {
+    paradt__curve curve;
+    memset(known, 0, sizeof *known);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    known->order = paradt__merged_order(set, own, &curve, memory);
+    if (!known->order) return PARADT_ERROR_MEMORY;
+    paradt__insertion_begin(&known->build, set, known->order, memory);
+    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&known->build, progress);
+}
+
+// Puts a place on the list of the fringe.
+PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
+    size_t count = known->fringe_count;
+    paradt_status status =
+        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
+    if (status) return status;
+    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
+    known->fringe[known->fringe_count++] = (paradt_index)place;
+    return PARADT_OK;
+}
+
+// Forgets the list of the fringe, to make it anew.
+static void paradt__known_relist(paradt__known *known) {
+    size_t i;
+    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
+    known->fringe_count = 0;
+}
+
+// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
+// positions are the own points'.
+PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
+    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+}
+
+// Lists all of it.
+static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
+        status = paradt__known_list(known, own, &place);
+    return status;
+}
+
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
+// where such cells were.
+static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
+    paradt__insertion *build = &known->build;
+    size_t i;
+    paradt_status status;
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+    }
+    return status;
+}
+
+// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
+// that is missing? See >>fringe: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
+// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
+PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
+                                             const unsigned char *outer) {
+    int suspect = share == 1;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        int other = vertices[j] >= own;
+        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
+    }
+    return suspect;
+}
+
+// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
+    paradt__insertion_rest(&known->build);
+    paradt__release(memory, known->order);
+    known->order = NULL;
+}
+
+// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
+// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+enum {
+    PARADT__NO_VERTEX = 0,
+    PARADT__VERTEX = 1,
+    PARADT__OF_OWN_CELL = 2,
+    PARADT__OF_NONE_DROPPED = 4,
+    PARADT__OF_LATER_RANK = 8
+};
+
+PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
+                                          paradt_index bits) {
+    size_t j;
+    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
+}
+
+// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
+// are the own points'; mark: of all points, says which are a later rank's.
+PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                       const paradt_index *mark) {
+    paradt_index bits = 0;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        share |= vertices[j] < own;
+        bits |= mark[vertices[j]];
+    }
+    return share && !(bits & PARADT__OF_LATER_RANK);
+}
+
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
+// marked as dropped. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
+                                            paradt_index *mark) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    size_t count = known->fringe_count, i, j, left = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index place = known->fringe[i];
+        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
+        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        if (vertices[0] == PARADT__DEAD) continue;
+        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+            continue;
+        }
+        if (known->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        for (j = 0; j < corners && is_cell; j++)
+            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        others += (uint64_t)is_cell;
+        known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
+        known->fringe[left++] = place;
+    }
+    known->fringe_count = left;
+    return others;
+}
+
+// Is a vertex of the cell an own point that was not found to be one of an own cell?
+PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
+                                        const paradt_index *mark) {
+    int leaves = 0;
+    size_t j;
+    for (j = 0; j < corners; j++)
+        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
+    return leaves;
+}
+
+// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
+// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
+// others' points have had their vertices marked already.
+PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
+    paradt__mesh *cells = &known->build.scene.mesh;
+    size_t i, j, count = known->fringe_count;
+    for (i = 0; i < count; i++) {
+        size_t base = (size_t)known->fringe[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        for (j = 0; j < corners; j++) {
+            paradt_index link = cells->links[base + j];
+            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
+            if (PARADT__LIKELY(known->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
+            if (paradt__known_leaves(cells->vertices + base, corners, own, mark) &&
+                paradt__vertices_among(across, (int)corners, 0, own))
+                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+    }
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+}
+
+PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
+                                                  paradt_index *mark) {
+    uint64_t others = paradt__known_judge(known, own, corners, mark);
+    paradt__known_drop(known, own, corners, mark);
+    return others;
+}
+
+// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
+// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
+// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
+// cells are dropped since others own them.
+static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
+                                  paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &known->build;
+    paradt_index own = (paradt_index)set->count;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    uint64_t others;
+    // of points without weights none is hidden
+    for (i = 0; i < set->count; i++)
+        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
+    others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
+                          : paradt__known_drop_others(known, own, corners, mark);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
+    paradt__release(memory, known->fringe);
+    *cells = build->scene.mesh;
+    memset(known, 0, sizeof *known);
+    return others;
+}
+
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>call
+//
+// What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
+// the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
+// memory are joined, and what is left of the limit is shared among them anew.
+// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
+// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
+// paradt__region_view_of, paradt__may_insert, paradt__build_front.
+
+struct paradt__front;
+struct paradt__work;
+
+// One row a method: what it can do, and its functions
+typedef struct paradt__method {
+    unsigned can;                                        // PARADT__CAN_* bits
+    int least_dim, most_dim;                             // affine dimensions
+    paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
+    paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
+} paradt__method;
+
+enum {
+    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_REGIONS = 2, // divided space
+    PARADT__CAN_LINK = 4,    // neighbours
+    PARADT__CAN_LIVE = 8     // more points after the first ones
+};
+
+// What one region leaves behind
+typedef struct paradt__region {
+    paradt__memory memory;
+    paradt_status status;
+    paradt__mesh mesh;   // by a front, or
+    paradt__patch patch; // by insertion:
+    size_t offset;       // the number of its first cell in the result
+    size_t slice;        // the first place of its slice
+    uint64_t hull_facets;
+    int built; // all its cells are there, or it waits
+    int waits; // it waits for what other regions know
+    size_t runs,
+        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t told; // of its share of the progress
+    paradt_stats stats;
+} paradt__region;
+
+typedef struct paradt__work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt_stats *stats;
+    // the plan
+    const paradt__method *method; // that is tried
+    int impatient;                // the method may give up
+    size_t regions;
+    int one_by_one; // insertion builds one region after another, without neighbours
+    int facets;     // links are delivered as half-facets
+    // progress
+    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t told; // of the share, while one task does all of it
+    // the points
+    paradt__set set;
+    paradt__grid grid; // of fronts
+    paradt__cuts cuts; // between the regions
+    uint32_t *owner;   // [set.count] with fronts: the region of each point
+    // the regions
+    struct paradt__region *region;          // [regions]
+    paradt__field *fields;                  // [regions] with insertion
+    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
+    int hollow;                             // the points may be on a surface or a curve
+    int first_alone;                        // with insertion: the first region has its own points alone
+    paradt__relay relay;                    // with insertion
+    paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
+    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    // the result
+    paradt__mesh mesh;
+    int delivered; // the mesh has the caller's indices and final links already
+} paradt__work;
+
+// --- counting
+
+static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
+    stats->orient_calls += c->orient_calls;
+    stats->insphere_calls += c->insphere_calls;
+    stats->exact_small += c->exact_small;
+    stats->exact_fixed += c->exact_fixed;
+    stats->exact_general += c->exact_general;
+    stats->perturbed += c->perturbed;
+}
+
+// Adds what a region has counted.
+static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
+    stats->distance_evaluations += region->distance_evaluations;
+    stats->grid_cells_visited += region->grid_cells_visited;
+    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
+    stats->orient_calls += region->orient_calls;
+    stats->insphere_calls += region->insphere_calls;
+    stats->exact_small += region->exact_small;
+    stats->exact_fixed += region->exact_fixed;
+    stats->exact_general += region->exact_general;
+    stats->perturbed += region->perturbed;
+    stats->cells_recomputed += region->cells_recomputed;
+}
+
+// --- progress
+
+// Begins a way of building: its share is what is left of the work but for the finish.
+static void paradt__begin_way(paradt__work *work) {
+    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
+    work->told = 0;
+}
+
+static paradt__progress paradt__whole_progress(paradt__work *work) {
+    return paradt__progress_of(&work->meter, &work->told, work->share);
+}
+
+static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
+    double share = work->share / (double)work->regions;
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+}
+
+// --- steps
+
+// Number of the points of a region
+static size_t paradt__region_count(const paradt__work *work, size_t index) {
+    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+}
+
+// Joins the regions' accounts to the call's, and shares what is left of the limit among them. No task runs meanwhile.
+static void paradt__share_memory(paradt__work *work) {
+    uint64_t peaks = work->memory.held;
+    size_t i;
+    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
+    if (work->memory.peak < peaks) work->memory.peak = peaks;
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+}
+
+// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
+// cancelled, before that a region gave up.
+static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (work->options.parallel_for) {
+        work->options.parallel_for(work->options.user, work->regions, task, work);
+    } else {
+        for (i = 0; i < work->regions; i++) {
+            task(work, i);
+            if (work->region[i].status) break;
+        }
+    }
+    for (i = 0; i < work->regions; i++) {
+        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
+    }
+    return status;
+}
+
+// Runs a step, unless there has been an error before.
+static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
+                                      void (*task)(void *context, size_t index)) {
+    if (status) return status;
+    paradt__share_memory(work);
+    status = paradt__run_tasks(work, task);
+    paradt__share_memory(work);
+    return status;
+}
+
+// Makes the regions' records, all zero but for their accounts.
+static paradt_status paradt__begin_regions(paradt__work *work) {
+    size_t i;
+    work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
+    if (!work->region) return PARADT_ERROR_MEMORY;
+    memset(work->region, 0, work->regions * sizeof *work->region);
+    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
+    paradt__mesh_begin(&work->mesh, work->set.space.dim + 1, 0);
+    paradt__begin_way(work);
+    return PARADT_OK;
+}
+
+#ifndef PARADT_NO_FRONTS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>fronts
+//
+// InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
+// task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
+// different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
+// paradt__front_task.
+
+static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
+    paradt__search_add_counts(&front->search, stats);
+    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
+    paradt__count_predicates(stats, paradt__search_counters(&front->search));
+}
+
+// Runs a front that has begun, unless that failed, and ends it: leaves its mesh, adds what it counted.
+static paradt_status paradt__run_front(paradt__front *front, paradt_status status, const paradt__method *method,
+                                       paradt__mesh *mesh, paradt_stats *stats) {
+    if (!status) status = method->front(front);
+    paradt__count_front(stats, front);
+    stats->hull_facets += front->hull_facets;
+    paradt__front_end(front);
+    *mesh = front->mesh;
+    return status;
+}
+
+// Leaves the cells that the region owns in region->mesh.
+static void paradt__front_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__region_view view;
+    paradt__front front;
+    view.owner = work->owner;
+    view.cuts = &work->cuts;
+    view.region = (uint32_t)index;
+    region->status =
+        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
+    front.progress = paradt__region_progress(work, index);
+    front.impatient = work->impatient;
+    region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
+    if (!region->status)
+        region->status =
+            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+}
+
+// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        total += work->region[i].mesh.count;
+        paradt__count_region(work->stats, &work->region[i].stats);
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < work->regions; i++) {
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        paradt__mesh_free(&work->region[i].mesh, &work->memory);
+    }
+    return status;
+}
+
+// Prepares for fronts: the reference sphere and the grid.
+static paradt_status paradt__prepare_fronts(paradt__work *work) {
+    double begun = paradt__now();
+    paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->meter, &work->memory);
+    work->stats->seconds_grid += paradt__now() - begun;
+    return status;
+}
+
+// Begins the regions, and finds the region of each point.
+static paradt_status paradt__begin_fronts(paradt__work *work) {
+    paradt_status status = paradt__begin_regions(work);
+    if (status) return status;
+    work->owner = (uint32_t *)paradt__alloc(&work->memory, work->set.count, sizeof *work->owner);
+    if (!work->owner) return PARADT_ERROR_MEMORY;
+    paradt__regions_assign(&work->set, &work->cuts, work->owner);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_by_front(paradt__work *work) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__front front;
+    paradt_status status = paradt__prepare_fronts(work);
+    if (!status && work->regions > 1) {
+        status = paradt__begin_fronts(work);
+        if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
+        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+    }
+    if (status) return status;
+    paradt__begin_way(work);
+    status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, undivided, 1.0);
+    front.progress = paradt__whole_progress(work);
+    front.impatient = work->impatient;
+    return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+#endif // PARADT_NO_FRONTS
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>regions of insertion
+//
+// Insertion by regions, step after step. A step is a task for each region, see >>call; what a region does in it is in
+// the sections above:
+//
+//     grid       the grid of the region's points, by which others look for points of it
+//     points     the points to begin with: its own, and others' in a margin
+//     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
+//     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
+//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
+//     learn      | looks at what others show,
+//     complete   | and asks on, until none of them waits
+//     compact    leaves only the cells that the region owns
+//     emit       writes them into the result
+//
+// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
+// than all the rest would; then the largest region takes in all points.
+// Doors: paradt__build_by_patches, paradt__close_set.
+
+// --- the steps
+
+// Of two regions of which the first is built alone, only the second looks for points of the other.
+static void paradt__grid_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__field *field = work->fields + index;
+    int is_asked = !work->first_alone || work->regions > 2 || index == 0;
+    region->status = PARADT_OK;
+    if (is_asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
+}
+
+// Begins the patch of a region with its points.
+static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
+    patch->facets = work->facets;
+    patch->own_points_only = work->first_alone && index == 0;
+    region->status = paradt__patch_points(patch, work->basis);
+}
+
+static void paradt__points_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__begin_patch(work, index, &work->region[index].memory);
+}
+
+// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
+// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
+// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
+// quarter of the slice could be left.
+static size_t paradt__slice_places(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    size_t count = patch->build.count, own = patch->fields[index].set.count;
+    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
+    return paradt__expected_places(count, work->set.space.dim);
+}
+
+// Reserves the slices: in two and three dimensions.
+static paradt_status paradt__reserve_slices(paradt__work *work) {
+    paradt__mesh *slices = &work->slices;
+    int dim = work->set.space.dim;
+    size_t total = 0, i;
+    paradt_status status;
+    paradt__mesh_begin(slices, dim + 1, 0);
+    if (dim < 2 || dim > 3) return PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        work->region[i].slice = total;
+        total += paradt__slice_places(work, i);
+    }
+    status = paradt__mesh_reserve(slices, total, total, &work->memory);
+    if (status) paradt__mesh_free(slices, &work->memory);
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+}
+
+// A patch whose cells do not fit into the slice takes rows of its own.
+static void paradt__lend_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    size_t first = region->slice * (size_t)work->slices.corners;
+    if (!work->slices.capacity) return;
+    region->status = paradt__mesh_lend(&region->patch.build.scene.mesh, work->slices.vertices + first,
+                                       work->slices.links + first, paradt__slice_places(work, index), &region->memory);
+}
+
+static void paradt__count_patch(paradt__region *region) {
+    const paradt__patch *patch = &region->patch;
+    memset(&region->stats, 0, sizeof region->stats);
+    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
+    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
+    paradt__search_add_counts(&patch->search, &region->stats);
+}
+
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
+// field's.
+static void paradt__end_questions(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    paradt__field *field = work->fields + index;
+    region->waits = 0;
+    region->status = paradt__patch_list_seam(patch);
+    field->seam = patch->seam;
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    memset(&patch->seam, 0, sizeof patch->seam);
+}
+
+// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
+// are few, in up to three dimensions, and where there are any: without weights.
+static void paradt__build_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__patch *patch = &region->patch;
+    int can_learn = !work->one_by_one && work->set.space.dim <= 3 && !work->set.space.weighted;
+    paradt__progress progress = paradt__region_progress(work, index);
+    region->status = patch->is_asking ? PARADT_OK : paradt__patch_build(patch, &progress);
+    if (!region->status && patch->is_asking) region->status = paradt__patch_complete(patch, can_learn, &progress);
+    if (!region->status && paradt__patch_pauses(patch, can_learn)) return;
+    region->built = 1;
+    region->waits = !region->status && patch->waiting.count;
+    paradt__count_patch(region);
+    if (region->status || region->waits || patch->own_points_only) return;
+    paradt__end_questions(work, index);
+    paradt__patch_rest(patch);
+}
+
+static void paradt__publish_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    region->status = paradt__patch_publish(&region->patch);
+    work->fields[index].published = &region->patch;
+}
+
+// No region changes while others look at it.
+static void paradt__learn_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    if (region->waits) region->status = paradt__patch_learn_all(&region->patch);
+}
+
+static void paradt__complete_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__progress progress = paradt__region_progress(work, index);
+    if (!region->waits) return;
+    region->status = paradt__patch_complete(&region->patch, 0, &progress);
+    paradt__count_patch(region);
+    if (!region->status && !region->patch.deferred.count) paradt__end_questions(work, index);
+}
+
+static void paradt__compact_task(void *context, size_t index) {
+    paradt__region *region = ((paradt__work *)context)->region + index;
+    paradt__patch *patch = &region->patch;
+    region->status = patch->own_points_only ? paradt__patch_apply_seam(patch) : PARADT_OK;
+    paradt__count_patch(region);
+    if (!region->status) region->status = paradt__patch_compact(patch);
+    region->stats.cells_recomputed = patch->cells_built - patch->build.scene.mesh.count;
+    region->hull_facets = patch->hull_facets;
+    paradt__patch_rest(patch);
+}
+
+// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
+// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
+    return index > 1 && work->mesh.vertices == work->slices.vertices;
+}
+
+// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+    const paradt__patch *patch = &work->region[index].patch;
+    paradt_status status = PARADT_OK;
+    size_t i, j, end;
+    for (i = 0; i < patch->open.count && !status; i = end) {
+        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
+        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
+            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
+        }
+        status =
+            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// What is left to be done takes no coordinates.
+static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
+    paradt__release(memory, work->set.records);
+    work->set.records = NULL;
+}
+
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
+// belong then, so its open facets can wait for others'.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    const paradt__mesh *own = &region->patch.build.scene.mesh;
+    size_t first = region->offset * (size_t)work->mesh.corners;
+    int stays = paradt__stays_in_slice(work, index);
+    paradt__rows to =
+        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
+                          stays ? own->links : work->mesh.links + first, region->offset);
+    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    if (index || region->status) return;
+    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
+    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
+}
+
+// --- the relay
+//
+// The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
+// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
+// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
+// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+
+typedef struct paradt__ranked {
+    size_t amount, number;
+} paradt__ranked;
+
+// Sorts by amount, the largest first.
+static void paradt__rank(paradt__ranked *list, size_t count) {
+    size_t i, j;
+    for (i = 1; i < count; i++) {
+        paradt__ranked one = list[i];
+        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
+        list[j] = one;
+    }
+}
+
+// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
+static size_t paradt__region_left(const paradt__work *work, size_t index) {
+    const paradt__patch *patch = &work->region[index].patch;
+    const paradt__insertion *build = &patch->build;
+    if (work->region[index].built) return 0;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - work->fields[index].set.count;
+}
+
+// What a region has done, in points inserted
+static size_t paradt__region_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
+}
+
+static void paradt__leg_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *task = work->region + index, *region = work->region + task->runs;
+    size_t before = paradt__region_done(&region->patch);
+    if (!region->built) paradt__build_task(work, task->runs);
+    task->ran = paradt__region_done(&region->patch) - before;
+}
+
+// Decides which task runs which region in the next leg. Returns how much is left of them all.
+static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
+    size_t left = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        regions[i].number = tasks[i].number = i;
+        tasks[i].amount = work->region[i].ran;
+        regions[i].amount = paradt__region_left(work, i);
+        left += regions[i].amount;
+    }
+    paradt__rank(regions, work->regions);
+    paradt__rank(tasks, work->regions);
+    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
+    return left;
+}
+
+// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
+// taking one after another.
+static paradt_status paradt__run_relay(paradt__work *work) {
+    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
+    paradt__ranked regions[MOST], tasks[MOST];
+    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
+    paradt_status status;
+    int last;
+    if (!work->options.parallel_for || work->regions > MOST)
+        return paradt__run_step(work, PARADT_OK, paradt__build_task);
+    do {
+        size_t left = paradt__assign_leg(work, regions, tasks), i;
+        last = (double)left < fewest;
+        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
+        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
+        status = paradt__run_step(work, PARADT_OK, paradt__leg_task);
+    } while (!last && (!status || status == PARADT__GAVE_UP));
+    return status;
+}
+
+// --- all regions together
+
+// Moves the emitted cells from the slices' starts to their places.
+static void paradt__close_slices(paradt__work *work) {
+    size_t corners = (size_t)work->mesh.corners, i;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
+        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
+        memmove(work->mesh.vertices + first, own->vertices, bytes);
+        memmove(work->mesh.links + first, own->links, bytes);
+    }
+}
+
+// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
+// on the hull.
+static paradt_status paradt__join_patches(paradt__work *work) {
+    size_t i, j;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
+    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
+        const paradt__patch *patch = &work->region[i].patch;
+        for (j = 0; j < patch->open.count; j++) {
+            paradt_index *link = work->mesh.links + patch->open.items[j];
+            if (*link == PARADT__OPEN) *link = PARADT__HULL;
+        }
+    }
+    return status;
+}
+
+// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
+// a quarter of them would be empty, since to copy the cells takes as much again.
+static paradt_status paradt__collect_patches(paradt__work *work) {
+    size_t total = 0, i;
+    int in_place = work->slices.vertices != NULL, lent = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < work->regions; i++) {
+        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
+        work->region[i].offset = total;
+        total += own->count;
+        in_place = in_place && own->lent;
+        lent = lent || own->lent;
+    }
+    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
+    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
+    if (in_place) {
+        work->mesh = work->slices;
+    } else {
+        paradt__release_records(work, &work->memory);
+        status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    }
+    work->mesh.count = total;
+    status = paradt__run_step(work, status, paradt__emit_task);
+    if (!status && in_place) paradt__close_slices(work);
+    if (in_place) memset(&work->slices, 0, sizeof work->slices);
+    return status ? status : paradt__join_patches(work);
+}
+
+static size_t paradt__count_waiting(const paradt__work *work) {
+    size_t waiting = 0, i;
+    for (i = 0; i < work->regions; i++) waiting += (size_t)work->region[i].waits;
+    return waiting;
+}
+
+static paradt_status paradt__build_together(paradt__work *work) {
+    paradt_status status = paradt__run_step(work, PARADT_OK, paradt__points_task);
+    if (!status) status = paradt__reserve_slices(work);
+    status = paradt__run_step(work, status, paradt__lend_task);
+    if (!status) status = paradt__run_relay(work);
+    if (!status && paradt__count_waiting(work)) status = paradt__run_step(work, status, paradt__publish_task);
+    while (!status && paradt__count_waiting(work)) {
+        status = paradt__run_step(work, status, paradt__learn_task);
+        status = paradt__run_step(work, status, paradt__complete_task);
+    }
+    status = paradt__run_step(work, status, paradt__compact_task);
+    return status ? status : paradt__collect_patches(work);
+}
+
+// --- one by one: without neighbours, a region's links are given back before the next one begins
+
+// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners;
+    void *vertices = mesh->vertices;
+    if (mesh->count + count <= mesh->capacity) return PARADT_OK;
+    count += mesh->count + expected;
+    if (!paradt__grow(&work->memory, &vertices, mesh->count * corners, count * corners, sizeof(paradt_index)))
+        return PARADT_ERROR_MEMORY;
+    mesh->vertices = (paradt_index *)vertices;
+    mesh->capacity = count;
+    return PARADT_OK;
+}
+
+// Builds a region, at the end of the result while its cells fit there.
+static paradt_status paradt__build_next(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
+    size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__rows to;
+    paradt__begin_patch(work, index, &work->memory);
+    if (region->status) return region->status;
+    capacity = paradt__expected_places(region->patch.build.count, work->set.space.dim);
+    if (capacity > paradt__most_cells(mesh->corners)) capacity = paradt__most_cells(mesh->corners);
+    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    region->status = paradt__next_room(work, capacity, rest);
+    if (region->status) return region->status;
+    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
+    if (!lent->links) return PARADT_ERROR_MEMORY;
+    region->status =
+        paradt__mesh_lend(own, mesh->vertices + mesh->count * corners, lent->links, capacity, &work->memory);
+    if (!region->status) paradt__build_task(work, index);
+    if (!region->status) paradt__compact_task(work, index);
+    if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
+    to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (region->status) return region->status;
+    mesh->count += own->count;
+    paradt__patch_end(&region->patch);
+    memset(&region->patch, 0, sizeof region->patch);
+    paradt__mesh_free(lent, &work->memory);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__build_one_by_one(paradt__work *work) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t used, i;
+    paradt_status status = PARADT_OK;
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
+        void *vertices = mesh->vertices;
+        used = mesh->count * (size_t)mesh->corners;
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        mesh->vertices = (paradt_index *)vertices;
+    }
+    return status;
+}
+
+// --- given up
+
+// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
+// are given back.
+static paradt_status paradt__take_over(paradt__work *work) {
+    paradt__progress progress;
+    paradt__region *largest = NULL, *region, *end = work->region + work->regions;
+    paradt__mesh *own;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    for (region = work->region; region < end; region++) {
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
+            largest = region;
+    }
+    for (region = work->region; region < end; region++) {
+        region->stats.cells_recomputed = region->hull_facets = 0;
+        if (region == largest) continue;
+        paradt__patch_end(&region->patch);
+        memset(&region->patch, 0, sizeof region->patch);
+    }
+    own = &largest->patch.build.scene.mesh;
+    if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
+    status = paradt__patch_take_all(&largest->patch, &progress);
+    paradt__count_patch(largest);
+    largest->hull_facets = largest->patch.hull_facets;
+    if (!status && own->lent) {
+        status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
+        if (!status) paradt__mesh_append(&work->mesh, own);
+    } else if (!status) {
+        work->mesh = *own;
+        memset(own, 0, sizeof *own);
+    }
+    return status;
+}
+
+// --- the points of the regions
+
+// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
+// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
+static size_t paradt__place_fields(paradt__work *work, int with_room) {
+    size_t total = 0, i;
+    for (i = 0; i < work->regions; i++) {
+        size_t count = paradt__region_count(work, i);
+        work->fields[i].begin = total;
+        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        total += work->fields[i].capacity;
+    }
+    return total;
+}
+
+static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
+    paradt__set *set = &work->set;
+    size_t count = paradt__region_count(work, index);
+    if (from == to) return;
+    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
+}
+
+// Finds points that span the set, as positions in it once it is open.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set;
+    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
+    for (i = 0; i < count; i++) {
+        size_t position = (size_t)work->basis[i], region = 0;
+        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
+        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
+        work->basis[i] = (paradt_index)position;
+    }
+}
+
+// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
+// span.
+static void paradt__open_set(paradt__work *work) {
+    size_t i;
+    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
+    paradt__find_basis(work);
+    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
+    for (i = 0; i < work->regions; i++) {
+        paradt__field *field = work->fields + i;
+        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        paradt__cuts_box(&work->cuts, i, field->low, field->high);
+    }
+    work->first_alone = work->regions > 1 && paradt__spans(&work->fields[0].set);
+}
+
+// Closes the gaps again.
+static void paradt__close_set(paradt__work *work) {
+    size_t i;
+    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
+}
+
+static paradt_status paradt__build_by_patches(paradt__work *work) {
+    int taken;
+    paradt_status status = paradt__begin_regions(work);
+    size_t i;
+    if (status) return status;
+    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
+    if (!work->fields) return PARADT_ERROR_MEMORY;
+    memset(work->fields, 0, work->regions * sizeof *work->fields);
+    paradt__open_set(work);
+    status = paradt__run_step(work, PARADT_OK, paradt__grid_task);
+    if (!status) status = work->one_by_one ? paradt__build_one_by_one(work) : paradt__build_together(work);
+    taken = status == PARADT__GAVE_UP && !work->one_by_one;
+    if (taken) status = paradt__take_over(work);
+    work->delivered = !status;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->hull_facets;
+        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_end(&region->patch);
+        paradt__grid_free(&work->fields[i].grid, &work->memory);
+        paradt__mesh_free(&work->fields[i].seam, &work->memory);
+    }
+    paradt__mesh_free(&work->slices, &work->memory);
+    paradt__facets_free(&work->open_facets, &work->memory);
+    if (taken) work->regions = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>methods
+//
+// One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
+// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+
+// --- do regions pay?
+//
+// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
+// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
+// such look: few of them have neighbours beyond a cut.
+
+enum { PARADT__SAMPLED = 2048 }; // points of the sample
+
+// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
+// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
+static int paradt__is_hollow(const paradt__set *set) {
+    enum { EVERY = 64 };
+    int dim = set->space.dim;
+    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
+    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
+    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
+}
+
+// Number of the sample's points that have a neighbour on the other side of the first cut. side: [SAMPLED]
+static size_t paradt__count_across(const paradt__mesh *mesh, unsigned char *side) {
+    enum { UPPER = 1, ACROSS = 2 };
+    size_t corners = (size_t)mesh->corners, i, j, count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *cell = mesh->vertices + i * corners;
+        size_t upper = 0;
+        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
+        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
+    }
+    for (i = 0; i < PARADT__SAMPLED; i++) count += side[i] >= ACROSS;
+    return count;
+}
+
+// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
+// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
+static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
+    const paradt__set *set = &work->set;
+    paradt__set sample = *set;
+    paradt__mesh mesh;
+    paradt__counters counters;
+    paradt__progress silent;
+    size_t i;
+    unsigned char side[PARADT__SAMPLED];
+    paradt_status status = PARADT_OK;
+    *in_vain = 0;
+    if (set->count < 4 * PARADT__SAMPLED || set->space.weighted) return PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    memset(&silent, 0, sizeof silent);
+    sample.count = PARADT__SAMPLED;
+    sample.origin = NULL;
+    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
+    if (!sample.records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < sample.count; i++) {
+        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
+        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
+        side[i] = at < work->cuts.cut[work->regions / 2].begin;
+    }
+    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
+    if (!status && mesh.count) {
+        paradt__mesh_close(&mesh, NULL, 0);
+        *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
+    }
+    paradt__mesh_free(&mesh, &work->memory);
+    paradt__set_free(&sample, &work->memory);
+    return status;
+}
+
+// --- what a row's function does
+
+// Gives back what the building of cells needs beside the set.
+static void paradt__release_helpers(paradt__work *work) {
+    paradt__memory *memory = &work->memory;
+    paradt__grid_free(&work->grid, memory);
+    paradt__release(memory, work->owner);
+    paradt__release(memory, work->fields);
+    paradt__release(memory, work->region);
+    memset(&work->grid, 0, sizeof work->grid);
+    work->owner = NULL;
+    work->fields = NULL;
+    work->region = NULL;
+}
+
+// Forgets what a way that gave up has built.
+static void paradt__begin_again(paradt__work *work) {
+    paradt__release_helpers(work);
+    paradt__mesh_free(&work->mesh, &work->memory);
+    work->stats->cells_recomputed = work->stats->hull_facets = 0;
+}
+
+static paradt_status paradt__insert_undivided(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__bowyer_watson(&work->set, &work->memory, &work->mesh, &progress, &counters);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+static paradt_status paradt__build_by_insertion(paradt__work *work) {
+    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
+    paradt_status status = PARADT_OK;
+    int in_vain = 0;
+    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    if (work->hollow) status = paradt__foresee(work, &in_vain);
+    if (in_vain) work->regions = 1;
+    if (!status && work->regions > 1) // for the questions, too
+        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
+        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
+    if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
+    if (!status) status = paradt__build_by_patches(work);
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__close_set(work);
+    paradt__begin_again(work);
+    work->regions = 1;
+    return paradt__insert_undivided(work);
+}
+
+// --- the table and the choice
+
+enum {
+    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
+};
+
+// The row of a method. AUTO's says what all methods can do that it chooses from. A method that is left out can nothing.
+static const paradt__method *paradt__method_of(paradt_method method) {
+    static const paradt__method rows[PARADT_METHOD_COUNT] = {
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+#ifdef PARADT_NO_FRONTS
+        {0, 0, 0, NULL, NULL}, // INCODE
+        {0, 0, 0, NULL, NULL}, // DEWALL
+#else
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+#endif
+        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion} // BOWYER_WATSON
+    };
+    return rows + method;
+}
+
+// The method that builds points of an affine dimension: AUTO's choice. In four dimensions and more, what insertion
+// makes only to destroy it again costs more than InCoDe's searches, unless these have to decide ties, see
+// paradt__front_is_stuck; where InCoDe gave up, insertion is next.
+static const paradt__method *paradt__choose_method(paradt_method wanted, int dim, int gave_up) {
+#ifdef PARADT_NO_FRONTS
+    const int incode_pays = 0 * dim;
+#else
+    const int incode_pays = dim >= PARADT__AUTO_INCODE_DIM;
+#endif
+    if (wanted != PARADT_AUTO) return paradt__method_of(wanted);
+    return paradt__method_of(incode_pays && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
+}
+
+// Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
+// order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
+// and makes some for that of many points: each gives its links back before the next one begins.
+static void paradt__plan(paradt__work *work, const paradt_points *points) {
+    enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    work->facets = (work->options.flags & PARADT_FACETS) != 0;
+    work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
+    if (work->regions > points->count) work->regions = points->count ? points->count : 1;
+    work->one_by_one = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 && !first->front &&
+                       (work->regions == 1 || !work->options.parallel_for);
+    if (work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = ONE_BY_ONE;
+    work->cuts.boxes = work->regions;
+    work->cuts.partition = work->options.partition;
+    work->cuts.larger_first = !work->one_by_one && !first->front;
+    work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
+}
+
+// Makes the cell of a set of one point, or of none.
+static paradt_status paradt__build_trivial(paradt__work *work) {
+    paradt_status status;
+    work->regions = 1;
+    paradt__mesh_begin(&work->mesh, 1, 0);
+    status = paradt__mesh_reserve(&work->mesh, 1, 1, &work->memory);
+    if (status) return status;
+    work->mesh.count = work->set.count;
+    work->mesh.vertices[0] = 0;
+    work->mesh.links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Builds the mesh, by another method where the first gives up.
+static paradt_status paradt__build_mesh(paradt__work *work) {
+    paradt_method wanted = work->options.method;
+    paradt_status status;
+    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
+    work->impatient = wanted == PARADT_AUTO && work->method->front != NULL;
+    status = work->method->build(work);
+#ifndef PARADT_NO_FRONTS
+    if (status != PARADT__GAVE_UP) return status;
+    paradt__begin_again(work);
+    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
+    work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
+    status = work->method->build(work);
+#endif
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>triangulate
+//
+// The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
+// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
+}
+
+static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+    paradt_points points;
+    memset(&points, 0, sizeof points);
+    points.data = coordinates;
+    points.count = count;
+    points.dim = dim;
+    points.scalar = scalar;
+    return points;
+}
+
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+}
+
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
+    return paradt__points_of(coordinates, count, dim, PARADT_F32);
 }
 
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
@@ -10863,6 +12969,10 @@ static const char *paradt__points_fault(const paradt_points *points) {
     if (points->count && !points->data) return "points.data is NULL, but points.count is not 0";
     if (points->stride && points->stride < size * (size_t)points->dim)
         return "points.stride is less than the bytes of a point's coordinates; it counts bytes, not coordinates";
+    if ((unsigned)points->weight_scalar > PARADT_F32)
+        return "points.weight_scalar is neither PARADT_F64 nor PARADT_F32";
+    if (points->weight_stride && points->weight_stride < paradt__weight_size(points))
+        return "points.weight_stride is less than the bytes of a weight; it counts bytes, not weights";
     return NULL;
 }
 
@@ -10871,6 +12981,8 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
+    if (!paradt__method_of(options->method)->can)
+        return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
@@ -10902,803 +13014,87 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-enum { PARADT__AUTO_INCODE_DIM = 4 }; // AUTO tries InCoDe from here on
-
-// Is insertion the first method that is tried?
-static int paradt__inserts(paradt_method method, int dim) {
-    return !paradt__choose_front(method) && (method != PARADT_AUTO || dim < PARADT__AUTO_INCODE_DIM);
+// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
+    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    double each = (double)points->count / (double)work->regions;
+    int several = work->regions > 1;
+    if (first->front) {
+        if (points->dim == 2) return several ? 3.0 : 2.2;
+        return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
+    }
+    if (points->dim > 3) return several ? 5.0 : 2.0;
+    if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
+    if (!several) return 1.45;
+    if (work->one_by_one) return 1.2;
+    // Slices of the result that few points leave too empty are copied, so that both are held.
+    return each > 40000.0 ? 1.8 : each > 5000.0 ? 3.0 + 10000.0 / each : 5.0;
 }
 
-// All that one call works with.
-typedef struct paradt__work {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt_options options;
-    paradt_method method; // that is tried; AUTO has become one
-    int impatient;        // 1: it may give up
-    size_t regions;
-    int in_turn; // 1: insertion builds one after another, without neighbours
-    int hollow;  // 1: the points may be on a surface or a curve
-    paradt__meter meter;
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of it, while one task does all of it
-    paradt_stats *stats;
-    paradt__mesh cells;
-    paradt__cuts cuts;                      // between the regions
-    uint32_t *owner;                        // [set.count] with a front: the region of each point
-    paradt__field *fields;                  // [regions] with insertion
-    struct paradt__region *region;          // [regions]
-    paradt__mesh slices;                    // with insertion: each region's cells in a part of it, while they fit
-    paradt__facets seam;                    // with insertion: open facets of regions, in the end
-    int trusts;                             // with insertion: the first region has its own points alone
-    paradt__relay relay;                    // with insertion
-    int facets;                             // links are delivered as half-facets
-    int translated;                         // the cells are delivered already: the caller's indices, final links
-    paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: points that span the set
-} paradt__work;
+PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
+    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
+    paradt__work work;
+    paradt_points given;
+    const char *text;
+    double count, cells, bytes;
+    if (!points) return 0;
+    given = *points;
+    given.data = &given; // something
+    if (paradt__check_arguments(&given, options, &text)) return 0;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__plan(&work, &given);
+    count = (double)given.count;
+    cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
+    bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
+    bytes *= paradt__memory_factor(&work, &given);
+    if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    return (uint64_t)bytes + FIXED;
+}
 
-// What one region leaves behind.
-typedef struct paradt__region {
-    paradt__memory memory;
+// Reads the points into the set.
+static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
+    double begun = paradt__now();
+    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
-    paradt__mesh cells;  // of a front, or
-    paradt__patch patch; // what insertion builds,
-    size_t offset;       // with the number of its first cell
-    uint64_t hull_facets;
-    int built;     // it has ended the third step
-    int open;      // it waits for what others have to tell
-    size_t runs;   // in a leg of the relay, the region that the task with this one's number goes on with,
-    size_t ran;    // and what this task has done, in points inserted
-    uint32_t told; // of its share of the work
-    paradt_stats stats;
-} paradt__region;
-
-static void paradt__count_predicates(paradt_stats *stats, const paradt__counters *c) {
-    stats->orient_calls += c->orient_calls;
-    stats->insphere_calls += c->insphere_calls;
-    stats->exact_small += c->exact_small;
-    stats->exact_fixed += c->exact_fixed;
-    stats->exact_general += c->exact_general;
-    stats->perturbed += c->perturbed;
-}
-
-static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
-    paradt__search_add_counts(&front->search, stats);
-    if (front->active.peak > stats->active_peak) stats->active_peak = front->active.peak;
-    paradt__count_predicates(stats, paradt__search_counters(&front->search));
-}
-
-// Adds what a region counted.
-static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
-    stats->distance_evaluations += region->distance_evaluations;
-    stats->grid_cells_visited += region->grid_cells_visited;
-    if (region->active_peak > stats->active_peak) stats->active_peak = region->active_peak;
-    stats->orient_calls += region->orient_calls;
-    stats->insphere_calls += region->insphere_calls;
-    stats->exact_small += region->exact_small;
-    stats->exact_fixed += region->exact_fixed;
-    stats->exact_general += region->exact_general;
-    stats->perturbed += region->perturbed;
-    stats->cells_recomputed += region->cells_recomputed;
-}
-
-// A way of building begins: it has what is left of the work but for the finish.
-static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
-    work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
-}
-
-static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
-}
-
-static paradt_status paradt__build_undivided(paradt__work *work) {
-    paradt__front front;
-    paradt__region_view view = {NULL, NULL, 0};
-    paradt_status status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, view, 1.0);
-    paradt__begin_way(work);
-    front.progress = paradt__whole_progress(work);
-    front.impatient = work->impatient;
-    if (!status) status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(work->stats, &front);
-    paradt__front_end(&front);
-    work->cells = front.mesh;
-    work->stats->hull_facets = front.hull_facets;
-    return status;
-}
-
-static paradt_status paradt__build_by_insertion(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
-    status = paradt__bowyer_watson(&work->set, &work->memory, &work->cells, &progress, &counters);
-    paradt__count_predicates(work->stats, &counters);
-    return status;
-}
-
-// --- regions: the work of one is a task
-
-static paradt__region_view paradt__view_of(const paradt__work *work, size_t index) {
-    paradt__region_view view;
-    view.owner = work->owner;
-    view.cuts = &work->cuts;
-    view.region = (uint32_t)index;
-    return view;
-}
-
-static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
-    double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
-}
-
-// Points of a region
-static size_t paradt__region_count(const paradt__work *work, size_t index) {
-    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
-}
-
-// By InCoDe or DeWall.
-static void paradt__front_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__region_view view = paradt__view_of(work, index);
-    paradt__front front;
-    region->status =
-        paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
-    front.impatient = work->impatient;
-    if (!region->status) region->status = paradt__choose_front(work->method)(&front);
-    paradt__count_front(&region->stats, &front);
-    paradt__front_end(&front);
-    region->cells = front.mesh;
-    if (!region->status)
-        region->status =
-            paradt__region_compact(&region->cells, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
-}
-
-// By insertion, first step: the grid of the region's points. Of two regions of which the first trusts the other, only
-// that one looks for points of the other.
-static void paradt__grid_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__field *field = work->fields + index;
-    int asked = !work->trusts || work->regions > 2 || index == 0;
-    region->status = PARADT_OK;
-    if (asked && field->set.count) region->status = paradt__grid_lay(&field->grid, &field->set, &region->memory);
-}
-
-// By insertion, second step: the points to begin with.
-static void paradt__points_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch_begin(&region->patch, &work->set, work->fields, work->regions, index, &region->memory);
-    region->patch.facets = work->facets;
-    region->patch.own_points_only = work->trusts && index == 0;
-    region->status = paradt__patch_points(&region->patch, work->basis);
-}
-
-// Can regions be asked by the cells around their vertices? Up to three dimensions these are few, and without weights
-// there are some.
-static int paradt__asks_around(const paradt__work *work) {
-    return !work->in_turn && work->set.space.dim <= 3 && !work->set.space.weighted;
-}
-
-static void paradt__count_patch(paradt__region *region) {
-    const paradt__patch *patch = &region->patch;
-    memset(&region->stats, 0, sizeof region->stats);
-    paradt__count_predicates(&region->stats, &patch->build.scene.space.counters);
-    paradt__count_predicates(&region->stats, paradt__search_counters(&patch->search));
-    paradt__search_add_counts(&patch->search, &region->stats);
-}
-
-// All cells of T(P) with a vertex of the region are there.
-static void paradt__end_questions(paradt__work *work, size_t index) {
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
-    region->open = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
-    memset(&patch->seam, 0, sizeof patch->seam);
-}
-
-// By insertion, third step: the cells, unless it pauses. The region remains open if it would rather be told by others
-// what it lacks.
-static void paradt__patch_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    int may_wait = paradt__asks_around(work);
-    paradt__progress progress = paradt__region_progress(work, index);
-    region->status = patch->is_asking ? PARADT_OK : paradt__patch_build(patch, &progress);
-    if (!region->status && patch->is_asking) region->status = paradt__patch_complete(patch, may_wait, &progress);
-    if (!region->status && paradt__patch_pauses(patch, may_wait)) return;
-    region->built = 1;
-    region->open = !region->status && patch->waiting.count;
-    paradt__count_patch(region);
-    if (region->status || region->open || patch->own_points_only) return;
-    paradt__end_questions(work, index);
-    paradt__patch_rest(patch);
-}
-
-// Fourth step: leaves only the region's cells.
-static void paradt__compact_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    paradt__patch *patch = &region->patch;
-    region->status = patch->own_points_only ? paradt__patch_apply_seam(patch) : PARADT_OK;
-    paradt__count_patch(region);
-    if (!region->status) region->status = paradt__patch_compact(patch);
-    region->stats.cells_recomputed = patch->cells_built - patch->build.scene.mesh.count;
-    region->hull_facets = patch->hull_facets;
-    paradt__patch_rest(patch);
-}
-
-// Regions that are open look at others' cells while none of them changes.
-static void paradt__show_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    region->status = paradt__patch_publish(&region->patch);
-    work->fields[index].published = &region->patch;
-}
-
-static void paradt__hear_task(void *context, size_t index) {
-    paradt__region *region = ((paradt__work *)context)->region + index;
-    if (region->open) region->status = paradt__patch_learn_all(&region->patch);
-}
-
-static void paradt__complete_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    paradt__progress progress = paradt__region_progress(work, index);
-    if (!region->open) return;
-    region->status = paradt__patch_complete(&region->patch, 0, &progress);
-    paradt__count_patch(region);
-    if (!region->status && !region->patch.deferred.count) paradt__end_questions(work, index);
-}
-
-// Are the cells of the region in a slice of the result that they are not moved from yet? The second slice's cells can
-// go to their places while they are written: nobody reads what is between them and the first's.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->cells.vertices == work->slices.vertices;
-}
-
-// Links those of a region's open facets to their twins that have been seen, and the others wait for theirs.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->open.count && !status; i = end) {
-        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
-        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->cells.vertices + patch->open.items[j]);
-            PARADT__PREFETCH(work->cells.links + patch->open.items[j]);
-        }
-        status = paradt__facets_join(&work->seam, &work->cells, patch->open.items + i, end - i, !work->facets, memory);
-    }
-    return status;
-}
-
-// What is left to be done takes no coordinates.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// By insertion, last step: into the result, or numbered at the begin of the region's slice. The first region's cells
-// are where they are to be then, so its open facets can wait for others'.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    size_t first = region->offset * (size_t)work->cells.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    const paradt__mesh *mesh = &region->patch.build.scene.mesh;
-    paradt__rows to =
-        paradt__mesh_rows(work->cells.corners, work->facets, stays ? mesh->vertices : work->cells.vertices + first,
-                          stays ? mesh->links : work->cells.links + first, region->offset);
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
-    if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->seam, region->patch.open.count, 0, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
-// Runs a task for each region; the first status that is not PARADT_OK.
-static paradt_status paradt__run_regions(paradt__work *work, void (*task)(void *context, size_t index)) {
-    paradt_status status = PARADT_OK;
-    size_t i;
-    if (work->options.parallel_for) {
-        work->options.parallel_for(work->options.user, work->regions, task, work);
-    } else {
-        for (i = 0; i < work->regions; i++) {
-            task(work, i);
-            if (work->region[i].status) break;
-        }
-    }
-    for (i = 0; i < work->regions; i++) { // an error, or that it was cancelled, before that one gave up
-        if (!status || (status == PARADT__GAVE_UP && work->region[i].status)) status = work->region[i].status;
-    }
-    return status;
-}
-
-// --- the relay
-//
-// The third step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: it is done in legs, each of which ends for all when together they have done a part of
-// what is left. In the next the region that has most left goes to the task that did most, since that is likely to be on
-// the same thread again. What a region builds does not depend on where it pauses.
-
-typedef struct paradt__ranked {
-    size_t amount, number;
-} paradt__ranked;
-
-// The largest amounts first.
-static void paradt__rank(paradt__ranked *list, size_t count) {
-    size_t i, j;
-    for (i = 1; i < count; i++) {
-        paradt__ranked one = list[i];
-        for (j = i; j > 0 && list[j - 1].amount < one.amount; j--) list[j] = list[j - 1];
-        list[j] = one;
-    }
-}
-
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__insertion *build = &patch->build;
-    if (work->region[index].built) return 0;
-    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
-    return build->count - build->inserted + build->count - work->fields[index].set.count;
-}
-
-// What it has done, likewise
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
-}
-
-static void paradt__leg_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
-    if (!region->built) paradt__patch_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
-}
-
-// Who runs which region in the next leg. Returns how much is left of them all.
-static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
-    size_t left = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        regions[i].number = tasks[i].number = i;
-        tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
-        left += regions[i].amount;
-    }
-    paradt__rank(regions, work->regions);
-    paradt__rank(tasks, work->regions);
-    for (i = 0; i < work->regions; i++) work->region[tasks[i].number].runs = regions[i].number;
-    return left;
-}
-
-// The third step. No leg should be so short that to begin it matters. Where regions are many, threads even out their
-// work by taking one after another.
-static paradt_status paradt__run_relay(paradt__work *work) {
-    enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
-    paradt__ranked regions[MOST], tasks[MOST];
-    double fewest = (double)(work->regions * FEWEST) / paradt__cells_a_point(work->set.space.dim);
-    paradt_status status;
-    int last;
-    if (!work->options.parallel_for || work->regions > MOST) return paradt__run_regions(work, paradt__patch_task);
-    do {
-        size_t left = paradt__assign_leg(work, regions, tasks), i;
-        last = (double)left < fewest;
-        work->relay.stop = work->relay.done + (ptrdiff_t)(left / PART);
-        for (i = 0; i < work->regions; i++) work->region[i].patch.build.relay = last ? NULL : &work->relay;
-        status = paradt__run_regions(work, paradt__leg_task);
-    } while (!last && (!status || status == PARADT__GAVE_UP));
-    return status;
-}
-
-// --- regions together
-
-// Puts the cells of the regions together, giving their memory back one by one.
-static paradt_status paradt__collect_regions(paradt__work *work, paradt__mesh *cells, paradt_status status) {
-    uint64_t peaks = work->memory.held;
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        total += region->cells.count;
-        paradt__count_region(work->stats, &region->stats);
-        paradt__memory_join(&work->memory, &region->memory, &peaks);
-    }
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    cells->corners = work->set.space.dim + 1;
-    if (!status) status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    for (i = 0; i < work->regions; i++) {
-        if (!status) paradt__mesh_append(cells, &work->region[i].cells);
-        paradt__mesh_free(&work->region[i].cells, &work->memory);
-    }
-    return status;
-}
-
-// Links the open facets that the patches have listed, when the first region's wait for theirs. What finds no partner is
-// the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
-    paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->seam.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->open.count; j++) {
-            paradt_index *link = work->cells.links + patch->open.items[j];
-            if (*link == PARADT__OPEN) *link = PARADT__HULL;
-        }
-    }
-    return status;
-}
-
-// What the regions hold becomes the call's, and what is left of the limit is shared among them again: between the
-// steps, when none of them runs.
-static void paradt__share_memory(paradt__work *work) {
-    uint64_t peaks = work->memory.held;
-    size_t i;
-    for (i = 0; i < work->regions; i++) paradt__memory_join(&work->memory, &work->region[i].memory, &peaks);
-    if (work->memory.peak < peaks) work->memory.peak = peaks;
-    for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
-}
-
-// Places of a slice: somewhat more than what uniform points need, since one that is too small costs a copy, though the
-// gap that is left has to be closed; and more of the last one, behind which nothing has to be moved. Surfaces may have
-// a tenth more cells a point, solids nothing but what shaken lattices have, 2 %. Not where there are so many points of
-// others that a quarter could be left.
-static size_t paradt__slice_places(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    size_t count = patch->build.count, own = patch->fields[index].set.count;
-    if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
-    return paradt__expected_places(count, work->set.space.dim);
-}
-
-// Gives each patch a slice of the result's arrays for its cells, where their number can be foreseen: in two and three
-// dimensions. A patch whose cells don't fit takes arrays of its own.
-static paradt_status paradt__lend_slices(paradt__work *work) {
-    paradt__mesh *slices = &work->slices;
-    int dim = work->set.space.dim;
-    size_t total = 0, first = 0, i;
-    paradt_status status;
-    slices->corners = dim + 1;
-    if (dim < 2 || dim > 3) return PARADT_OK;
-    for (i = 0; i < work->regions; i++) total += paradt__slice_places(work, i);
-    status = paradt__mesh_reserve(slices, total, total, &work->memory);
-    if (status) {
-        paradt__mesh_free(slices, &work->memory);
-        return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
-    }
-    paradt__share_memory(work);
-    for (i = 0; i < work->regions && !status; i++) {
-        paradt__patch *patch = &work->region[i].patch;
-        size_t capacity = paradt__slice_places(work, i);
-        status = paradt__mesh_lend(&patch->build.scene.mesh, slices->vertices + first * (size_t)slices->corners,
-                                   slices->links + first * (size_t)slices->corners, capacity, patch->memory);
-        first += capacity;
-    }
-    return status;
-}
-
-// Other slices' cells are at their begins: closes the gaps between them.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->cells.corners, i;
-    for (i = 0; i < work->regions; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        size_t first = work->region[i].offset * corners,
-               bytes = patch->build.scene.mesh.count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->cells.vertices + first, patch->build.scene.mesh.vertices, bytes);
-        memmove(work->cells.links + first, patch->build.scene.mesh.links, bytes);
-    }
-}
-
-// Puts the cells of the patches together.
-static paradt_status paradt__collect_patches(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t total = 0, i;
-    int in_place = work->slices.vertices != NULL, lent = 0;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].offset = total;
-        total += work->region[i].patch.build.scene.mesh.count;
-        in_place = in_place && work->region[i].patch.build.scene.mesh.lent;
-        lent = lent || work->region[i].patch.build.scene.mesh.lent;
-    }
-    if (!lent) paradt__mesh_free(&work->slices, &work->memory);
-    // Slices of which more than a quarter would be left empty don't become the result. To copy it takes as much again.
-    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
-    if (in_place) {
-        *cells = work->slices;
-    } else {
-        paradt__release_records(work, &work->memory);
-        status = paradt__mesh_reserve(cells, total, total, &work->memory);
-    }
-    cells->count = total;
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__emit_task);
-    paradt__share_memory(work);
-    if (!status && in_place) paradt__close_slices(work);
-    if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
-}
-
-// Where the points of the regions are to be in the set, each but the first's with room for what others' points it is
-// likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int roomy) {
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        size_t count = paradt__region_count(work, i);
-        work->fields[i].begin = total;
-        work->fields[i].capacity = roomy && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].capacity;
-    }
-    return total;
-}
-
-// Moves the points of a region.
-static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
-    paradt__set *set = &work->set;
-    size_t count = paradt__region_count(work, index);
-    if (from == to) return;
-    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
-    memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
-}
-
-// Points that span the set, as positions in it once it is open.
-static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters);
-    for (i = 0; i < count; i++) {
-        size_t position = (size_t)work->basis[i], region = 0;
-        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[i] = (paradt_index)position;
-    }
-}
-
-// Gaps between the regions' points make room for others'. The first region trusts the others if its points span.
-static void paradt__open_set(paradt__work *work) {
-    size_t i;
-    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
-    paradt__find_basis(work);
-    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
-    for (i = 0; i < work->regions; i++) {
-        paradt__field *field = work->fields + i;
-        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
-        paradt__cuts_box(&work->cuts, i, field->low, field->high);
-    }
-    work->trusts = work->regions > 1 && paradt__spans(&work->fields[0].set);
-}
-
-// The set without them
-static void paradt__close_set(paradt__work *work) {
-    size_t i;
-    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
-}
-
-// Completes the regions that are open with what they tell each other.
-static paradt_status paradt__complete_together(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__show_task);
-    size_t open, i;
-    do {
-        if (!status) status = paradt__run_regions(work, paradt__hear_task);
-        if (!status) status = paradt__run_regions(work, paradt__complete_task);
-        for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    } while (!status && open);
-    return status;
-}
-
-// All regions at once, each step a task for each.
-static paradt_status paradt__build_together(paradt__work *work) {
-    size_t open, i;
-    paradt_status status = paradt__run_regions(work, paradt__points_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__lend_slices(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_relay(work);
-    for (i = open = 0; i < work->regions; i++) open += (size_t)work->region[i].open;
-    paradt__share_memory(work);
-    if (!status && open) status = paradt__complete_together(work);
-    paradt__share_memory(work);
-    if (!status) status = paradt__run_regions(work, paradt__compact_task);
-    paradt__share_memory(work);
-    if (!status) status = paradt__collect_patches(work);
-    paradt__share_memory(work);
-    return status;
-}
-
-// --- regions in turn: without neighbours, a region's links are given back before the next one begins
-
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
-static paradt_status paradt__turn_room(paradt__work *work, size_t count, size_t expected) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners;
-    void *vertices = cells->vertices;
-    if (cells->count + count <= cells->capacity) return PARADT_OK;
-    count += cells->count + expected;
-    if (!paradt__grow(&work->memory, &vertices, cells->count * corners, count * corners, sizeof(paradt_index)))
-        return PARADT_ERROR_MEMORY;
-    cells->vertices = (paradt_index *)vertices;
-    cells->capacity = count;
-    return PARADT_OK;
-}
-
-// Builds a region, at the end of the result while its cells fit there.
-static paradt_status paradt__build_turn(paradt__work *work, size_t index) {
-    paradt__patch *patch = &work->region[index].patch;
-    paradt__mesh *cells = &work->cells, *own = &patch->build.scene.mesh, *lent = &work->slices;
-    size_t corners = (size_t)cells->corners, capacity, rest;
-    paradt__rows to;
-    paradt_status status;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, &work->memory);
-    patch->own_points_only = work->trusts && index == 0;
-    status = paradt__patch_points(patch, work->basis);
-    capacity = paradt__expected_places(patch->build.count, work->set.space.dim);
-    if (capacity > paradt__most_cells(cells->corners)) capacity = paradt__most_cells(cells->corners);
-    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
-    if (!status) status = paradt__turn_room(work, capacity, rest);
+    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
+    if (!out->representative) return PARADT_ERROR_MEMORY;
+    status =
+        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
+    work->stats->seconds_points = paradt__now() - begun;
+    if (!status && paradt__progress_cancels(&progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     if (status) return status;
-    lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
-    if (!lent->links) return PARADT_ERROR_MEMORY;
-    status = paradt__mesh_lend(&patch->build.scene.mesh, cells->vertices + cells->count * corners, lent->links,
-                               capacity, patch->memory);
-    if (!status) {
-        paradt__patch_task(work, index);
-        if (!work->region[index].status) paradt__compact_task(work, index);
-        status = work->region[index].status;
-    }
-    if (!status && !own->lent) status = paradt__turn_room(work, own->count, rest);
-    to = paradt__mesh_rows(cells->corners, work->facets, cells->vertices + cells->count * corners, own->links, 0);
-    if (!status) status = paradt__patch_emit(patch, &to, 0);
-    if (status) return status;
-    cells->count += own->count;
-    paradt__patch_end(patch);
-    memset(patch, 0, sizeof *patch);
-    paradt__mesh_free(lent, &work->memory);
-    return PARADT_OK;
+    work->stats->duplicates = points->count - work->set.count;
+    return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-static paradt_status paradt__build_in_turn(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    size_t corners = (size_t)cells->corners, i;
-    paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_turn(work, i); // all others tell the first
-    if (!status && cells->capacity > cells->count + cells->count / 4 + 64) {
-        void *vertices = cells->vertices;
-        size_t used = cells->count * corners;
-        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-        cells->vertices = (paradt_index *)vertices;
+// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+static paradt_status paradt__close(paradt__work *work) {
+    if (!work->delivered) {
+        PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
     }
-    return status;
-}
-
-// --- regions given up
-
-// The largest region that gave up: its triangulation takes in all that is missing, and is the result. Others' are given
-// back.
-static paradt_status paradt__take_over(paradt__work *work) {
-    paradt__progress progress;
-    paradt__region *largest = NULL, *region;
-    paradt__patch *patch;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
-            largest = region;
+    paradt__mesh_rest(&work->mesh, &work->memory);
+    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
+        paradt__release(&work->memory, work->mesh.links);
+        work->mesh.links = NULL;
     }
-    for (region = work->region; region < work->region + work->regions; region++) {
-        region->stats.cells_recomputed = region->hull_facets = 0;
-        if (region == largest) continue;
-        paradt__patch_end(&region->patch);
-        memset(&region->patch, 0, sizeof region->patch);
-    }
-    patch = &largest->patch;
-    if (!patch->build.scene.mesh.lent) paradt__mesh_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(patch, &progress);
-    paradt__count_patch(largest);
-    largest->hull_facets = patch->hull_facets;
-    if (!status && patch->build.scene.mesh.lent) {
-        work->cells.corners = patch->build.scene.mesh.corners;
-        status = paradt__mesh_reserve(&work->cells, patch->build.scene.mesh.count, patch->build.scene.mesh.count,
-                                      &work->memory);
-        if (!status) paradt__mesh_append(&work->cells, &patch->build.scene.mesh);
-    } else if (!status) {
-        work->cells = patch->build.scene.mesh;
-        memset(&patch->build.scene.mesh, 0, sizeof patch->build.scene.mesh);
-    }
-    return status;
-}
-
-// Regions by insertion.
-static paradt_status paradt__build_patches(paradt__work *work) {
-    int taken;
-    paradt_status status;
-    size_t i;
-    work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
-    if (!work->fields) return PARADT_ERROR_MEMORY;
-    memset(work->fields, 0, work->regions * sizeof *work->fields);
-    paradt__open_set(work);
-    paradt__share_memory(work);
-    status = paradt__run_regions(work, paradt__grid_task);
-    paradt__share_memory(work);
-    if (!status) status = work->in_turn ? paradt__build_in_turn(work) : paradt__build_together(work);
-    taken = status == PARADT__GAVE_UP && !work->in_turn;
-    if (taken) status = paradt__take_over(work);
-    work->translated = !status;
-    for (i = 0; i < work->regions; i++) {
-        paradt__region *region = work->region + i;
-        paradt__count_region(work->stats, &region->stats);
-        work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.build.memory = &work->memory;
-        paradt__patch_end(&region->patch);
-        paradt__grid_free(&work->fields[i].grid, &work->memory);
-        paradt__mesh_free(&work->fields[i].seam, &work->memory);
-    }
-    paradt__mesh_free(&work->slices, &work->memory);
-    paradt__facets_free(&work->seam, &work->memory);
-    if (taken) work->regions = 1;
-    return status;
-}
-
-static paradt_status paradt__build_fronts(paradt__work *work) {
-    paradt_status status = paradt__run_regions(work, paradt__front_task);
-    status = paradt__collect_regions(work, &work->cells, status);
-    return status ? status : paradt__regions_join(&work->cells, &work->memory, &work->stats->hull_facets);
-}
-
-static paradt_status paradt__build_regions(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    int front = paradt__choose_front(work->method) != NULL;
-    size_t i;
-    if (front) work->owner = (uint32_t *)paradt__alloc(memory, work->set.count, sizeof *work->owner);
-    work->region = (paradt__region *)paradt__alloc(memory, work->regions, sizeof *work->region);
-    if ((front && !work->owner) || !work->region) return PARADT_ERROR_MEMORY;
-    memset(work->region, 0, work->regions * sizeof *work->region);
-    if (front) paradt__regions_assign(&work->set, &work->cuts, work->owner);
-    paradt__begin_way(work);
-    for (i = 0; i < work->regions; i++) {
-        work->region[i].memory = paradt__memory_fork(memory, work->regions);
-        work->region[i].cells.corners = work->set.space.dim + 1;
-    }
-    work->cells.corners = work->set.space.dim + 1;
-    return front ? paradt__build_fronts(work) : paradt__build_patches(work);
-}
-
-// The cell of a set of one point, or of none.
-static paradt_status paradt__build_trivial(paradt__work *work) {
-    paradt__mesh *cells = &work->cells;
-    paradt_status status;
-    work->regions = 1;
-    cells->corners = 1;
-    status = paradt__mesh_reserve(cells, 1, 1, &work->memory);
-    if (status) return status;
-    cells->count = work->set.count;
-    cells->vertices[0] = 0;
-    cells->links[0] = PARADT__HULL;
-    return PARADT_OK;
+    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Marks the representatives that are no vertex, and those they stand for, as hidden.
 static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulation *out) {
-    const paradt__mesh *cells = &work->cells;
-    size_t words = out->point_count / 64 + 1, vertices = cells->count * (size_t)cells->corners, i;
+    const paradt__mesh *mesh = &work->mesh;
+    size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
     if (!work->set.space.weighted) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
     for (i = 0; i < vertices; i++) {
-        size_t point = (size_t)cells->vertices[i];
+        size_t point = (size_t)mesh->vertices[i];
         used[point / 64] |= (uint64_t)1 << point % 64;
     }
     for (i = 0; i < out->point_count; i++) {
@@ -11711,202 +13107,6 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Delivers the cells of the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
-static paradt_status paradt__close(paradt__work *work) {
-    if (!work->translated) work->stats->hull_facets += paradt__mesh_close(&work->cells, work->set.origin, work->facets);
-    paradt__mesh_rest(&work->cells, &work->memory);
-    return paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
-}
-
-// Gives back what the building of cells needs beside the set.
-static void paradt__release_helpers(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    paradt__grid_free(&work->grid, memory);
-    paradt__release(memory, work->owner);
-    paradt__release(memory, work->fields);
-    paradt__release(memory, work->region);
-    memset(&work->grid, 0, sizeof work->grid);
-    work->owner = NULL;
-    work->fields = NULL;
-    work->region = NULL;
-}
-
-// Forgets what a way that gave up has built.
-static void paradt__begin_again(paradt__work *work) {
-    paradt__release_helpers(work);
-    paradt__mesh_free(&work->cells, &work->memory);
-    work->stats->cells_recomputed = work->stats->hull_facets = 0;
-}
-
-// Will insertion build regions one after another? Without neighbours it does, in three dimensions and less, and of many
-// points makes regions for that: five need 190 bytes a point where one needs 280, and a tenth to a fifth more time.
-static void paradt__choose_turns(paradt__work *work, const paradt_points *points) {
-    enum { TURNS = 5, LEAST_POINTS = 500000 };
-    work->in_turn = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 &&
-                    !paradt__choose_front(work->options.method) && (work->regions == 1 || !work->options.parallel_for);
-    if (work->in_turn && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = TURNS;
-}
-
-// --- do regions pay?
-//
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
-
-enum { PARADT__FORETELLING = 2048 }; // points of the sample
-
-// Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
-// dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
-static int paradt__is_hollow(const paradt__set *set) {
-    enum { EVERY = 64 };
-    int dim = set->space.dim;
-    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
-    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
-    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
-}
-
-// Points of the sample that have a neighbour on the other side of the first cut. cells: of the sample; side:
-// [FORETELLING]
-static size_t paradt__count_across(const paradt__mesh *cells, unsigned char *side) {
-    enum { UPPER = 1, ACROSS = 2 };
-    size_t corners = (size_t)cells->corners, i, j, count = 0;
-    for (i = 0; i < cells->count; i++) {
-        const paradt_index *cell = cells->vertices + i * corners;
-        size_t upper = 0;
-        for (j = 0; j < corners; j++) upper += side[cell[j]] & UPPER;
-        for (j = 0; j < corners && upper % corners; j++) side[cell[j]] |= ACROSS;
-    }
-    for (i = 0; i < PARADT__FORETELLING; i++) count += side[i] >= ACROSS;
-    return count;
-}
-
-// Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
-// a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
-static paradt_status paradt__foretell(paradt__work *work, int *in_vain) {
-    const paradt__set *set = &work->set;
-    paradt__set sample = *set;
-    paradt__mesh cells;
-    paradt__counters counters;
-    paradt__progress progress;
-    size_t i;
-    unsigned char side[PARADT__FORETELLING];
-    paradt_status status = PARADT_OK;
-    *in_vain = 0;
-    if (set->count < 4 * PARADT__FORETELLING || set->space.weighted) return PARADT_OK;
-    memset(&cells, 0, sizeof cells);
-    memset(&progress, 0, sizeof progress);
-    sample.count = PARADT__FORETELLING;
-    sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
-    sample.origin = (paradt_index *)paradt__alloc(&work->memory, sample.count, sizeof *sample.origin);
-    if (!sample.records || !sample.origin) status = PARADT_ERROR_MEMORY;
-    for (i = 0; i < sample.count && !status; i++) {
-        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
-        paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
-        sample.origin[i] = (paradt_index)i;
-        side[i] = at < work->cuts.cut[work->regions / 2].begin;
-    }
-    if (!status && paradt__spans(&sample))
-        status = paradt__bowyer_watson(&sample, &work->memory, &cells, &progress, &counters);
-    if (!status && cells.corners) {
-        paradt__mesh_close(&cells, NULL, 0);
-        *in_vain = paradt__count_across(&cells, side) > PARADT__FORETELLING / 8 * 3;
-    }
-    paradt__mesh_free(&cells, &work->memory);
-    paradt__set_free(&sample, &work->memory);
-    return status;
-}
-
-// By insertion. When regions in turn give up, the set is left in their order.
-static paradt_status paradt__insert_all(paradt__work *work) {
-    enum { WORTH = 512 }; // points: with fewer, a sphere is not looked for
-    paradt_status status = PARADT_OK;
-    int in_vain = 0;
-    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
-    if (work->hollow) status = paradt__foretell(work, &in_vain);
-    if (!status && in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
-        status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTH)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->memory);
-    if (work->regions == 1) return status ? status : paradt__build_by_insertion(work);
-    if (!status) status = paradt__build_regions(work);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__close_set(work);
-    paradt__begin_again(work);
-    work->regions = 1;
-    return paradt__build_by_insertion(work);
-}
-
-// The cells, by work->method. *sorted: when the points were ready for it.
-static paradt_status paradt__build_cells(paradt__work *work, double *sorted) {
-    paradt_status status;
-    if (work->set.space.dim <= 0) return paradt__build_trivial(work);
-    if (!paradt__choose_front(work->method)) return paradt__insert_all(work);
-    status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->memory);
-    if (!status) status = paradt__grid_build(&work->grid, &work->set, &work->memory);
-    *sorted = paradt__now();
-    if (status) return status;
-    return work->regions > 1 ? paradt__build_regions(work) : paradt__build_undivided(work);
-}
-
-// AUTO. In four dimensions and more, what insertion makes only to destroy it again costs more than InCoDe's searches,
-// unless these have to decide ties.
-static paradt_status paradt__build_by_any(paradt__work *work, double *sorted) {
-    paradt_status status;
-    work->method = work->options.method;
-    if (paradt__inserts(work->method, work->set.space.dim) || work->method != PARADT_AUTO)
-        return paradt__build_cells(work, sorted);
-    work->method = PARADT_INCODE;
-    work->impatient = 1;
-    status = paradt__build_cells(work, sorted);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__begin_again(work);
-    if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
-    work->method = PARADT_BOWYER_WATSON;
-    return paradt__build_cells(work, sorted);
-}
-
-static paradt_status paradt__build(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
-    double begun = paradt__now(), loaded, sorted;
-    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__team team;
-    paradt_status status;
-    paradt__choose_turns(work, points);
-    team = paradt__team_of(&work->options, work->regions, paradt__progress_of(&work->meter, &work->told, reading));
-    work->cuts.boxes = work->regions;
-    work->cuts.partition = work->options.partition;
-    work->cuts.larger_first = !work->in_turn && paradt__inserts(work->options.method, points->dim);
-    work->cuts.gaps = !paradt__choose_front(work->options.method);
-    out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
-    if (!out->representative) return PARADT_ERROR_MEMORY;
-    status =
-        paradt__set_load(&work->set, points, &work->cuts, &team, &work->memory, out->representative, &out->error_point);
-    loaded = sorted = paradt__now();
-    work->stats->seconds_points = loaded - begun;
-    if (!status && paradt__progress_cancels(&team.progress, 1.0)) status = PARADT_ERROR_CANCELLED;
-    if (status) return status;
-    work->stats->duplicates = points->count - work->set.count;
-    if (work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim) return PARADT_ERROR_FLAT;
-    status = paradt__build_by_any(work, &sorted);
-    if (!status) status = paradt__close(work);
-    if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
-        paradt__release(&work->memory, work->cells.links);
-        work->cells.links = NULL;
-    }
-    work->stats->seconds_grid = sorted - loaded;
-    work->stats->seconds_build = paradt__now() - sorted;
-    return status;
-}
-
-static void paradt__deliver(paradt__work *work, paradt_triangulation *out) {
-    paradt__mesh *cells = &work->cells;
-    out->dim = work->set.space.dim;
-    out->cell_count = cells->count;
-    out->cells = cells->vertices;
-    out->neighbors = cells->links;
-    cells->vertices = cells->links = NULL;
-}
-
 // Why the points don't span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
@@ -11915,12 +13115,55 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing but what says which.
+// After an error: leaves nothing in `out` but what says which.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
     out->error_point = bad;
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
+// Begins a call.
+static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
+                               const paradt_points *points, const paradt_options *options) {
+    memset(work, 0, sizeof *work);
+    memset(stats, 0, sizeof *stats);
+    if (options) work->options = *options;
+    paradt__memory_begin(&work->memory, options);
+    paradt__meter_begin(&work->meter, options);
+    work->stats = stats;
+    out->point_count = points->count;
+    out->allocator = work->memory.allocator;
+    paradt__plan(work, points);
+}
+
+// Ends a call: hands the mesh over, frees all else, and fills the statistics. begun, built: the clock
+static paradt_status paradt__end_call(paradt__work *work, paradt_triangulation *out, paradt_status status, double begun,
+                                      double built) {
+    paradt_stats *stats = work->stats;
+    int dim = work->set.space.dim;
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) {
+        out->dim = dim;
+        out->cell_count = work->mesh.count;
+        out->cells = work->mesh.vertices;
+        out->neighbors = work->mesh.links;
+        work->mesh.vertices = work->mesh.links = NULL;
+    }
+    paradt__mesh_free(&work->mesh, &work->memory);
+    paradt__set_free(&work->set, &work->memory);
+    paradt__release(&work->memory, work->cuts.cut);
+    if (status) paradt__withdraw(out, status, dim);
+    stats->cells = out->cell_count;
+    stats->regions = work->regions;
+    stats->peak_bytes = work->memory.peak;
+    if (status == PARADT_ERROR_MEMORY) stats->needed_bytes = work->memory.needed;
+    stats->seconds_build = built - begun - stats->seconds_points - stats->seconds_grid;
+    stats->seconds_finish = paradt__now() - built;
+    stats->seconds = paradt__now() - begun;
+    out->stats = *stats;
+    return status;
 }
 
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
@@ -11929,548 +13172,119 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     paradt_stats stats;
     paradt_status status;
     double begun = paradt__now(), built;
-    int dim;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     status = paradt__check_arguments(points, options, &out->error_text);
     if (status) return status;
-    memset(&work, 0, sizeof work);
-    memset(&stats, 0, sizeof stats);
-    if (options) work.options = *options;
-    paradt__memory_begin(&work.memory, options);
-    paradt__meter_begin(&work.meter, options);
-    work.stats = &stats;
-    out->point_count = points->count;
-    out->allocator = work.memory.allocator;
-    work.facets = (work.options.flags & PARADT_FACETS) != 0;
-    work.regions = work.options.regions ? work.options.regions : 1;
-    if (work.regions > points->count) work.regions = points->count ? points->count : 1;
-    status = paradt__build(&work, points, out);
+    paradt__begin_call(&work, &stats, out, points, options);
+    status = paradt__load(&work, points, out);
+    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__close(&work);
     built = paradt__now();
     paradt__release_helpers(&work);
     if (!status) status = paradt__find_hidden(&work, out);
-    work.meter.done = PARADT__ALL_DONE;
-    if (!status && paradt__meter_cancels(&work.meter)) status = PARADT_ERROR_CANCELLED;
-    if (!status) paradt__deliver(&work, out);
-    dim = work.set.space.dim;
-    paradt__mesh_free(&work.cells, &work.memory);
-    paradt__set_free(&work.set, &work.memory);
-    paradt__release(&work.memory, work.cuts.cut);
-    if (status) paradt__withdraw(out, status, dim);
-    stats.cells = out->cell_count;
-    stats.regions = work.regions;
-    stats.peak_bytes = work.memory.peak;
-    if (status == PARADT_ERROR_MEMORY) stats.needed_bytes = work.memory.needed;
-    stats.seconds_finish = paradt__now() - built;
-    stats.seconds = paradt__now() - begun;
-    out->stats = stats;
-    return status;
+    return paradt__end_call(&work, out, status, begun, built);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>remote
-//
-// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
-// region built alone.
-//
-// It is only compiled where paradt_mpi.h is implemented.
-//
-// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
-// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__REMOTE 1
-
-// Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
-// the set.
-typedef struct paradt__remote_engine {
-    paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-} paradt__remote_engine;
-
-static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->build.memory = memory;
-    paradt__insertion_end(&engine->build);
-    paradt__release(memory, engine->fringe);
-    paradt__release(memory, engine->order);
-    memset(engine, 0, sizeof *engine);
-}
-
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 const int64_t *low, const int64_t *high, paradt__memory *memory,
-                                                 const paradt__progress *progress) {
-    paradt__curve curve;
-    memset(engine, 0, sizeof *engine);
-    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
-                        set->count / 8);
-    engine->order = paradt__merged_order(set, own, &curve, memory);
-    if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__insertion_begin(&engine->build, set, engine->order, memory);
-    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__insertion_run(&engine->build, progress);
-}
-
-// The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
-// there is no memory.
-static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__memory *memory) {
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
-    paradt_index *order = paradt__round_order(set->count, memory);
-    const paradt__space *space = &set->space;
-    paradt__curve curve;
-    size_t i;
-    if (keyed && other && order) {
-        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
-                            set->count);
-        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
-    } else {
-        paradt__release(memory, order);
-        order = NULL;
-    }
-    paradt__release(memory, keyed);
-    paradt__release(memory, other);
-    return order;
-}
-
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
-    size_t count = engine->fringe_count;
-    paradt_status status =
-        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
-    if (status) return status;
-    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    engine->fringe[engine->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
-// Forgets the list of the fringe, to make it anew.
-static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
-    size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
-    engine->fringe_count = 0;
-}
-
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
-PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
-                                                        size_t *place) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
-}
-
-// Lists all of it.
-static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
-        status = paradt__remote_engine_list(engine, own, &place);
-    return status;
-}
-
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
-static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
-                                                  paradt_index position) {
-    paradt__insertion *build = &engine->build;
-    size_t i;
-    paradt_status status;
-    build->scene.records = set->records;
-    build->count++;
-    status = paradt__insert_one_more(build, position, -1);
-    for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
-    }
-    return status;
-}
-
-// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
-// there; else *facet is -1.
-PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
-                                               int *facet) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t base = *place * corners;
-    int ghost;
-    *facet = -1;
-    if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
-    return 1;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>fringe: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
-}
-
-// The place on the other side of a facet of what is at a place
-PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                                   size_t facet) {
-    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
-}
-
-// Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
-PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->build.scene.mesh.marks + place;
-    if (*mark & PARADT__WAITING) return 0;
-    *mark |= PARADT__WAITING;
-    return 1;
-}
-
-static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
-}
-
-// Fetches what is at a place ahead of its use.
-PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
-}
-
-// The same of its vertices' records, and of the marks of what is around it.
-PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
-                                                       size_t place) {
-    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
-        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
-    }
-}
-
-// The vertices of the cell at a place, as positions in the set, and their records.
-PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                               paradt_index *vertices, const double **records) {
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
-        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
-    }
-}
-
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
-static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt__insertion_rest(&engine->build);
-    paradt__release(memory, engine->order);
-    engine->order = NULL;
-}
-
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
-enum {
-    PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
-};
-
-PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
-                                          paradt_index bits) {
-    size_t j;
-    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
-}
-
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
-PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
-                                       const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
-}
-
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
-PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                    paradt_index *mark) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t count = engine->fringe_count, i, j, left = 0;
-    uint64_t others = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index place = engine->fringe[i];
-        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        if (vertices[0] == PARADT__DEAD) continue;
-        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
-            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-            continue;
-        }
-        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
-        for (j = 0; j < corners && is_cell; j++)
-            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
-        others += (uint64_t)is_cell;
-        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        engine->fringe[left++] = place;
-    }
-    engine->fringe_count = left;
-    return others;
-}
-
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
-PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
-                                                const paradt_index *mark) {
-    int leaves = 0;
-    size_t j;
-    for (j = 0; j < corners; j++)
-        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
-    return leaves;
-}
-
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
-PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                               paradt_index *mark) {
-    paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t i, j, count = engine->fringe_count;
-    for (i = 0; i < count; i++) {
-        size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        for (j = 0; j < corners; j++) {
-            paradt_index link = cells->links[base + j];
-            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->links[link] = PARADT__OPEN;
-            if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
-                paradt__vertices_among(across, (int)corners, 0, own))
-                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-        }
-    }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)engine->fringe[i] * corners] = PARADT__DEAD;
-}
-
-PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
-                                                          size_t corners, paradt_index *mark) {
-    uint64_t others = paradt__remote_engine_judge(engine, own, corners, mark);
-    paradt__remote_engine_drop(engine, own, corners, mark);
-    return others;
-}
-
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
-static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__mesh *cells, paradt_index *mark) {
-    paradt__insertion *build = &engine->build;
-    paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
-    uint64_t others;
-    // of points without weights none is hidden
-    for (i = 0; i < set->count; i++)
-        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
-    others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
-                          : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
-                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, engine->fringe);
-    *cells = build->scene.mesh;
-    memset(engine, 0, sizeof *engine);
-    return others;
-}
-
-// What paradt__remote_region works with
-typedef struct paradt__remote_part {
-    paradt__memory memory;
-    paradt__set set;
-    paradt__grid grid;
-    paradt__cuts cuts;
-    uint32_t *owner; // [set.count]
-    paradt__mesh cells;
-    paradt__meter meter;
-    uint32_t told;
-} paradt__remote_part;
-
-// Builds one region of a loaded set facet by facet.
-static paradt_status paradt__remote_front(paradt__remote_part *part, const paradt_options *options, size_t region,
-                                          paradt_stats *stats) {
-    paradt__set *set = &part->set;
-    paradt__memory *memory = &part->memory;
-    paradt__region_view view;
-    paradt__front front;
-    paradt_method method = paradt__choose_front(options->method) ? options->method : PARADT_INCODE;
-    paradt_status status;
-    part->owner = (uint32_t *)paradt__alloc(memory, set->count, sizeof *part->owner);
-    if (!part->owner) return PARADT_ERROR_MEMORY;
-    status = paradt__set_grade(set, PARADT__NEAR_SPHERE, memory);
-    if (!status) status = paradt__grid_build(&part->grid, set, memory);
-    if (status) return status;
-    paradt__regions_assign(set, &part->cuts, part->owner);
-    view.owner = part->owner;
-    view.cuts = &part->cuts;
-    view.region = (uint32_t)region;
-    status = paradt__front_begin(&front, set, &part->grid, memory, view, 1.0 / (double)options->regions);
-    front.progress = paradt__progress_of(&part->meter, &part->told, 1.0);
-    if (!status) status = paradt__choose_front(method)(&front);
-    paradt__count_front(stats, &front);
-    paradt__front_end(&front);
-    part->cells = front.mesh;
-    return status ? status : paradt__region_compact(&part->cells, set, &view, memory, &stats->cells_recomputed);
-}
-
-// The cell of a set of one point, in region 0.
-static paradt_status paradt__remote_trivial(paradt__remote_part *part, size_t region) {
-    paradt_status status;
-    part->cells.corners = 1;
-    status = paradt__mesh_reserve(&part->cells, 1, 1, &part->memory);
-    if (status) return status;
-    part->cells.count = region ? 0 : part->set.count;
-    part->cells.vertices[0] = 0;
-    part->cells.links[0] = PARADT__HULL;
-    return PARADT_OK;
-}
-
-// The bytes that a result holds: each block begins with its size.
-static size_t paradt__remote_bytes(const paradt_triangulation *t) {
-    const void *blocks[3] = {t->cells, t->neighbors, t->representative};
-    size_t bytes, sum = 0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        if (!blocks[i]) continue;
-        memcpy(&bytes, (const char *)blocks[i] - PARADT__BLOCK_HEADER, sizeof bytes);
-        sum += bytes;
-    }
-    return sum;
-}
-
-// paradt_triangulate for the region `region` of options->regions alone, by InCoDe where the method is neither that nor
-// DeWall: `out` gets just the cells that it owns. Their neighbours in other regions are PARADT__OPEN. Hidden points are
-// not found: that takes the cells of all regions.
-static paradt_status paradt__remote_region(paradt_triangulation *out, const paradt_points *points,
-                                           const paradt_options *options, size_t region) {
-    paradt__remote_part part;
-    paradt__mesh *cells = &part.cells;
+// paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
+// `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
+// Hidden points are not found: that takes the cells of all regions.
+static paradt_status paradt__triangulate_region(paradt_triangulation *out, const paradt_points *points,
+                                                const paradt_options *options, size_t index) {
+    paradt__work work;
     paradt_stats stats;
-    paradt_status status = PARADT_ERROR_MEMORY;
+    paradt_status status;
     double begun = paradt__now();
-    size_t i;
     memset(out, 0, sizeof *out);
-    memset(&part, 0, sizeof part);
-    memset(&stats, 0, sizeof stats);
-    paradt__memory_begin(&part.memory, options);
-    paradt__meter_begin(&part.meter, options);
-    out->point_count = points->count;
-    out->allocator = part.memory.allocator;
-    out->representative = (paradt_index *)paradt__alloc(&part.memory, points->count, sizeof(paradt_index));
-    part.cuts.boxes = options->regions;
-    part.cuts.partition = options->partition;
-    if (out->representative)
-        status = paradt__set_load(&part.set, points, &part.cuts, &paradt__alone, &part.memory, out->representative,
-                                  &out->error_point);
-    if (!status)
-        status = part.set.space.dim > 0 ? paradt__remote_front(&part, options, region, &stats)
-                                        : paradt__remote_trivial(&part, region);
-    if (!status) {
-        for (i = 0; i < cells->count * (size_t)cells->corners; i++)
-            cells->vertices[i] = part.set.origin[cells->vertices[i]];
-        out->dim = part.set.space.dim;
-        out->cell_count = cells->count;
-        out->cells = cells->vertices;
-        out->neighbors = cells->links;
-        cells->vertices = cells->links = NULL;
-        stats.cells = out->cell_count;
-        stats.duplicates = points->count - part.set.count;
-        stats.peak_bytes = part.memory.peak;
-        stats.seconds = paradt__now() - begun;
-        out->stats = stats;
+    out->dim = -1;
+    paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.larger_first = work.cuts.gaps = 0;
+    work.method = paradt__method_of(options->method);
+    if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
+    status = paradt__load(&work, points, out);
+    if (!status && work.set.space.dim <= 0) {
+        status = paradt__build_trivial(&work);
+        if (index) work.mesh.count = 0;
+    } else if (!status) {
+        status = paradt__prepare_fronts(&work);
+        if (!status) status = paradt__begin_fronts(&work);
+        if (!status) {
+            size_t only = index < work.regions ? index : 0;
+            paradt__front_task(&work, only);
+            status = work.region[only].status;
+            work.mesh = work.region[only].mesh;
+            if (index != only) work.mesh.count = 0;
+            paradt__count_region(&stats, &work.region[only].stats);
+            paradt__share_memory(&work);
+        }
     }
-    paradt__mesh_free(cells, &part.memory);
-    paradt__grid_free(&part.grid, &part.memory);
-    paradt__release(&part.memory, part.owner);
-    paradt__release(&part.memory, part.cuts.cut);
-    paradt__set_free(&part.set, &part.memory);
-    if (status) {
-        i = out->error_point;
-        paradt_free(out);
-        out->error_point = i;
-    }
-    return status;
+    if (!status) status = paradt__close(&work);
+    paradt__release_helpers(&work);
+    return paradt__end_call(&work, out, status, begun, paradt__now());
 }
+#endif
 
-#endif // PARADT_MPI_IMPLEMENTATION
-
+#ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
 // >>check
 //
 // The certificate: whatever the arrays of a triangulation hold, paradt_check accepts exactly those that are T(P). It
-// shares with the methods only the reading of points, the predicates and the memory account; it builds nothing that it
-// could get wrong in the same way, and it takes linear time (expected: hashing; hidden points are found by short
-// walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and Uhrig,
-// "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999; Devillers,
-// Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
-// Computational Geometry 11, 1998. Door: paradt_check.
+// shares only the reading of points, the predicates and the memory account with the methods, and builds nothing that it
+// could get wrong in the same way. It takes linear time (expected: there is hashing, and hidden points are found by
+// short walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and
+// Uhrig, "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999;
+// Devillers, Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
+// Computational Geometry 11, 1998.
 //
-// What is tested, all of it in exact signs (k: the affine dimension, counted anew; o: a place infinitesimally near the
-// lexicographically smallest vertex, inside one of its cells):
+// What is tested, all of it in exact signs. k is the affine dimension, determined anew; o is a place infinitesimally
+// near the lexicographically smallest vertex, inside one of its cells.
 //   (1) points of equal coordinates have the same representative, the right one, or all are hidden; each
 //       representative is a vertex, each vertex is its own representative;
 //   (2) each cell is positively oriented;
-//   (3) adjacency is an involution on the facets of cells, two neighbours have all but one vertex in common, and their
+//   (3) adjacency is an involution on the facets of cells, two neighbours have all vertices but one in common, and
+//   their
 //       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
-//   (4) across each facet with two cells, the other cell's vertex is no conflict of the cell under the perturbation;
-//   (5) each hull facet (one without neighbour) has o strictly on its cell's side;
-//   (6) at each ridge of the hull, where two hull facets meet when one turns around it through the cells, neither
-//       facet's remaining vertex is beyond the other facet's hyperplane;
-//   (7) one cell only contains o;
-//   (8) each hidden point lies in a cell with which it is not in conflict.
+//   (4) for each facet with two cells, the vertex opposite in one cell is not in conflict with the other cell;
+//   (5) each hull facet (one with a single cell) has o strictly on the side of its cell;
+//   (6) at each ridge of the hull, where turning around it through the cells leads from one hull facet to another,
+//       neither facet has its remaining vertex beyond the hyperplane of the other;
+//   (7) only one cell contains o;
+//   (8) each hidden point lies in a cell that it is not in conflict with.
 //
 // Why this proves T(P). Choose the infinitesimals of o and of the perturbation as real numbers so small that all the
-// finitely many signs stay as they are; "generic" means off the hyperplanes of all facets. Let n(x) be the number of
-// cells that contain a generic x. By (2) and (3) n does not change across a facet of two cells: one is lost, one
-// gained. Across a hull facet it falls by one to the facet's outside. Facets of the hull are paired at ridges: turning
-// around a ridge is an injective map of flags by (3), so it never runs in circles and ends at another hull facet, which
-// by (2), (3) has the opposite orientation at the ridge. By (5) the hull is thus star-shaped about o: projected from o
-// to the sphere, neighbouring facets lie on opposite sides of their ridge, so the projection covers the sphere equally
-// often everywhere, and any generic ray from o crosses the hull n(o) times, each time outward. By (7) that is once, and
-// the hull is the boundary of one star-shaped body Q with n = 1 in it and n = 0 outside. A section of Q by a generic
-// plane through o is a star-shaped polygon, convex at each corner by (6), so convex; so is Q. Q contains all of P:
-// vertices and duplicates by (1), hidden points by (8); so Q = conv(P), and the cells tile it. Let g be the function on
-// Q that is affine on each cell and takes the lifted heights at the vertices. Along any generic segment g is
-// continuous, as neighbours share a facet's vertices, and strictly convex at each facet crossed, by (4). So the plane
-// of any cell lies below g on all of Q, hence below each lifted vertex; below each hidden one by (8), as it is a
-// conflict or not by the plane over its own place. With perturbed heights "below" is strict but for the cell's own
-// vertices: each cell is a facet of the lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none
-// is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
-// o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+// finitely many signs stay as they are. "Generic" means off the hyperplanes of all facets.
+//   The cells near a facet. Let n(x) be the number of cells that contain a generic x. By (2) and (3) n does not change
+// across a facet of two cells: one cell is left, one entered. Across a hull facet, outward, it falls by one.
+//   The hull is star-shaped. Facets of the hull are paired at ridges: turning around a ridge is an injective map of
+//   flags
+// by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite orientation
+// at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of their ridge.
+// So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the hull n(o) times,
+// each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about o, with n = 1
+// inside and n = 0 outside.
+//   The hull is convex. A section of Q by a generic plane through o is a star-shaped polygon, convex at each corner by
+// (6), and therefore convex; so Q is convex. Q contains all of P: vertices and duplicates by (1), hidden points by (8).
+// So Q = conv(P), and the cells tile it.
+//   The cells are Delaunay. Let g be the function on Q that is affine on each cell and takes the lifted heights at the
+// vertices. Along any generic segment g is continuous, as neighbours share the vertices of a facet, and strictly convex
+// at each facet crossed, by (4). So the plane of any cell lies below g on all of Q, and hence below each lifted vertex.
+// It lies below each lifted hidden point by (8), as the plane of the cell under such a point decides whether it is in
+// conflict. With perturbed heights "below" is strict except at the vertices of the cell: each cell is a facet of the
+// lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none is there twice.
+//   Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5): the interior of Q contains o.
+//   Nothing
+// else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+//
+// This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
+// has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
+// paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
 
-enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
-// What is done, one after another, with the part of the work that is done when it begins
+// The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
     X(READ, 0.0)                                                                                                       \
     X(LEAD, 0.02)                                                                                                      \
@@ -12493,17 +13307,18 @@ typedef struct paradt__check {
     const paradt_options *options; // may be NULL
     paradt_fault *fault;
     paradt__memory memory;
-    paradt__set set;               // the records of all the caller's points, by the caller's index
-    size_t corners;                // dim + 1, of a cell
-    const paradt_index *neighbors; // t->neighbors or matched
-    int halves;                    // 1: they are half-facets
+    paradt__set set;               // the records of all points, by the caller's index
+    size_t corners;                // vertices of a cell: dim + 1
+    const paradt_index *neighbors; // t->neighbors or `matched`
+    int halves;                    // 1: neighbors are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
-    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
-    const double
-        *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
+    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: not a vertex
+    // o is the first of these vertices, moved towards the second, by infinitely less towards the third, and so on.
+    const double *origin[PARADT_MAX_DIM + 1];
     paradt__check_phase phase;
 } paradt__check;
 
+// Says what is wrong. cell, point: an index, or -1
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
                                         paradt_index point) {
     check->fault->reason = reason;
@@ -12512,19 +13327,20 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
+// Tells the progress callback that `done` of the phase's elements are done; to be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
 #define PARADT__CHECK_BEGIN(name, begin) begin,
     static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
 #undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
     double fraction = begins[check->phase];
+    PARADT_ASSERT(done <= all);
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
     fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
-// The cell across a facet (numbered cell * corners + corner); negative: none
+// Returns the cell across a facet, whose number is cell * corners + corner; -1: none.
 PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
     paradt_index neighbor = check->neighbors[facet];
     return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
@@ -12534,22 +13350,25 @@ PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check
     return check->t->cells + cell * check->corners;
 }
 
+// Fills corners with the coordinates of the cell's vertices.
 static void paradt__check_gather(const paradt__check *check, size_t cell, const double **corners) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i;
     for (i = 0; i < check->corners; i++) corners[i] = paradt__record(&check->set, vertices[i]);
 }
 
-// In dimension 0 a cell is a point and the empty determinant is 1.
+// Returns the orientation of a cell. In dimension 0 a cell is a point, and the empty determinant is 1.
 static int paradt__check_orient(paradt__check *check, const double *const *corners) {
     return check->set.space.dim == 0 ? 1 : paradt__orient(&check->set.space, corners);
 }
 
-// On which side of the facet opposite `corner` x lies: 1 is the cell's. corners come back as they were.
+// Returns on which side of the facet opposite `corner` the point x lies: 1 on the side of the cell, 0 on its
+// hyperplane, -1 beyond it. corners: the cell's; they come back as they were.
 static int paradt__check_side(paradt__check *check, const double **corners, size_t corner, const double *x) {
     const double *own = corners[corner];
     int side;
     size_t i;
+    PARADT_ASSERT(corner < check->corners);
     if (x == own) return 1;
     for (i = 0; i < check->corners; i++)
         if (x == corners[i]) return 0;
@@ -12561,13 +13380,13 @@ static int paradt__check_side(paradt__check *check, const double **corners, size
 
 // --- points: condition (1) up to "is a vertex"
 
-// The predicates' error bounds are those of one dimension
+// Sets the dimension in which the predicates work, and their error bounds.
 static void paradt__check_set_dim(paradt__check *check, int dim) {
     check->set.space.dim = dim;
     if (dim > 0) paradt__space_end(&check->set.space);
 }
 
-// ... and of the coordinates that stand at their places.
+// Measures all records anew, as the order of their coordinates has changed, and sets the dimension.
 static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__space *space = &check->set.space;
     size_t i;
@@ -12576,6 +13395,7 @@ static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__check_set_dim(check, dim);
 }
 
+// Reads the points.
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__source source = paradt__source_of(points);
     paradt__set *set = &check->set;
@@ -12597,7 +13417,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     return PARADT_OK;
 }
 
-// Takes the coordinate at place `axis` of all records to their end; `axis` of them orient.
+// Moves the coordinate at place `axis` of all records to the end of the coordinates. `axis` axes are taken so far.
 static void paradt__check_pass_over(paradt__check *check, int axis) {
     size_t i, after = (size_t)(check->set.space.ambient - axis - 1);
     for (i = 0; i < check->set.count; i++) {
@@ -12608,9 +13428,10 @@ static void paradt__check_pass_over(paradt__check *check, int axis) {
     paradt__check_measure(check, axis);
 }
 
-// The affine dimension. Axes are taken from the first to the last, each that makes the projection to the axes taken
-// larger: one point out of the flat of the basis shows it. One that is passed over is an affine function of those
-// taken, for all points are then exactly in that flat. In the end the records begin with the axes taken.
+// Determines the affine dimension. Axes are taken from the first to the last: each one that raises the dimension of the
+// projection to the axes taken, which one point off the flat of the basis shows. An axis that is passed over is an
+// affine function of those taken, for then all points are exactly in that flat. In the end the records begin with the
+// axes taken.
 static paradt_status paradt__check_dimension(paradt__check *check) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, taken = 0, ambient = check->set.space.ambient;
@@ -12633,18 +13454,19 @@ static paradt_status paradt__check_dimension(paradt__check *check) {
     return PARADT_OK;
 }
 
-// The place in the table of the points that have the record's coordinates, or of an empty one.
+// Returns the slot of the table that holds the record's coordinates, or the empty slot where they belong.
 static size_t paradt__check_place(const paradt__check *check, const paradt_index *table, size_t slots,
                                   const double *record) {
     int ambient = check->set.space.ambient;
     size_t slot = (size_t)paradt__hash_coordinates(record, ambient) & (slots - 1);
+    PARADT_ASSERT(slots > check->set.count && !(slots & (slots - 1)));
     while (table[slot] >= 0 &&
            memcmp(paradt__record(&check->set, table[slot]), record, (size_t)ambient * sizeof(double)))
         slot = (slot + 1) & (slots - 1);
     return slot;
 }
 
-// Fills the table with the point that has to stand for its place: the heaviest, then the first.
+// Fills the table with the point that has to stand for each place: the heaviest, among these the first.
 static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
     paradt_status status = PARADT_OK;
@@ -12661,6 +13483,7 @@ static paradt_status paradt__check_lead(const paradt__check *check, paradt_index
     return status;
 }
 
+// Compares representatives with the points that have to stand for their places.
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
     paradt_status status = PARADT_OK;
@@ -12679,6 +13502,7 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
     return status;
 }
 
+// Condition (1), but for whether representatives are vertices.
 static paradt_status paradt__check_representatives(paradt__check *check) {
     paradt_status status;
     paradt_index *table;
@@ -12704,6 +13528,7 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
 
 // --- cells: condition (2), the rest of (1)
 
+// Checks that the cell's vertices are distinct representatives, and notes the cell for each of them.
 static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i, j;
@@ -12722,6 +13547,7 @@ static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     return PARADT_OK;
 }
 
+// Condition (2), and the rest of (1).
 static paradt_status paradt__check_cells(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t i, cell_count = check->t->cell_count;
@@ -12746,12 +13572,14 @@ static paradt_status paradt__check_cells(paradt__check *check) {
 
 // --- facets: conditions (3) and (4)
 
-// The corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 when they don't share it.
-// place becomes where each vertex is found in the other cell, with the opposite one in the place of `corner`.
+// Returns the corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 if the cells do not
+// share that facet. place[i] becomes the corner of `other` at which vertex i of `cell` stands; place[corner] the one
+// that is returned.
 static int paradt__check_across(const paradt__check *check, size_t cell, size_t corner, size_t other, size_t *place) {
     const paradt_index *a = paradt__check_cell(check, cell), *b = paradt__check_cell(check, other);
     unsigned left = (1u << check->corners) - 1;
     size_t i, j;
+    PARADT_ASSERT(corner < check->corners && cell < check->t->cell_count && other < check->t->cell_count);
     for (i = 0; i < check->corners; i++) {
         if (i == corner) continue;
         for (j = 0; j < check->corners && a[i] != b[j]; j++) {
@@ -12765,8 +13593,8 @@ static int paradt__check_across(const paradt__check *check, size_t cell, size_t 
     return a[corner] == b[j] ? -1 : (int)j;
 }
 
-// Given that both cells are positively oriented, the vertices opposite a shared facet are on different sides if and
-// only if replacing one by the other turns the orientation over.
+// Is the permutation odd? Of two positively oriented cells with a common facet, the opposite vertices lie on different
+// sides of it if and only if `place` is odd: replacing one vertex by the other reverses the orientation.
 static int paradt__check_is_odd(const size_t *place, size_t corners) {
     size_t i, j;
     int odd = 0;
@@ -12775,6 +13603,7 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
     return odd;
 }
 
+// Conditions (3) and (4) for one facet.
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
     size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
     paradt_index neighbor = paradt__check_neighbor(check, facet);
@@ -12803,6 +13632,7 @@ static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size
     return PARADT_OK;
 }
 
+// Conditions (3) and (4).
 static paradt_status paradt__check_facets(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 2];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -12816,8 +13646,8 @@ static paradt_status paradt__check_facets(paradt__check *check) {
     return PARADT_OK;
 }
 
-// Looks for the facet of the cell opposite `corner` in the table of facets (numbered cell * corners + corner, plus 1; 0
-// is empty). Returns its place there, or the empty one where it belongs.
+// Returns the slot of the table that holds the facet opposite `corner` of the cell, or the empty slot where it belongs.
+// table: facets, each its number cell * corners + corner, plus 1; 0: empty
 static size_t paradt__check_facet_place(const paradt__check *check, const size_t *table, size_t slots, size_t cell,
                                         size_t corner) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
@@ -12839,7 +13669,7 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
     return slot;
 }
 
-// Adjacency for a triangulation that comes without: cells with equal facets are neighbours.
+// Finds the neighbours of a triangulation that comes without: cells with equal facets.
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
@@ -12863,6 +13693,7 @@ static paradt_status paradt__check_match(paradt__check *check, size_t *table, si
     return PARADT_OK;
 }
 
+// Takes the neighbours, each of which has to be a cell or a half-facet, or finds them.
 static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
@@ -12877,7 +13708,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
                                           (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
-    while (slots < facets + facets / 4) // most facets are there twice and take one place
+    while (slots < facets + facets / 4) // most facets are there twice and take one slot
         slots *= 2;
     check->neighbors = check->matched = (paradt_index *)paradt__alloc(&check->memory, facets, sizeof(paradt_index));
     table = (size_t *)paradt__alloc(&check->memory, slots, sizeof *table);
@@ -12891,10 +13722,17 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     return status;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of the hull
+//
+// The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
+// and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
+// that makes triangulations. Door: paradt_check.
+
 // --- the hull and the covering: conditions (5) to (7)
 
 // Is o on the cell's side of the facet opposite `corner`? The orientation is affine in o, so its sign is that of the
-// first of o's vertices that is off the facet; they are not all on it, being those of a cell.
+// first of o's vertices that is off the facet. Not all of them are on it, as they are the vertices of a cell.
 static int paradt__check_holds_origin(paradt__check *check, const double **corners, size_t corner) {
     size_t i;
     int side = 0;
@@ -12902,7 +13740,8 @@ static int paradt__check_holds_origin(paradt__check *check, const double **corne
     return side > 0;
 }
 
-// The lexicographically smallest vertex is o's first, so most cells are passed by on their first coordinates.
+// Chooses o near the lexicographically smallest vertex, so that most cells can be passed over by their first
+// coordinates.
 static void paradt__check_choose_origin(paradt__check *check) {
     size_t i, smallest = check->set.count, home;
     const double *first;
@@ -12919,7 +13758,7 @@ static void paradt__check_choose_origin(paradt__check *check) {
     check->origin[0] = first;
 }
 
-// Are all corners on one side of o's first vertex, strictly and along one axis?
+// Are all corners strictly on one side of o's first vertex along some axis? Then the cell does not contain o.
 static int paradt__check_is_apart(const paradt__check *check, const double *const *corners) {
     int axis;
     for (axis = 0; axis < check->set.space.dim; axis++) {
@@ -12934,10 +13773,10 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
     return 0;
 }
 
-// The vertex in which the hull facet opposite `corner` of the cell is met, across the ridge without the corner `aside`
-// too, by the next hull facet: turns around the ridge from cell to cell. `leave` is the corner whose facet is left
-// through, `stay` the one that is not of the ridge and stays. For each flag (cell, leave, stay) there is one before it
-// at most, and none before the first, so this ends.
+// The hull facet opposite `corner` of the cell has a ridge, without the corner `aside` too. Returns the remaining
+// vertex of the other hull facet at this ridge, by turning around the ridge from cell to cell: `leave` is the corner
+// opposite the facet that the cell is left through, `stay` the other corner that is not in the ridge. Each flag (cell,
+// leave, stay) has at most one predecessor, and the first has none, so this ends.
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
@@ -12951,6 +13790,7 @@ static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, 
     }
 }
 
+// Conditions (5) and (6) for one hull facet.
 static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell, size_t corner,
                                               const double **corners) {
     size_t aside;
@@ -12967,6 +13807,7 @@ static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell,
     return PARADT_OK;
 }
 
+// Conditions (5) to (7).
 static paradt_status paradt__check_hull(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -12998,8 +13839,8 @@ typedef struct paradt__check_key {
     paradt_index point;
 } paradt__check_key;
 
-// The place of x in a Morton order of a grid of 2^bits cells an axis over the box. Only the time of the walks depends
-// on it. A box so thin that its width has no inverse is not divided.
+// Returns the place of x in the Morton order of a grid with 2^bits cells along each axis of the box. Only the time of
+// the walks depends on it. A box so thin that its width has no inverse is not divided.
 static uint64_t paradt__check_morton(const double *x, const double *low, const double *high, int dim, int bits) {
     uint64_t key = 0, limit = ((uint64_t)1 << bits) - 1, cell[PARADT_MAX_DIM];
     int axis, bit;
@@ -13014,7 +13855,7 @@ static uint64_t paradt__check_morton(const double *x, const double *low, const d
     return key;
 }
 
-// The vertices and hidden points, in no order yet. Returns how many there are.
+// Lists the vertices and hidden points with their keys, in no order yet. Returns how many there are.
 static size_t paradt__check_list(const paradt__check *check, paradt__check_key *keys) {
     const paradt__set *set = &check->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -13038,7 +13879,7 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
     return listed;
 }
 
-// By key, in passes of a digit from the lowest; there are an even number, so the result is in keys again.
+// Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
 static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
@@ -13053,9 +13894,9 @@ static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other
     }
 }
 
-// Moves *cell to one that contains the point, across facets that have it on their other side. In a regular
-// triangulation, which the cells are known to be by now, such a walk never comes back to a cell (Edelsbrunner, "An
-// acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+// Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
+// it. The cells are known to be a regular triangulation by now, and in such a triangulation the walk never comes back
+// to a cell (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
 static paradt_status paradt__check_walk(paradt__check *check, paradt_index point, paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 2], *x = paradt__record(&check->set, point);
     for (;;) {
@@ -13072,6 +13913,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
     return PARADT_OK;
 }
 
+// Condition (8).
 static paradt_status paradt__check_hidden(paradt__check *check) {
     paradt__check_key *keys;
     paradt_status status = PARADT_OK;
@@ -13095,6 +13937,22 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
 
 // --- all of it
 
+// Tests the conditions of a triangulation that has points, each in an order in which it may rely on those before.
+static paradt_status paradt__check_conditions(paradt__check *check) {
+    paradt_status status = paradt__check_representatives(check);
+    check->phase = PARADT__CHECK_CELLS;
+    if (!status) status = paradt__check_cells(check);
+    if (!status && !check->t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__check_facets(check);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__check_hull(check);
+    check->phase = PARADT__CHECK_HIDDEN;
+    return status ? status : paradt__check_hidden(check);
+}
+
 static paradt_status paradt__check_all(paradt__check *check, const paradt_points *points) {
     const paradt_triangulation *t = check->t;
     paradt_status status;
@@ -13104,26 +13962,14 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
-    if (status) return status;
-    if (!points->count)
-        return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
-    status = paradt__check_representatives(check);
-    check->phase = PARADT__CHECK_CELLS;
-    if (!status) status = paradt__check_cells(check);
-    if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
-    check->phase = PARADT__CHECK_MATCH;
-    if (!status) status = paradt__check_adjacency(check);
-    check->phase = PARADT__CHECK_FACETS;
-    if (!status) status = paradt__check_facets(check);
-    check->phase = PARADT__CHECK_HULL;
-    if (!status) status = paradt__check_hull(check);
-    check->phase = PARADT__CHECK_HIDDEN;
-    if (!status) status = paradt__check_hidden(check);
+    if (!status && !points->count && t->cell_count)
+        status = paradt__check_fail(check, "there are cells without points", -1, -1);
+    if (!status && points->count) status = paradt__check_conditions(check);
     check->phase = PARADT__CHECK_END;
     return status ? status : paradt__check_pace(check, 0, 1);
 }
 
-// What is missing in the triangulation; NULL: nothing.
+// Returns what is missing in the triangulation; NULL: nothing.
 static const char *paradt__check_triangulation(const paradt_triangulation *t) {
     if (!t) return "triangulation is NULL";
     if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
@@ -13159,6 +14005,8 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
+#endif // PARADT_NO_CHECK
+
 #ifdef __cplusplus
 }
 #endif

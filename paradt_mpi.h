@@ -18,7 +18,7 @@
 //
 //     int main(int argc, char **argv) {
 //         static double x[1000][3];
-//         paradt_points points = {x, 1000, 3, 0, PARADT_F64, NULL};
+//         paradt_points points = paradt_points_f64(x, 1000, 3);
 //         paradt_mpi_triangulation t;
 //         int rank, i, j;
 //         MPI_Init(&argc, &argv);
@@ -365,7 +365,7 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 #ifndef PARADT_MPI__IMPLEMENTED
 #define PARADT_MPI__IMPLEMENTED
 
-#ifndef PARADT__REMOTE
+#ifndef PARADT__RANKS
 #error "PARADT_MPI_IMPLEMENTATION must be defined before paradt.h is included with PARADT_IMPLEMENTATION"
 #endif
 
@@ -489,7 +489,7 @@ typedef struct paradt_mpi__work {
     uint64_t budget; // work that questions may take: about the number of all ranks' cells
     int too_costly;  // questions or answers exceed it
     // the local triangulation of the known points
-    paradt__remote_engine engine; // while `inserting`
+    paradt__known engine; // while `inserting`
     int inserting;
     paradt_triangulation local; // made by another method, or at last taken from the engine
     size_t local_bytes;         // that it holds in an account of its own
@@ -1053,7 +1053,7 @@ static double paradt_mpi__extra_for_lower(const paradt_mpi__box *box, double poi
 static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter *c, paradt_mpi__box *box,
                             uint64_t total) {
     uint64_t lower = (uint64_t)(box->ranks / 2), all = (uint64_t)box->ranks;
-    double length[PARADT_MAX_DIM], longest = -1.0, mean = (double)c->mean;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], length[PARADT_MAX_DIM], longest, mean = (double)c->mean;
     int axis;
     box->weight_wanted = total / all * lower + total % all * lower / all;
     box->weight_below = 0;
@@ -1063,13 +1063,12 @@ static void paradt_mpi__aim(const paradt_mpi__work *w, const paradt_mpi__cutter 
     box->tolerance = total / all / PARADT_MPI__PRECISION;
     if (!total) return;
     for (axis = 0; axis < w->dim; axis++) {
-        length[axis] =
-            paradt__from_ordered_bits(box->high[axis]) * 0.5 - paradt__from_ordered_bits(box->low[axis]) * 0.5;
-        if (length[axis] > longest) {
-            longest = length[axis];
-            box->axis = axis;
-        }
+        low[axis] = paradt__from_ordered_bits(box->low[axis]);
+        high[axis] = paradt__from_ordered_bits(box->high[axis]);
+        length[axis] = high[axis] * 0.5 - low[axis] * 0.5;
     }
+    box->axis = paradt__longest_axis(low, high, w->dim, 0);
+    longest = length[box->axis];
     if (w->options.local.partition == PARADT_UNIFORM) {
         double part = (double)lower / (double)all;
         box->cut = paradt__ordered_bits(paradt__from_ordered_bits(box->low[box->axis]) * (1.0 - part) +
@@ -1495,7 +1494,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     paradt__set *set = &w->set, all;
     size_t width = set->width, most = (size_t)w->dim + 1, i, total = 0, before = 0;
     int axes[PARADT_MAX_DIM], found, r;
-    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters);
+    size_t count = (size_t)paradt__set_basis(set, NULL, 0, basis, axes, &set->space.counters, NULL);
     memset(mine, 0, sizeof mine);
     for (i = 0; i < count; i++) {
         memcpy(mine + i * width, paradt__record(set, basis[i]), width * sizeof *mine);
@@ -1511,7 +1510,7 @@ static int paradt_mpi__span(paradt_mpi__work *w, double *gathered, size_t *count
     all = *set;
     all.records = gathered;
     all.count = total;
-    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters);
+    found = paradt__set_basis(&all, NULL, 0, basis, set->axes, &all.space.counters, NULL);
     for (i = 0; i < (size_t)found; i++) {
         size_t position = (size_t)basis[i];
         origins[i] = position >= before && position < before + count ? own[position - before] : -1;
@@ -1610,7 +1609,7 @@ static paradt_status paradt_mpi__grade(paradt_mpi__work *w) {
     paradt__release(&w->memory, counts);
     if (status || !(sphere[dim + 1] > 0.0)) return status;
     memcpy(set->centre, sphere, (size_t)dim * sizeof *sphere);
-    status = paradt__set_sagittas(set, sphere[dim], PARADT__NEAR_SPHERE, set->count, &w->memory, &nearby);
+    status = paradt__set_sagittas(set, sphere[dim], PARADT__NEAR_SPHERE, set->count, NULL, &w->memory, &nearby);
     all_near = nearby;
     status = paradt_mpi__agree(w, status);
     if (status) return status;
@@ -1779,8 +1778,9 @@ static paradt_status paradt_mpi__estimate_work(paradt_mpi__work *w, double *work
     options.regions = 1;
     for (sample = 0; sample < PARADT_MPI__SAMPLES && count && !status; sample++) {
         const double *first = set->records + (set->count - count) / PARADT_MPI__SAMPLES * sample * set->width;
-        paradt_points points = {first, count, w->dim, set->width * sizeof *first, PARADT_F64, NULL};
+        paradt_points points = paradt_points_f64(first, count, w->dim);
         paradt_triangulation t;
+        points.stride = set->width * sizeof *first;
         for (i = 0; i < count && w->weighted; i++) weights[i] = first[i * set->width + (size_t)w->dim];
         if (w->weighted) points.weights = weights;
         status = paradt_triangulate(&t, &points, &options);
@@ -2279,7 +2279,8 @@ static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
 static void paradt_mpi__account_local(paradt_mpi__work *w) {
     paradt_mpi__add_peak(w, &w->local);
     PARADT_ASSERT(!w->local_bytes);
-    w->local_bytes = paradt__remote_bytes(&w->local);
+    w->local_bytes = paradt__block_bytes(w->local.cells) + paradt__block_bytes(w->local.neighbors) +
+                     paradt__block_bytes(w->local.representative);
     w->memory.held += w->local_bytes;
 }
 
@@ -2335,10 +2336,10 @@ static paradt_status paradt_mpi__insert_new(paradt_mpi__work *w) {
     all.count = w->known;
     added.records = w->set.records + first * w->set.width;
     added.count = w->known - first;
-    order = paradt__remote_late_order(&added, &w->memory);
+    order = paradt__late_order(&added, &w->memory);
     if (!order) return PARADT_ERROR_MEMORY;
     for (i = 0; i < added.count && !status; i++)
-        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i]);
+        status = paradt__known_insert(&w->engine, &all, (paradt_index)first + order[i]);
     paradt__release(&w->memory, order);
     return status;
 }
@@ -2355,14 +2356,15 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     w->meter_told = 0;
     progress = paradt__progress_of(&w->meter, &w->meter_told, 1.0);
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
+    return paradt__known_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }
 
 // Is the local triangulation made by insertion that goes on when points arrive? PARADT_AUTO prefers it in one dimension
 // more where there are several ranks, as other methods triangulate twice then.
 static int paradt_mpi__can_insert(const paradt_mpi__work *w) {
     int dim = w->set.space.dim;
-    return dim > 0 && paradt__inserts(w->options.local.method, dim - (w->ranks > 1)) && w->options.local.regions <= 1;
+    const paradt__method *method = paradt__choose_method(w->options.local.method, dim - (w->ranks > 1), 0);
+    return dim > 0 && method->can & PARADT__CAN_LIVE && w->options.local.regions <= 1;
 }
 
 // Triangulates the known points. A rank without own points makes nothing.
@@ -2393,7 +2395,7 @@ PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, 
     int facet;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && *place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        if (!paradt__remote_engine_place(&w->engine, k, place, &facet)) return 0;
+        if (!paradt__mesh_behind_ghost(&w->engine.build.scene.mesh, k, place, &facet)) return 0;
         return facet < 0 ? topics : 1u << facet;
     }
     for (j = 0; j < k; j++) topics |= (unsigned)(w->local.neighbors[*place * k + j] < 0) << j;
@@ -2406,7 +2408,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
     size_t j;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        paradt__remote_engine_cell(&w->engine, k, place, cell, corners);
+        paradt__scene_cell(&w->engine.build.scene, k, place, cell, corners);
         return;
     }
     for (j = 0; j < k; j++) {
@@ -2426,7 +2428,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
 // it.
 //
 // While points are inserted, not all cells need be looked at. Let K be the box in which all points are known
-// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>patches of paradt.h, if
+// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>fringe of paradt.h, if
 // q is in conflict with any cell that has an own vertex, it is in conflict with a suspect: a ghost, a cell with a
 // vertex outside K, or a cell with just one own vertex, all of which are in the fringe. So the search starts at the
 // suspects and goes on through facets from each cell that is exposed: one whose sphere is not inside K.
@@ -2687,7 +2689,7 @@ typedef struct paradt_mpi__queue { // places to be asked about, in this order; p
 static paradt_status paradt_mpi__enqueue(paradt_mpi__work *w, paradt_mpi__queue *list, size_t place) {
     void *items;
     PARADT_ASSERT(w->inserting && place < paradt_mpi__place_count(w));
-    if (!paradt__remote_engine_mark(&w->engine, place)) return PARADT_OK;
+    if (!paradt__mesh_mark(&w->engine.build.scene.mesh, place, PARADT__WAITING)) return PARADT_OK;
     items = paradt_mpi__reserve_one(w, list->items, list->count, &list->capacity, sizeof *list->items);
     if (!items) return PARADT_ERROR_MEMORY;
     list->items = (size_t *)items;
@@ -2757,8 +2759,9 @@ static unsigned char *paradt_mpi__mark_outer(paradt_mpi__work *w) {
 PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k, const paradt_mpi__queue *list,
                                             size_t at) {
     enum { SOON = 4, LATER = 8 };
-    if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, k, list->items[at + LATER]);
-    if (at + SOON < list->count) paradt__remote_engine_fetch_around(&w->engine, k, list->items[at + SOON]);
+    const paradt__mesh *cells = &w->engine.build.scene.mesh;
+    if (at + LATER < list->count) paradt__fetch_row(cells->vertices, cells->links, list->items[at + LATER], k);
+    if (at + SOON < list->count) paradt__scene_fetch_around(&w->engine.build.scene, k, list->items[at + SOON]);
 }
 
 // Lists the fringe in the engine. Of the cells and ghosts in it that have own vertices, queues the suspects and lists
@@ -2769,10 +2772,10 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
     paradt_index own = (paradt_index)w->set.count;
     paradt_status status = PARADT_OK;
     size_t at = 0;
-    for (paradt__remote_engine_relist(&w->engine); !status; at++) {
+    for (paradt__known_relist(&w->engine); !status; at++) {
         const paradt_index *cell;
         int own_count;
-        status = paradt__remote_engine_list(&w->engine, own, &at);
+        status = paradt__known_list(&w->engine, own, &at);
         if (status || at == cells->count) break;
         cell = cells->vertices + at * k;
         own_count = paradt__vertices_below(cell, k, own);
@@ -2797,7 +2800,8 @@ PARADT__INLINE paradt_status paradt_mpi__ask_from_fringe(paradt_mpi__work *w, pa
         status = paradt_mpi__ask_about_place(w, q, k, list->items[at], &exposed);
         paradt_mpi__limit_questions(w, q);
         for (j = 0; j < k && exposed && !status; j++)
-            status = paradt_mpi__enqueue(w, list, paradt__remote_engine_across(&w->engine, k, list->items[at], j));
+            status =
+                paradt_mpi__enqueue(w, list, paradt__mesh_across(&w->engine.build.scene.mesh, k, list->items[at], j));
     }
     return status;
 }
@@ -2812,7 +2816,8 @@ static paradt_status paradt_mpi__collect_from_fringe(paradt_mpi__work *w, paradt
     if (!outer) status = PARADT_ERROR_MEMORY;
     else if (w->set.space.dim == 3) status = paradt_mpi__ask_from_fringe(w, q, 4, &list, outer);
     else status = paradt_mpi__ask_from_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
-    for (at = 0; at < list.count; at++) paradt__remote_engine_unmark(&w->engine, list.items[at]);
+    for (at = 0; at < list.count; at++)
+        paradt__mesh_unmark(&w->engine.build.scene.mesh, list.items[at], PARADT__WAITING);
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
     return status;
@@ -3103,7 +3108,7 @@ static paradt_status paradt_mpi__send_all(paradt_mpi__work *w, size_t *added) {
     status = paradt_mpi__agree(w, paradt_mpi__exchange_points(w, status, &list, added));
     w->stats.points_asked += *added;
     paradt__release(&w->memory, list.items);
-    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    if (w->inserting) paradt__known_free(&w->engine, &w->memory);
     w->inserting = 0;
     return status;
 }
@@ -3129,8 +3134,8 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
         if (added || w->too_costly) status = paradt_mpi__triangulate_known(w);
     }
     if (!status && w->inserting && (w->ranks == 1 || w->too_costly)) // else the questions have listed the fringe
-        status = paradt__remote_engine_list_all(&w->engine, (paradt_index)w->set.count);
-    if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
+        status = paradt__known_list_all(&w->engine, (paradt_index)w->set.count);
+    if (!status && w->inserting) paradt__known_rest(&w->engine, &w->memory);
     return status;
 }
 
@@ -3175,7 +3180,7 @@ PARADT__INLINE int paradt_mpi__is_own(const paradt_mpi__work *w, size_t k, const
 
 // Drops the cells that other ranks own and fills the gaps with cells from the end, so that nearly all cells keep their
 // places. Returns how many are left. mark: [known] PARADT__OF_LATER_RANK or nothing for each point; bits are added that
-// say what the cells make of it (see >>remote)
+// say what the cells make of it (see >>known points)
 PARADT__INLINE size_t paradt_mpi__compact_own(const paradt_mpi__work *w, const paradt__mesh *mesh, size_t k,
                                               paradt_index *mark) {
     size_t end = mesh->count, c;
@@ -3204,7 +3209,7 @@ static paradt__mesh paradt_mpi__local_mesh(const paradt_mpi__work *w, size_t cou
 }
 
 // Keeps the own cells alone, in w->local, and ends the insertion. mark: [known] set to what the cells make of each
-// point (see >>remote). Not collective.
+// point (see >>known points). Not collective.
 static void paradt_mpi__keep_own_cells(paradt_mpi__work *w, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, own = w->set.count, i;
     paradt__mesh cells;
@@ -3220,7 +3225,7 @@ static void paradt_mpi__keep_own_cells(paradt_mpi__work *w, paradt_index *mark) 
     }
     PARADT_ASSERT(!w->local_bytes && !w->local.cells);
     w->inserting = 0;
-    w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &w->memory, &cells, mark);
+    w->stats.cells_recomputed += paradt__known_end(&w->engine, &w->set, &w->memory, &cells, mark);
     w->local.dim = w->set.space.dim;
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
@@ -3640,7 +3645,7 @@ static paradt_status paradt_mpi__build_region(paradt_mpi__work *w, double *rows)
     options = paradt_mpi__local_options(w);
     options.regions = (size_t)w->ranks;
     options.parallel_for = NULL;
-    status = paradt__remote_region(&w->local, &points, &options, (size_t)w->rank);
+    status = paradt__triangulate_region(&w->local, &points, &options, (size_t)w->rank);
     if (!status) paradt_mpi__account_local(w);
     paradt__release(&w->memory, weights);
     w->stats.triangulations = 1;
@@ -3713,7 +3718,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
 
 // Frees all that a call holds except the result. Collective.
 static void paradt_mpi__end(paradt_mpi__work *w) {
-    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    if (w->inserting) paradt__known_free(&w->engine, &w->memory);
     w->inserting = 0;
     paradt_mpi__free_local(w);
     paradt_mpi__free_points(w);

@@ -173,7 +173,7 @@ static void fill_spread(double *x, int kind) {
 static int is_crowded(const double *x, size_t count) {
     static paradt_index representative[SPREAD];
     static paradt__loader loader;
-    paradt_points points = {x, count, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, count, 3);
     paradt__source source = paradt__source_of(&points);
     paradt__memory memory;
     paradt__set set;
@@ -249,7 +249,7 @@ static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__mem
     paradt__grid grid;
     if (set->space.dim < 2 || cuts->boxes < 2) return;
     memset(&grid, 0, sizeof grid);
-    assert_int_equal(paradt__grid_build(&grid, set, memory), PARADT_OK);
+    assert_int_equal(paradt__grid_build(&grid, set, NULL, memory), PARADT_OK);
     paradt__grid_free(&grid, memory);
     paradt__regions_deal(set, cuts, 0, set->count, 0, cuts->boxes);
     expect_boxes(set, cuts, 0);
@@ -412,7 +412,7 @@ static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, 
 static void others_come_where_the_curve_passes_them(void **state) {
     static double x[(OWN + OTHERS) * 3];
     static paradt_index representative[OWN];
-    paradt_points points = {x, OWN, 3, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(x, OWN, 3);
     paradt__memory memory;
     paradt__set set;
     int64_t low[3];

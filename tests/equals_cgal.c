@@ -63,7 +63,7 @@ static void cells_equal_cgals(void **state) {
             if (takes_cgal_too_long(f, w, dim))
                 continue;
             if (families[f].extremes || weightings[w].extremes)
-                count = dim <= 3 ? 100 : dim + 10;
+                count = dim <= 3 ? 60 : dim + 10;
             else if (w > 0) // only unweighted sets have their full size
                 count /= 2;
             sample s = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(11 + f + w));

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every fuzz harness survives every file of its corpus (built with the sanitizers where there are any). Prints TAP.
+# Every fuzz harness survives every file of its corpus. Harnesses are built with the sanitizers, if there are any. Prints TAP.
 number=0
 for source in fuzz/*.c; do
     harness=$(basename "$source" .c)

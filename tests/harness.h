@@ -37,6 +37,12 @@
 #define SANITIZED 0 // 1: the program is several times slower, so tests take fewer seeds
 #endif
 
+// Is only the core of the tests to run (make check)?
+static inline int is_quick(void) {
+    const char *quick = getenv("QUICK");
+    return quick && *quick;
+}
+
 static inline paradt_points points_of(const sample *s) {
     paradt_points points = {0};
     points.data = s->x;

@@ -1,12 +1,12 @@
 #!/bin/sh
-# What the compiled implementation may not have: mutable globals, foreign names, calls that print, end the process or touch the
-# floating-point environment. Read off the object file's symbols. Prints TAP.
+# The symbols of the compiled implementation show that it has no mutable globals and no foreign names, and makes no calls that
+# print, end the process or touch the floating-point environment. Prints TAP.
 work=build/tests/manners
 rm -rf "$work"
 mkdir -p "$work"
 CC=${CC:-cc}
 number=0
-report() { # name, file that holds what should not be there
+report() { # name, file that lists what should not be there
     number=$((number + 1))
     if [ -s "$2" ]; then
         echo "not ok $number - $1"
@@ -19,7 +19,7 @@ printf '#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/all.c"
 printf '#include "paradt.h"\n' >"$work/none.c"
 printf '#define PARADT_STATIC\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/static.c"
 for kind in all none static; do
-    # The symbol table of unoptimised code shows every function and object that the source defines or calls.
+    # Unoptimised code has symbols for every function and object that the source defines or calls.
     $CC -O0 -DNDEBUG -I. -c "$work/$kind.c" -o "$work/$kind.o" 2>"$work/$kind.errors" || {
         cp "$work/$kind.errors" "$work/failed"
         report "the_header_compiles_alone_($kind)" "$work/failed"
@@ -29,7 +29,7 @@ for kind in all none static; do
     nm "$work/$kind.o" >"$work/$kind.symbols"
 done
 
-# Without -fno-pic a constant table of pointers is relocated by the loader, and nm calls its section d.
+# Without -fno-pic a constant table of pointers is relocated when loaded, and nm reports it as data (d).
 if $CC -O0 -DNDEBUG -fno-pic -fno-pie -I. -c "$work/all.c" -o "$work/fixed.o" 2>"$work/mutable"; then
     nm "$work/fixed.o" | awk '$2 ~ /^[BbDdCGgSs]$/ { print $3 }' >"$work/mutable"
 else

@@ -1,4 +1,4 @@
-// What a host program relies on around a call: what the result says after errors, arguments, flags, progress, cancelling.
+// What a host program relies on: what the result says after errors, arguments, points, flags, progress, cancelling.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -147,6 +147,41 @@ static void after_memory_the_result_says_how_much_was_needed(void **state) {
     free(x);
 }
 
+static void the_estimate_is_near_what_is_held(void **state) {
+    static const struct {
+        int dim;
+        size_t count, regions;
+        paradt_method method;
+        unsigned flags;
+    } calls[] = {{2, 50000, 1, PARADT_AUTO, 0},          {2, 50000, 4, PARADT_AUTO, 0},
+                 {3, 50000, 1, PARADT_AUTO, 0},          {3, 50000, 1, PARADT_AUTO, PARADT_NO_NEIGHBORS},
+                 {3, 90000, 2, PARADT_AUTO, 0},          {3, 50000, 8, PARADT_AUTO, 0},
+                 {3, 50000, 8, PARADT_AUTO, PARADT_NO_NEIGHBORS}, {3, 10000, 1, PARADT_INCODE, 0},
+                 {3, 10000, 4, PARADT_DEWALL, 0},        {4, 2000, 1, PARADT_AUTO, 0},
+                 {4, 2000, 4, PARADT_AUTO, 0},           {5, 500, 1, PARADT_BOWYER_WATSON, 0}};
+    paradt_points points = {0};
+    paradt_options options = {0};
+    paradt_triangulation t;
+    (void)state;
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+        double *x = uniform(calls[i].count, calls[i].dim);
+        points = packed(x, calls[i].count, calls[i].dim);
+        options.regions = calls[i].regions;
+        options.method = calls[i].method;
+        options.flags = calls[i].flags;
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        points.data = NULL;
+        double ratio = (double)paradt_memory_estimate(&points, &options) / (double)t.stats.peak_bytes;
+        if (!(ratio > 0.9 && ratio < 2.2))
+            fail_msg("call %u: the estimate is %.2f of what was held", (unsigned)i, ratio);
+        paradt_free(&t);
+        free(x);
+    }
+    points.dim = 9;
+    assert_true(paradt_memory_estimate(&points, NULL) == 0);
+    assert_true(paradt_memory_estimate(NULL, NULL) == 0);
+}
+
 static void one_point_has_no_facets(void **state) {
     static const double x[] = {1, 2, 3, 1, 2, 3};
     paradt_index none[] = {-1};
@@ -191,6 +226,8 @@ static void dim_0(call *c) { c->points.dim = 0; }
 static void no_data(call *c) { c->points.data = NULL; }
 static void scalar_2(call *c) { c->points.scalar = (paradt_scalar)2; }
 static void stride_in_elements(call *c) { c->points.stride = 3; }
+static void weight_scalar_9(call *c) { c->points.weight_scalar = (paradt_scalar)9; }
+static void weight_stride_in_elements(call *c) { c->points.weight_stride = 1; }
 static void method_77(call *c) { c->options.method = (paradt_method)77; }
 static void partition_2(call *c) { c->options.partition = (paradt_partition)2; }
 static void facets_of_nothing(call *c) { c->options.flags = PARADT_NO_NEIGHBORS | PARADT_FACETS; }
@@ -206,6 +243,8 @@ static const struct {
                 {no_data, "data"},
                 {scalar_2, "scalar"},
                 {stride_in_elements, "bytes"},
+                {weight_scalar_9, "weight_scalar"},
+                {weight_stride_in_elements, "weight_stride"},
                 {method_77, "method"},
                 {partition_2, "partition"},
                 {flags_not_zeroed, "flags"},
@@ -361,6 +400,144 @@ static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
         }
 }
 
+// --- points and predicates
+
+static void weights_may_be_members_and_floats(void **state) {
+    enum { COUNT = 500 };
+    static struct {
+        char tag;
+        double place[3];
+        float radius, weight;
+        double wide;
+    } atoms[COUNT];
+    static double weights[COUNT];
+    static float narrow[COUNT];
+    double *x = uniform(COUNT, 4);
+    paradt_points points = paradt_points_f64(x, COUNT, 3);
+    paradt_triangulation t;
+    paradt_fault fault;
+    uint64_t hash;
+    (void)state;
+    for (size_t i = 0; i < COUNT; i++) {
+        narrow[i] = (float)(x[3 * COUNT + i] * 0.02 - 0.005);
+        weights[i] = (double)narrow[i];
+        atoms[i].weight = narrow[i];
+        atoms[i].wide = weights[i];
+        atoms[i].radius = -1e30f;
+        memcpy(atoms[i].place, x + 3 * i, sizeof atoms[i].place);
+    }
+    points.weights = weights;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    hash = paradt_hash(&t);
+    assert_true(t.stats.hidden > 0);
+    for (int way = 0; way < 4; way++) {
+        if (way >= 2)
+            points.data = atoms[0].place;
+        points.stride = way < 2 ? 0 : sizeof atoms[0];
+        points.weights = way == 0 ? (const void *)narrow : way % 2 ? (const void *)&atoms[0].weight : &atoms[0].wide;
+        points.weight_stride = way == 0 ? 0 : sizeof atoms[0];
+        points.weight_scalar = way == 2 ? PARADT_F64 : PARADT_F32;
+        assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_OK);
+        paradt_triangulation other;
+        assert_int_equal(paradt_triangulate(&other, &points, NULL), PARADT_OK);
+        assert_true(paradt_hash(&other) == hash);
+        paradt_free(&other);
+    }
+    paradt_free(&t);
+    atoms[7].weight = (float)x[0] / 0.0f;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(t.error_point, 7);
+    free(x);
+}
+
+static void typed_helpers_fill_the_points(void **state) {
+    enum { COUNT = 300 };
+    static float narrow[COUNT][2];
+    static double wide[COUNT][2];
+    double *x = uniform(COUNT, 2);
+    paradt_triangulation t;
+    paradt_points points;
+    (void)state;
+    for (int i = 0; i < 2 * COUNT; i++)
+        wide[i / 2][i % 2] = (double)(narrow[i / 2][i % 2] = (float)x[i]);
+    points = paradt_points_f32(narrow[0], COUNT, 2);
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    points = paradt_points_f64(wide[0], COUNT, 2);
+    assert_int_equal(paradt_check(&t, &points, NULL, NULL), PARADT_OK);
+    paradt_free(&t);
+    free(x);
+}
+
+static uint64_t random_state = 1;
+
+static uint64_t random_bits(void) {
+    random_state = random_state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return random_state >> 24 ^ random_state << 40;
+}
+
+// A coordinate of some kind: any, near 1, small integers (with many ties), huge, subnormal, mixed.
+static double coordinate(int kind) {
+    double u = (double)(random_bits() >> 11) * 0x1p-53, any;
+    uint64_t bits = random_bits();
+    switch (kind) {
+    case 0: return u;
+    case 1: return (double)(int)(u * 3);
+    case 2: return 1 + (double)(int)(u * 3) * 0x1p-52;
+    case 3: return u * 1e300;
+    case 4: return (double)(int)(u * 4) * 0x1p-1074;
+    case 5: return (double)(int)(u * 3) * 0x1p99 + (double)(int)(u * 7) * 0x1p47;
+    case 6: return u * 1e-200;
+    default:
+        memcpy(&any, &bits, sizeof any);
+        return any - any == 0 ? any : u;
+    }
+}
+
+static float narrow_coordinate(int kind) {
+    uint32_t bits = (uint32_t)random_bits();
+    float any;
+    if (kind == 3 || kind == 4 || kind > 5) {
+        memcpy(&any, &bits, sizeof any);
+        if (kind == 4) // subnormal
+            any = (float)(int)(bits % 4) * 0x1p-149f;
+        return any - any == 0 ? any : 1;
+    }
+    return (float)coordinate(kind);
+}
+
+static void predicates_of_coordinates_have_the_signs_of_those_of_pointers(void **state) {
+    enum { KINDS = 8, ROUNDS = 20000 };
+    int zeros = 0;
+    (void)state;
+    for (int round = 0; round < ROUNDS; round++) {
+        double x[5][3], wide[5][3];
+        float narrow[5][3];
+        const double *p2[] = {x[0], x[1], x[2], x[3]}, *p3[] = {x[0], x[1], x[2], x[3], x[4]};
+        const double *w2[] = {wide[0], wide[1], wide[2], wide[3]}, *w3[] = {wide[0], wide[1], wide[2], wide[3], wide[4]};
+        for (int i = 0; i < 15; i++) {
+            x[i / 3][i % 3] = coordinate(round % KINDS);
+            narrow[i / 3][i % 3] = narrow_coordinate(round % KINDS);
+            wide[i / 3][i % 3] = (double)narrow[i / 3][i % 3];
+        }
+        int signs[] = {paradt_orient2(x[0], x[1], x[2]),
+                       paradt_orient3(x[0], x[1], x[2], x[3]),
+                       paradt_insphere2(x[0], x[1], x[2], x[3]),
+                       paradt_insphere3(x[0], x[1], x[2], x[3], x[4]),
+                       paradt_orient2f(narrow[0], narrow[1], narrow[2]),
+                       paradt_orient3f(narrow[0], narrow[1], narrow[2], narrow[3]),
+                       paradt_insphere2f(narrow[0], narrow[1], narrow[2], narrow[3]),
+                       paradt_insphere3f(narrow[0], narrow[1], narrow[2], narrow[3], narrow[4])};
+        int expected[] = {paradt_orient(2, p2), paradt_orient(3, p3), paradt_insphere(2, p2, NULL),
+                          paradt_insphere(3, p3, NULL), paradt_orient(2, w2), paradt_orient(3, w3),
+                          paradt_insphere(2, w2, NULL), paradt_insphere(3, w3, NULL)};
+        for (int i = 0; i < 8; i++) {
+            assert_int_equal(signs[i], expected[i]);
+            zeros += signs[i] == 0;
+        }
+    }
+    assert_true(zeros > ROUNDS / 10);
+}
+
 // --- progress
 
 typedef struct watch {
@@ -472,11 +649,15 @@ int main(void) {
         cmocka_unit_test(statistics_come_last_in_the_result),
         cmocka_unit_test(results_are_empty_after_every_error),
         cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
+        cmocka_unit_test(the_estimate_is_near_what_is_held),
         cmocka_unit_test(one_point_has_no_facets),
         cmocka_unit_test(every_argument_error_says_which_and_why),
         cmocka_unit_test(every_other_error_has_a_sentence_too),
         cmocka_unit_test(half_facets_lead_there_and_back),
         cmocka_unit_test(a_lower_dimension_is_an_error_if_asked_for),
+        cmocka_unit_test(weights_may_be_members_and_floats),
+        cmocka_unit_test(typed_helpers_fill_the_points),
+        cmocka_unit_test(predicates_of_coordinates_have_the_signs_of_those_of_pointers),
         cmocka_unit_test(progress_is_one_fraction_that_never_falls),
         cmocka_unit_test(points_are_read_in_short_steps),
     };

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Flags and modes that break careless floating-point code change no cell: one program that hashes every family by every method
-# prints the same, certificates included, however it is built and in whatever mode it runs. The first run is of all, each
-# later one of the next seventh of the lines. Prints TAP.
+# Flags and modes that break careless floating-point code change no cell. One program prints the hashes and certificates of every
+# family by every method; its output must be the same, however it is built and in whatever mode it runs. The first run prints all
+# lines, each later one the next seventh of them. Prints TAP.
 work=build/tests/hostile
 rm -rf "$work"
 mkdir -p "$work"
@@ -19,13 +19,13 @@ skip() {
     echo "ok $number - $1 # SKIP $2"
 }
 has() { command -v "$1" >/dev/null 2>&1; }
-can() { # compiler flags...: builds and runs here
+can() { # compiler, flags: does it build here what runs here?
     echo 'int main(void) { return 0; }' >"$work/probe.c"
     "$@" "$work/probe.c" -o "$work/probe" -lm >"$work/probe.log" 2>&1 && $runner "$work/probe"
 }
-runner= # what programs for another processor are run by
+runner= # the command that runs programs for another processor
 
-# same NAME "MODES" COMPILER FLAGS...: one build, run once plainly and once in each mode ("+" joins modes).
+# same NAME "MODES" COMPILER FLAGS...: builds once, and runs once plainly and once in each mode; "+" joins modes.
 same() {
     name=$1 modes=$2
     shift 2
@@ -51,7 +51,7 @@ same() {
             { echo "ended with status $status after:" && tail -n 1 "$work/$test.out"; } >>"$work/$test.log"
             report "not ok" "$test" "$work/$test.log"
         elif [ ! -e "$work/expected" ]; then
-            # The first build sets the expectation; its certificates say that it is right.
+            # The first output is the expectation. Its certificates prove that it is right.
             mv "$work/$test.out" "$work/expected"
             for seventh in 0 1 2 3 4 5 6; do awk "NR % 7 == ($seventh + 1) % 7" "$work/expected" >"$work/expected_$seventh"; done
             grep -v 'certificate: done$' "$work/expected" >"$work/$test.log"
@@ -76,7 +76,8 @@ if ! build/tests/families "$points"; then
 fi
 reference=cc
 has gcc && reference=gcc
-same reference "up down zero" $reference -O2 -DHASHES_LINKED build/tests/paradt.o # which make built with -O2
+# The reference has assertions, and the optimisation of the test programs, whose object it shares.
+same reference "up down zero" $reference -O2 -DHASHES_LINKED build/tests/paradt.o
 if [ ! -s "$work/expected" ]; then
     echo "1..$number"
     exit 1
@@ -86,22 +87,21 @@ x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
 *) sse= x87= ;;
 esac
 same gcc_O0 "up" gcc -O0
-same gcc_no_simd "" gcc -O2 -DPARADT_NO_SIMD
-same gcc_index64 "" gcc -O2 -DPARADT_INDEX64
+same gcc_no_simd "" gcc -O2 -DPARADT_NO_SIMD -Wall -Wextra -Werror
+same gcc_index64 "" gcc -O1 -DPARADT_INDEX64
 same gcc_Ofast "up $sse" gcc -Ofast
-same gcc_fast_math "$sse" gcc -O2 -ffast-math
 same gcc_native "zero $sse" gcc -O3 -march=native
-same gcc_native_fast_math "up $sse" gcc -O3 -march=native -ffast-math -ffp-contract=fast
+same gcc_native_fast_math "up $sse" gcc -O2 -march=native -ffast-math -ffp-contract=fast
 same gcc_x87 "up $x87" gcc -O2 -m32 -mfpmath=387 -mno-sse
 same gcc_x87_Ofast "single" gcc -Ofast -m32 -mfpmath=387 -mno-sse
 same gcc_m32_sse "$sse" gcc -O2 -m32 -msse2 -mfpmath=sse
-same clang_O2 "down" clang -O2
+same clang_O2 "down" clang -O2 -Wall -Wextra -Werror
 same clang_native_fast "up $sse" clang -Ofast -march=native -w
 same clang_x87 "double+down" clang -O2 -m32 -mno-sse
 same tcc "" tcc
 runner=qemu-aarch64
 if has $runner; then same arm64_Ofast "" clang --target=aarch64-linux-gnu -Ofast -static -w; else skip arm64_Ofast "$runner is not installed"; fi
-# The stack that wasm-ld gives if it is not told is too small for the exact stages.
+# The default stack of wasm-ld is too small for the exact stages.
 runner="node --no-warnings tests/programs/wasi.mjs"
 if has node; then
     same wasm_Ofast "" clang --target=wasm32-wasi -Ofast -msimd128 -Wl,-z,stack-size=262144 -w

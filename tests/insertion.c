@@ -21,9 +21,15 @@ static int stops(void *user, double fraction) {
 
 // Inserts points in the given order: all of them, or those before the first report of progress.
 static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
-    paradt_points given = {x, points, dim, 0, PARADT_F64, NULL};
-    paradt__progress progress = {all ? NULL : stops, NULL, 0, 1};
+    paradt_points given = paradt_points_f64(x, points, dim);
+    paradt_options options = {0};
+    paradt__meter meter;
+    uint32_t told = 0;
+    paradt__progress progress;
     size_t bad;
+    options.progress = all ? NULL : stops;
+    paradt__meter_begin(&meter, &options);
+    progress = paradt__progress_of(&meter, &told, 1.0);
     memset(b, 0, sizeof *b);
     paradt__memory_begin(&b->memory, NULL);
     b->order = malloc(points * sizeof *b->order);
@@ -31,7 +37,7 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
     assert_int_equal(paradt__set_load(&b->set, &given, NULL, &paradt__alone, &b->memory, b->representative, &bad),
                      PARADT_OK);
     assert_int_equal(b->set.count, points);
-    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, &b->memory), PARADT_OK);
+    assert_int_equal(paradt__set_grade(&b->set, PARADT__NEAR_SPHERE, NULL, &b->memory), PARADT_OK);
     // The set is sorted along a curve; set.origin[i] is the caller's index of point i.
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
@@ -57,7 +63,7 @@ static double random_coordinate(uint64_t i) {
 static void numbers_of_vertices_begin_again(void **state) {
     static double x[3 * POINTS];
     building plain, again;
-    paradt__progress silent = {NULL, NULL, 0, 1};
+    paradt__progress silent = {NULL, NULL, 0};
     uint32_t before;
     (void)state;
     for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i);

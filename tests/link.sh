@@ -60,6 +60,73 @@ for way in gcc-c99 gcc-c11 gcc-gnu99 clang-c99 tcc-c99; do
     fi
 done
 
+# --- the manual's programs
+
+awk '/^\/\/ A whole program/ { on = 1 } /cc -O2 -o cube/ { on = 0 } on && /^\/\/     / { print substr($0, 8) }' paradt.h >"$work/cube.c"
+awk '/^\/\/     paradt_index walk\(/ { on = 1 } on { print substr($0, 8) } /^\/\/     }$/ { on = 0 }' paradt.h >"$work/walk.h"
+cat >"$work/walk.c" <<'END'
+#define PARADT_IMPLEMENTATION
+#include "paradt.h"
+#include "walk.h"
+#include <stdio.h>
+enum { COUNT = 400 };
+int main(void) {
+    static double x[COUNT][3];
+    paradt_points points = paradt_points_f64(x[0], COUNT, 3);
+    paradt_options options;
+    paradt_triangulation t;
+    unsigned state = 1;
+    int i, j, axis, inside = 0;
+    for (i = 0; i < COUNT; i++)
+        for (axis = 0; axis < 3; axis++) { /* a small lattice: ties everywhere */
+            state = state * 1664525u + 1013904223u;
+            x[i][axis] = (double)(state >> 24) / 32 - (double)((state >> 24) % 32) / 32;
+        }
+    memset(&options, 0, sizeof options);
+    options.flags = PARADT_FULL_DIM;
+    if (paradt_triangulate(&t, &points, &options) != PARADT_OK) return 1;
+    for (i = 0; i < 2000; i++) {
+        double q[3];
+        paradt_index cell;
+        for (axis = 0; axis < 3; axis++) {
+            state = state * 1664525u + 1013904223u;
+            q[axis] = (double)(state >> 24) / 36;
+        }
+        cell = walk(&t, x, q, (paradt_index)((size_t)i % t.cell_count));
+        inside += cell >= 0;
+        for (j = 0; cell >= 0 && j < 4; j++) {
+            const double *p[4];
+            for (axis = 0; axis < 4; axis++) p[axis] = x[t.cells[4 * cell + axis]];
+            p[j] = q;
+            if (paradt_orient(3, p) < 0) return 2;
+        }
+    }
+    /* The facets as the manual lists them: the cell is behind them. */
+    for (i = 0; i < (int)t.cell_count; i++) {
+        static const int facets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+        const paradt_index *v = t.cells + 4 * i;
+        for (j = 0; j < 4; j++) /* seen from the opposite vertex they run clockwise */
+            if (paradt_orient3(x[v[facets[j][0]]], x[v[facets[j][1]]], x[v[facets[j][2]]], x[v[j]]) >= 0) return 3;
+    }
+    paradt_free(&t);
+    printf("%d inside\n", inside);
+    return !(inside > 1000 && inside < 2000);
+}
+END
+for way in "gcc -std=c99" "g++ -std=c++11 -x c++" "clang++ -std=c++20 -x c++"; do
+    compiler=${way%% *}
+    if has $compiler; then
+        strict="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
+        $way $strict "$work/cube.c" -o "$work/cube" -lm >"$work/log" 2>&1 && "$work/cube" >"$work/log" 2>&1 &&
+            ! grep -qvE '^[0-7] [0-7] [0-7] [0-7]$' "$work/log" && [ "$(wc -l <"$work/log")" -ge 5 ]
+        report $? "the_first_program_of_the_manual_runs_with_$compiler" "$work/log"
+    else
+        skip "the_first_program_of_the_manual_runs_with_$compiler" "$compiler is not installed"
+    fi
+done
+$CC -O1 -I. "$work/walk.c" -o "$work/walk" -lm >"$work/log" 2>&1 && timeout 60 "$work/walk" >>"$work/log" 2>&1
+report $? the_walk_of_the_manual_ends_in_the_right_cell "$work/log"
+
 # --- files of one program that disagree
 
 cat >"$work/use.c" <<'END'
@@ -115,5 +182,29 @@ for compiler in g++ clang++; do
         skip "casts_of_c_are_no_warnings_with_$compiler" "$compiler is not installed"
     fi
 done
+
+# --- a shared library
+
+if make -s lib BUILD="$work" CFLAGS=-O1 >"$work/log" 2>&1 && [ ! -s "$work/log" ]; then
+    sed -n 's/^PARADT_DEF.*[ *]\(paradt_[a-z0-9_]*\)(.*/\1/p' paradt.h | sort -u >"$work/declared"
+    nm -D --defined-only "$work/libparadt.so" | awk '$2 == "T" { print $3 }' | sort >"$work/exported"
+    diff "$work/declared" "$work/exported" >"$work/log"
+    report $? a_shared_library_shows_the_public_functions_alone "$work/log"
+    if has python3; then
+        python3 -c "
+import ctypes, sys
+library = ctypes.CDLL(sys.argv[1])
+library.paradt_orient2.argtypes = [ctypes.POINTER(ctypes.c_double)] * 3
+row = ctypes.c_double * 2
+assert library.paradt_version() == int(sys.argv[2])
+assert library.paradt_orient2(row(0, 0), row(1, 0), row(0, 1)) == 1
+" "$work/libparadt.so" "$(sed -n 's/^#define PARADT_VERSION \([0-9]*\).*/\1/p' paradt.h)" >"$work/log" 2>&1
+        report $? a_shared_library_is_loaded_by_another_language "$work/log"
+    else
+        skip a_shared_library_is_loaded_by_another_language "python3 is not installed"
+    fi
+else
+    report 1 make_lib "$work/log"
+fi
 
 echo "1..$number"

@@ -701,8 +701,8 @@ static void predicates_agree_with_the_oracle(void **state) {
     assert_true(zero_orients && zero_inspheres && conflicts);
 }
 
-// Expects the same sign from every exact stage that can take the task. Counts in seen[] how often each could.
-static void check_stages(const paradt__task *q, int expected, const sample *s, const char *name, int *seen) {
+// Expects the same sign from every exact stage that can take the determinant. Counts in seen[] how often each could.
+static void check_stages(const paradt__determinant *q, int expected, const sample *s, const char *name, int *seen) {
     static paradt__digit work[1 << 20];
     static paradt__wide sum[1 << 12];
     paradt__space space;
@@ -719,6 +719,8 @@ static void check_stages(const paradt__task *q, int expected, const sample *s, c
     if (paradt__general_fits(q, &y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM)) {
         expect(paradt__general_small(q, &y), expected, "general stage, small", s, name);
         seen[0]++;
+    } else {
+        assert_true(q->k > 3); // all of 2 and 3 dimensions fits
     }
     if (q->n >= 2) {
         paradt__load_rows(work, sum, q, &y);
@@ -747,7 +749,7 @@ static void check_stages(const paradt__task *q, int expected, const sample *s, c
     }
 #ifdef __SIZEOF_INT128__
     if (paradt__two_fit(&y, q->n, q->k)) {
-        expect(paradt__fixed_two(q, &y, q->n, q->k), expected, "fixed stage, two digits", s, name);
+        expect(paradt__fixed_two(q, &y), expected, "fixed stage, two digits", s, name);
         seen[4]++;
     }
 #endif
@@ -757,8 +759,8 @@ static void check_batch_stages(batch *b, const char *name, void *context) {
     for (int n = 0; n < BATCH; n++) {
         sample *s = &b->samples[n];
         int k = s->k, d = s->d;
-        paradt__task orient = {k, k, d, s->weighted, s->points + 1, s->points[0]};
-        paradt__task insphere = {k + 1, k, d, s->weighted, s->points, s->points[k + 1]};
+        paradt__determinant orient = {k, k, d, s->weighted, s->points + 1, s->points[0]};
+        paradt__determinant insphere = {k + 1, k, d, s->weighted, s->points, s->points[k + 1]};
         expect(paradt__exact_orient(&b->space, s->points), oracle_orient(s->points, k), "exact orientation", s, name);
         expect(paradt__exact_insphere(&b->space, s->points), oracle_insphere(s->points, k, d, s->weighted),
                "exact in-sphere", s, name);
@@ -1171,7 +1173,7 @@ static void the_general_stage_keeps_its_room(void **state) {
             double memory[MAX_POINTS][RECORD];
             const double *p[MAX_POINTS];
             paradt__space space;
-            paradt__task q = {k + 1, k, k, weighted, p, p[0]};
+            paradt__determinant q = {k + 1, k, k, weighted, p, p[0]};
             paradt__minors m = {&q, NULL, NULL, 0};
             for (int i = 0; i < k + 2; i++) {
                 for (int j = 0; j <= k; j++)

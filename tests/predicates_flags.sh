@@ -1,19 +1,19 @@
 #!/bin/sh
-# The predicates give the same signs under every compiler, set of flags, rounding mode and flushing mode: built with
+# The predicates give the same signs with every compiler and set of flags, in every rounding and flushing mode. Built with
 # PREDICATES_HASH, tests/predicates.c prints one hash of all signs. Prints TAP.
 work=build/tests/predicates_flags
 rm -rf "$work"
 mkdir -p "$work"
 number=0
 expected=
-runner= # what programs for another processor are run by
+runner= # the command that runs programs for another processor
 
 skip() {
     number=$((number + 1))
     echo "ok $number - $1 # SKIP $2"
 }
 
-# same NAME MODES COMPILER...: built so, all modes print what the first build printed.
+# same NAME MODES COMPILER FLAGS...: in each mode, the program built so prints what the first one printed.
 same() {
     name=$1
     modes=$2

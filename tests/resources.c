@@ -1,34 +1,37 @@
 // Memory, cancelling and side effects: every allocation may fail, every call of progress may cancel, the memory limit is kept, all
 // memory comes from the caller's allocator and goes back to it, and nothing else in the process changes.
 
-// The library's own malloc, realloc and calloc are counted; they may be called only when there is no allocator.
-#include <stdlib.h>
-static int direct_allocations;
-static void *counted(void *memory) {
-    direct_allocations++;
-    return memory;
-}
-#define malloc(size) counted(malloc(size))
-#define realloc(memory, size) counted(realloc(memory, size))
-#define calloc(count, size) counted(calloc(count, size))
-// So are the pages that it wants to have made.
-#if defined(__linux__)
-#include <sys/mman.h>
-static int watched_madvise(void *address, size_t length, int advice);
-#define madvise watched_madvise
-#endif
-#define PARADT_IMPLEMENTATION
-#include "paradt.h"
-#undef PARADT_IMPLEMENTATION
-#undef malloc
-#undef realloc
-#undef calloc
-#undef madvise
 #include "harness.h"
 
 #include <errno.h>
 #include <fenv.h>
 #include <pthread.h>
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+// --- what the library calls instead of malloc and its relatives (see the Makefile)
+
+// Counts calls, which may come only when there is no allocator.
+static int direct_allocations;
+
+void *watched_malloc(size_t size);
+void *watched_malloc(size_t size) {
+    direct_allocations++;
+    return malloc(size);
+}
+
+void *watched_realloc(void *memory, size_t size);
+void *watched_realloc(void *memory, size_t size) {
+    direct_allocations++;
+    return realloc(memory, size);
+}
+
+void *watched_calloc(size_t count, size_t size);
+void *watched_calloc(size_t count, size_t size) {
+    direct_allocations++;
+    return calloc(count, size);
+}
 
 // --- an allocator that keeps books and can refuse requests
 
@@ -120,7 +123,8 @@ static int pages_made, pages_outside;
 
 #if defined(__linux__)
 // Counts the pages, and fails as on systems that do not know the advice.
-static int watched_madvise(void *address, size_t length, int advice) {
+int watched_madvise(void *address, size_t length, int advice);
+int watched_madvise(void *address, size_t length, int advice) {
     const char *begin = (const char *)address;
     int inside = 0;
     if (!watcher)
@@ -393,6 +397,33 @@ static void every_progress_call_can_cancel(void **state) {
     assert_true(reported > 0);
 }
 
+// With many cells and many hidden points, walks and hash chains are long, and each phase reports progress several times.
+static void a_triangulation_of_thousands_of_points_is_accepted(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int weighted = 0; weighted < 2; weighted++) {
+            sample s = family_make(&families[0], &weightings[weighted], dim, 20000, 11);
+            for (int i = 0; weighted && i < s.count; i++)
+                s.w[i] *= 0.08;
+            paradt_points points = points_of(&s);
+            paradt_options options = {0};
+            paradt_triangulation t;
+            reports r = reports_open(0);
+            assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+            assert_true(weighted ? t.stats.hidden > 1000 : t.cell_count > points.count);
+            options.progress = note_progress;
+            options.user = &r;
+            assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
+            assert_true(r.calls > 4 && r.ordered && r.in_range);
+            paradt_index *neighbors = t.neighbors;
+            t.neighbors = NULL;
+            assert_int_equal(paradt_check(&t, &points, NULL, NULL), PARADT_OK);
+            t.neighbors = neighbors;
+            paradt_free(&t);
+            sample_free(&s);
+        }
+}
+
 // --- flags and side effects
 
 static void without_neighbors_the_cells_are_the_same(void **state) {
@@ -591,7 +622,7 @@ static void points_that_are_all_equal_make_one_region(void **state) {
     (void)state;
     for (int dim = 2; dim <= 5; dim++)
         for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
-            paradt_points points = {x, COUNT, dim, 0, PARADT_F64, NULL};
+            paradt_points points = paradt_points_f64(x, COUNT, dim);
             paradt_options options = {0};
             paradt_triangulation t;
             options.method = (paradt_method)method;
@@ -724,9 +755,10 @@ static void memory_may_run_out_where_regions_are_given_up(void **state) {
 static void room_that_is_only_expected_is_not_needed(void **state) {
     enum { CORNERS = 64, COUNT = CORNERS + 1000, DIM = 6 };
     static double x[COUNT * DIM], weights[COUNT];
-    paradt_points points = {x, COUNT, DIM, 0, PARADT_F64, weights};
+    paradt_points points = paradt_points_f64(x, COUNT, DIM);
     uint64_t random = 1;
     (void)state;
+    points.weights = weights;
     for (int i = 0; i < COUNT; i++) {
         weights[i] = i < CORNERS ? 100.0 : 0.0;
         for (int axis = 0; axis < DIM; axis++)
@@ -925,6 +957,7 @@ int main(void) {
         cmocka_unit_test(every_failing_allocation_is_an_error_and_leaks_nothing),
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_progress_call_can_cancel),
+        cmocka_unit_test(a_triangulation_of_thousands_of_points_is_accepted),
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_take_few_bytes_a_point),
         cmocka_unit_test(regions_give_up_where_questions_abound),

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Usage: run.sh LIST LOGS. Runs every test program named in the file LIST, JOBS at a time, each under a time limit of
-# TEST_SECONDS, and leaves what they print in the folder LOGS. A line "skip NAME REASON..." is a test that can't run here.
-# Programs print TAP. Failed are: lines "not ok", tests that the plan promised and that never reported, a program that did not
-# build, crashed, ran out of time or reported nothing. The last line printed is "N passed, N failed".
+# Usage: run.sh LIST LOGS. Runs the test programs named in the file LIST, JOBS at a time, each for at most TEST_SECONDS, and writes
+# their output to the folder LOGS. A line "skip NAME REASON..." stands for a test that can't run here.
+# Programs print TAP. These count as failures: lines "not ok"; tests of the plan that did not report; programs that did not build,
+# crashed, ran out of time or reported nothing. The last line printed is "N passed, N failed".
 TEST_SECONDS=${TEST_SECONDS:-1200}
 
-# stdbuf's preloaded library is no reason for the address sanitizer to refuse.
+# The address sanitizer must accept that stdbuf preloads a library.
 export ASAN_OPTIONS=verify_asan_link_order=0
 
 # Runs one program and writes its counts to LOGS/NAME.count.
@@ -35,7 +35,7 @@ run_one() {
         /^(not )?ok.*# SKIP/ { skipped++; notes = notes "    skipped: " $0 "\n"; before = ""; next }
         /^ok /              { passed++; before = "" }
         /^not ok /          { failed++; if (shown++ < 20) notes = notes "    " $0 "\n" before; before = ""; next }
-        # What a failing test says stands before or after its line; both are shown under it.
+        # Remarks on a failing test come before or after its line. Both are shown below it.
         /^# /               { if (lines++ < 60) before = before "        " $0 "\n"; next }
                             { last[NR % 8] = $0 }
         END {

@@ -1,20 +1,19 @@
 #!/bin/sh
-# Usage: setup.sh FILE. Installs what the tests need and this machine lacks, with apt-get as root or by sudo where that works,
-# and writes what there is as make variables to FILE. What can't be installed is named, and its tests will be skipped.
+# Usage: setup.sh FILE. Installs the packages that the tests need and this machine lacks, by apt-get, as root or by sudo. Writes
+# what is installed to FILE as make variables. Packages that can't be installed are named; their tests will be skipped.
 file=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 CC=${CC:-cc}
 CXX=${CXX:-c++}
 
-# has NAME: whether this machine has it. A program is run by name, a library by compiling and linking against it.
-compiles() { # compiler source-suffix source flags...
+compiles() { # compiler, suffix of the source, source, flags
     compiler=$1 suffix=$2 source=$3
     shift 3
     printf '%s\n' "$source" >"$work/probe.$suffix"
     $compiler "$work/probe.$suffix" -o "$work/probe" "$@" >/dev/null 2>&1
 }
-has() {
+has() { # package: is it installed?
     case $1 in
     libcmocka-dev) compiles "$CC" c '#include <stdarg.h>
 #include <stddef.h>
@@ -67,7 +66,7 @@ if [ -n "$lacking" ] && command -v apt-get >/dev/null 2>&1; then
     if [ "$root" != none ]; then
         echo "Installing $lacking"
         $root apt-get update -q >"$work/log" 2>&1
-        # One by one: a package that this release lacks must not keep the others out.
+        # One by one, so that a package that this release lacks does not prevent the others.
         for package in $lacking; do
             $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "$package" \
                 >>"$work/log" 2>&1 || echo "apt-get could not install $package"

@@ -1,15 +1,18 @@
 #!/bin/sh
-# The command-line tool as its users run it: good files and bad ones, every format, options, exit statuses, interruptions.
-# The tool is built for this with the sanitizers where the compiler has them, or named by PARADT_TOOL. Prints TAP.
+# The command-line tool: good and bad files, every format, options, exit statuses, interruptions. Builds the tool with the
+# sanitizers, if the compiler has them, unless PARADT_TOOL names another. Prints TAP.
 work=$PWD/build/tests/tool
 rm -rf "$work"
 mkdir -p "$work"
 CC=${CC:-cc}
 tool=${PARADT_TOOL:-$work/paradt}
 if [ -z "$PARADT_TOOL" ]; then
-    asserts="-D_XOPEN_SOURCE=700 -include tests/asserts.h"
-    $CC -Og -g1 $asserts -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize-recover=all -I. -o "$tool" examples/paradt.c -pthread -lm \
-        2>"$work/build.log" || $CC -O2 $asserts -I. -o "$tool" examples/paradt.c -pthread -lm 2>"$work/build.log" ||
+    build() { # flags
+        $CC "$@" -g1 -D_XOPEN_SOURCE=700 -include tests/asserts.h -I. -o "$tool" examples/paradt.c -pthread -lm 2>"$work/build.log"
+    }
+    sanitize="-Og -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize-recover=all"
+    # The library is that of the sanitized test programs, if it is there.
+    build $sanitize -DPARADT__IMPLEMENTED build/tests/sanitized/paradt.o || build $sanitize || build -O2 ||
         { echo "not ok 1 - the_tool_builds"; sed 's/^/# /' "$work/build.log"; echo "1..1"; exit 1; }
 fi
 ASAN_OPTIONS=exitcode=99:allocator_may_return_null=1
@@ -18,7 +21,7 @@ export ASAN_OPTIONS UBSAN_OPTIONS
 cd "$work" || exit 1
 
 number=0
-report() { # 0 when it holds, name
+report() { # 0: passed, name
     number=$((number + 1))
     if [ "$1" -eq 0 ]; then
         echo "ok $number - $2"
@@ -27,7 +30,7 @@ report() { # 0 when it holds, name
         { echo "status $status"; tail -n 8 err; tail -n 3 out; } | cut -c 1-300 | sed 's/^/# /'
     fi
 }
-run() { # arguments; leaves status, out, err
+run() { # arguments; sets status, and writes the files out and err
     "$tool" "$@" >out 2>err
     status=$?
 }
@@ -154,7 +157,7 @@ ls out.* >left 2>/dev/null
 report $? bad_input_leaves_no_output
 
 # --- the same points in every format ----------------------------------------------------------------------------------
-# (0 0 0) (1 0 0) (0 1 0) (0 0 1) (1/4 1/4 1/4); with weights 0 0 0 0 -1 the last point is hidden
+# (0 0 0) (1 0 0) (0 1 0) (0 0 1) (1/4 1/4 1/4). With the weights 0 0 0 0 -1 the last point is hidden.
 
 write() { # file, contents as printf prints them
     # shellcheck disable=SC2059 # the contents are a format
@@ -175,12 +178,12 @@ write faces.off "OFF # comment\n5\n1 0\n${text}3 0 1 2\n"
 write colours.off "COFF 5 0 0\n$text"
 write lines.off "OFF\n5\n1\n0\n${text}3 0 1 2\n"
 
-# float32: the bytes of 0, 1, 1/4 and -1, lowest first
+# The bytes of 0, 1, 1/4 and -1 as float32, lowest first
 zero='\000\000\000\000' one='\000\000\200\077' quarter='\000\000\200\076' minus='\000\000\200\277'
 rows="$zero$zero$zero$zero$one$zero$zero$zero$zero$one$zero$zero$zero$zero$one$zero$quarter$quarter$quarter$minus"
 turned="$zero$one$zero$zero$quarter$zero$zero$one$zero$quarter$zero$zero$zero$one$quarter$zero$zero$zero$zero$minus"
 swap4() { printf '%s' "$1" | sed 's/\(\\...\)\(\\...\)\(\\...\)\(\\...\)/\4\3\2\1/g'; }
-widen() { # float32 of 0, 1, 1/4 and -1 to float64
+widen() { # converts these float32 to float64
     printf '%s' "$1" | sed 's/\\000\\000\\200\\077/A/g; s/\\000\\000\\200\\076/B/g; s/\\000\\000\\200\\277/C/g
         s/\\000\\000\\000\\000/&&/g; s/A/\\000\\000\\000\\000\\000\\000\\360\\077/g
         s/B/\\000\\000\\000\\000\\000\\000\\320\\077/g; s/C/\\000\\000\\000\\000\\000\\000\\360\\277/g'
@@ -249,7 +252,7 @@ awk 'NR > 1 { printf "%s %s %s %.4f;", $2, $3, $4, $5 }' read.node >atoms
 done_well && [ "$(cat atoms)" = "0 0 0 2.4025;10 0 0 2.8900;0 10 0 4.0000;0 0 -110.5 2.3104;2.5 2.5 -2.5 1.4400;" ]
 report $? reads_atoms_of_the_first_model_with_squared_radii
 
-# Decimals beside and on the middle between two doubles, and at the ends of their range
+# Decimals on and beside the middle between two doubles, and at the ends of the range
 write hard.txt '9007199254740993 9007199254740993.00000000000000000001\n9007199254740995 1e23\n123456789012345678901234567890 0.1
 2.2250738585072011e-308 4.9406564584124654e-324\n1.7976931348623157e308 -2.4703282292062327e-324\n-1e-400 8.5e-27\n'
 write hard.node ' 0 9007199254740992 9007199254740994\n 1 9007199254740996 9.9999999999999992e+22
@@ -273,7 +276,7 @@ done >generated
 report $? every_kind_is_triangulated_and_certified
 [ "$(cksum <generated)" = "4059516375 186139" ]
 report $? generated_points_never_change
-# Vertices that more cells meet at than the tables for one insertion take
+# Vertices of more cells than the tables of an insertion hold
 run --check --hash --quiet --regions 1 gen:helix:2000:2
 crowded=$(cat out)
 done_well && [ "$(hash_of --regions 3 gen:helix:2000:2)" = "$crowded" ]
@@ -347,7 +350,8 @@ report $? npy_holds_the_cells
 
 grep -q '^<svg ' all.svg && [ "$(tail -n 1 all.svg)" = "</svg>" ] && [ "$(grep -c '^<path' all.svg)" -gt 100 ]
 report $? svg_is_drawn
-# A PNG's data are a zlib stream in a chunk that ends 16 bytes before the file does: gzip unpacks it behind its own header.
+# The data of a PNG are a zlib stream in a chunk that ends 16 bytes before the file does. gzip unpacks them if they follow its
+# own header.
 size=$(dd if=all.png bs=1 skip=33 count=4 2>/dev/null | od -An -tu1 | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')
 { printf '\037\213\010\000\000\000\000\000\000\000'; tail -c +44 all.png | head -c $((size - 6)); } | gzip -dc 2>/dev/null >pixels
 [ "$size" -eq $(($(wc -c <all.png) - 57)) ] && [ "$(wc -c <pixels)" -eq $((1000 * (1 + 3 * 1200))) ]
@@ -415,7 +419,7 @@ if [ -w /dev/full ]; then
     report $? help_that_could_not_be_printed_is_an_error
 fi
 
-# --- the same result by every way -------------------------------------------------------------------------------------
+# --- the same result in every way -------------------------------------------------------------------------------------
 
 for input in gen:uniform:1500:1 gen:fcc:1000:1 gen:clusters:1500:1; do
     due=$(hash_of "$input")
@@ -452,13 +456,13 @@ ln -s target.off link.off
 run --quiet -o link.off same.xyz
 done_well && [ -h link.off ] && [ "$(sed -n 1p target.off)" = OFF ]
 report $? a_link_is_followed
-if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null 2>&1; then # in a folder where others' files can't be replaced
+if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null 2>&1; then # in a folder where files of other users can't be replaced
     mkdir sticky && chmod 1777 sticky && chmod a+rx . && write sticky/mine.off 'old\n' && chown 65534 sticky/mine.off
     write sticky/yours.off 'old\n'
     ran=$(setpriv --reuid=65534 --clear-groups "$tool" --quiet -o sticky/mine.off -o sticky/yours.off gen:uniform:50:1 2>&1)
     status=$?
     case $ran in
-    *denied*) ;; # that user can't come here at all
+    *denied*) ;; # this user can't enter the folder
     *)
         [ $status -eq 1 ] && [ "$(cat sticky/mine.off sticky/yours.off)" = "$(printf 'old\nold')" ] &&
             [ "$(ls -A sticky | tr '\n' ' ')" = "mine.off yours.off " ]
@@ -467,7 +471,7 @@ if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null 2>&1; then # in a folde
     esac
 fi
 
-# Ends the tool as soon as a temporary file of its outputs is there.
+# Ends the tool as soon as a temporary file of its outputs exists.
 caught=1
 for try in 1 2 3 4 5; do
     "$tool" --quiet -o late.ele -o late.vtu gen:uniform:$((try * 20000)):1 >out 2>err &

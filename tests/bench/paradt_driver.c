@@ -112,8 +112,10 @@ static void describe(char *text, size_t size, const paradt_triangulation *t, con
 
 static void triangulate(paradt_triangulation *result, const bench_arguments *a, const bench_points *set,
                         const paradt_options *options) {
-    paradt_points input = {set->coordinates, set->count, set->dim, 0, PARADT_F64, set->weights};
-    paradt_status status = paradt_triangulate(result, &input, options);
+    paradt_points input = paradt_points_f64(set->coordinates, set->count, set->dim);
+    paradt_status status;
+    input.weights = set->weights;
+    status = paradt_triangulate(result, &input, options);
     if (status != PARADT_OK)
         bench_fail(a->path, paradt_status_string(status));
 }

@@ -46,7 +46,7 @@ static void rank_program(int rank) {
     size_t ranks = (size_t)alone.ranks, n = (size_t)study.spec.count;
     size_t first = n / ranks * (size_t)rank, end = rank + 1 == alone.ranks ? n : first + n / ranks;
     double *coordinates = (double *)malloc((end - first + 1) * DIM * sizeof(double));
-    paradt_points points = {coordinates, end - first, DIM, 0, PARADT_F64, NULL};
+    paradt_points points = paradt_points_f64(coordinates, end - first, DIM);
     paradt_mpi_options options;
     paradt_mpi_triangulation t;
     uint64_t hash;
