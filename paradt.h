@@ -819,10 +819,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   mesh
 //     mesh                         683   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
-//     scene                        114   conflict test, walk, update
+//     scene                        115   conflict test, walk, update
 //   search
 //     grid                         320   a hierarchy of boxes over a set
-//     search kernels               387   tests of eight boxes or points together
+//     search kernels               388   tests of eight boxes or points together
 //     pencil                       444   the spheres through a facet
 //     search                       353   the apex of a facet, a point in a sphere
 //     questions                     75   the same of cells of others' points
@@ -846,11 +846,11 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     seam                         225   which cells of the first region are right
 //     results of patches           162   owned cells, open facets
 //     known points                 246   what a rank builds
-//     call                         179   what one call works with; steps
+//     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         544   the steps of a divided insertion
 //   entry
-//     methods                      212   one row a method; AUTO's choice
+//     methods                      213   one row a method; AUTO's choice
 //     triangulate                  343   the entry
 //   check
 //     check                        495   the certificate
@@ -996,7 +996,7 @@ extern "C" {
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
 // of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
 // Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
-// paradt__grow, paradt__release, paradt__make_pages.
+// paradt__grow, paradt__release, paradt__make_pages, paradt__block_bytes.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -1172,7 +1172,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
 // paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
 // paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
-// paradt__largest.
+// paradt__largest, PARADT__DIMENSIONS, paradt__widen.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -1567,7 +1567,7 @@ static double paradt__now(void) {
 // The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
 // DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare.
+// paradt__space_end, paradt__compare, paradt__rounding.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -4687,10 +4687,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
-// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
-// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
+// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
+// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
+// PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -5609,7 +5609,8 @@ static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *m
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+// Doors: paradt__scene_record, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
+// paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -6047,7 +6048,8 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
 // of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
 // one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
-// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
+// bounds; K is PARADT__ROUND.
+// Doors: paradt__kernels_choose, PARADT__ROUND.
 
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
 // at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
@@ -8112,7 +8114,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
 // a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
 // one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
-// Doors: paradt__round_order, paradt__merged_order.
+// Doors: paradt__round_order, paradt__merged_order, paradt__late_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -11859,9 +11861,8 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
 // What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
 // the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
 // memory are joined, and what is left of the limit is shared among them anew.
-// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
-// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
-// paradt__region_view_of, paradt__may_insert, paradt__build_front.
+// Doors: paradt__count_predicates, paradt__count_region, paradt__begin_way, paradt__whole_progress,
+// paradt__region_progress, paradt__region_count, paradt__run_step, paradt__begin_regions, paradt__share_memory.
 
 struct paradt__front;
 struct paradt__work;
@@ -12676,7 +12677,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // >>methods
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
-// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+// Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
+// paradt__release_helpers.
 
 // --- do regions pay?
 //
