@@ -837,14 +837,14 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     kept spheres                 507   conflict tests by one product, in space
 //     insertion in space           651   dig and star with kept spheres
 //     insertion in space by AVX2   463   its inner functions for four lanes
-//     inserting                    169   insertions from begin to end
+//     inserting                    183   insertions from begin to end
 //   division
 //     regions of fronts            117   owners of cells, joining
-//     fringe                        92   suspects, owners by insertion
-//     fields and patches           366   a region's points and what it builds
+//     fringe                        93   suspects, owners by insertion
+//     fields and patches           367   a region's points and what it builds
 //     questions between regions    352   is a cell right, for all points
 //     seam                         225   which cells of the first region are right
-//     results of patches           162   owned cells, open facets
+//     results of patches           156   owned cells, open facets
 //     known points                 246   what a rank builds
 //     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
@@ -10134,9 +10134,9 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 //
 // An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
 // paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
-// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. paradt__insertion_rest
 // leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
-// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
+// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_more,
 // paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
 // paradt__bowyer_watson.
 
@@ -10231,6 +10231,20 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     kept->start = cell;
     kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
+}
+
+// Inserts the points from number `inserted` on of `order`, which have been counted in build->count since the points
+// before were inserted, until it pauses.
+static paradt_status paradt__insertion_more(paradt__insertion *build, const paradt_index *order, size_t inserted,
+                                            const paradt__progress *progress) {
+    paradt_status status;
+    build->order = order;
+    build->inserted = inserted;
+    build->later = 0;
+    if (inserted == build->count) return PARADT_OK;
+    status = paradt__insertion_go_on(build, paradt__insertion_point(build, inserted), build->count,
+                                     paradt__insertion_start(build));
+    return status ? status : paradt__insertion_go(build, progress);
 }
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
@@ -10415,7 +10429,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // ---------------------------------------------------------------------------------------------------------------------
 // >>fringe
 //
-// Division by insertion, for regions and for ranks: which cells of a part could be wrong, and which of them it owns.
+// What regions by insertion and ranks have in common: which of their cells could be wrong, and which they own. Either
+// is called a part here.
 //
 // A part inserts S: its own points and some points of other parts. The own points are the first vertices of its mesh,
 // [0, own). Which cells of T(S) could be in conflict with a point of P that is missing? Let K be a convex set, a box
@@ -10436,10 +10451,10 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // A cell or ghost is owned by the last part that has a vertex of it. A part whose points have all their cells has all
 // the cells that it owns.
 //
-// The fringe are all ghosts, and the cells that have not only own vertices: all suspects are in the fringe, and so is
-// everything that the part does not own. Its list may name a place more than once, and places whose cells have been in
-// the fringe. Marks: PARADT__LISTED where the list names the place, until the cell there is killed.
-// Doors: paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__fringe_forget, paradt__is_suspect,
+// The fringe consists of all ghosts, and of all cells with a vertex that is not own. All suspects are in the fringe,
+// and so is everything that the part does not own. Its list may name a place more than once, and places whose cells
+// have been in the fringe. Marks: PARADT__LISTED where the list names the place, until the cell there is killed. Doors:
+// paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__fringe_forget, paradt__is_suspect,
 // paradt__owns.
 
 // Adds a place to the list of the fringe, unless it is marked as listed.
@@ -10449,8 +10464,8 @@ PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__me
                                                                   : PARADT_OK;
 }
 
-// Adds the first place of the fringe from *place on, which *place becomes; or, if there is none, mesh->count. corners:
-// the mesh's; inlined with a constant
+// Finds the first place of the fringe from *place on and adds it. On return *place is that place, or mesh->count if
+// there is none. corners: the mesh's; inlined with a constant
 PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, paradt__mesh *mesh, size_t corners,
                                                      paradt_index own, size_t *place, paradt__memory *memory) {
     *place = paradt__mesh_fringe_from(mesh, corners, own, *place);
@@ -10490,8 +10505,8 @@ PARADT__INLINE int paradt__is_suspect(const paradt_index *vertices, size_t corne
     return (own_vertices > 0) & outside;
 }
 
-// Does the part own the cell or ghost: has it an own vertex of it, and no later part another? bits: [vertices] with the
-// bit `later` for the points of later parts
+// Does the part own the cell or ghost: does it have a vertex of it, and no later part? bits: [vertices] has the bit
+// `later` for points of later parts
 PARADT__INLINE int paradt__owns(const paradt_index *vertices, size_t corners, paradt_index own,
                                 const paradt_index *bits, paradt_index later) {
     paradt_index all = 0;
@@ -10739,7 +10754,7 @@ static int paradt__is_within(const double *x, const double *low, const double *h
     return 1;
 }
 
-// Lists the points in K that a box of a field's grid has. level, box: of the grid
+// Lists the points of a box of a field's grid that are in K. low, high: of K
 static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
                                           const double *low, const double *high) {
     int dim = patch->set->space.dim, axis;
@@ -10852,8 +10867,9 @@ static paradt_status paradt__patch_sort(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// Collects the points to begin with. The region without a margin sorts its points now, while the others look for
-// theirs; these sort when they build. basis: positions of points that span the space
+// Collects the points to begin with. The first region, if it begins with its own points alone, sorts them now, while
+// the others look for points in their margins; the others sort when they build. basis: positions of points that span
+// the space
 static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *basis) {
     const paradt__field *own = patch->own;
     size_t needed, i;
@@ -11202,12 +11218,12 @@ static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__pro
 enum { PARADT__QUESTIONS_A_POINT = 2 };
 
 // Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, deferred ones
-// excepted; or until it pauses. may_wait: it stops, with cells waiting, when learning is faster than searching
-static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, const paradt__progress *progress) {
+// excepted; or until it pauses. can_learn: it stops, with cells waiting, when learning is faster than searching
+static paradt_status paradt__patch_complete(paradt__patch *patch, int can_learn, const paradt__progress *progress) {
     const paradt__mesh *mesh = &patch->build.scene.mesh;
     paradt_status status = PARADT_OK;
     PARADT_ASSERT(patch->is_asking);
-    while (!status && patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch))) {
+    while (!status && patch->waiting.count && !(can_learn && paradt__patch_learning_pays(patch))) {
         paradt_index cell = patch->waiting.items[--patch->waiting.count];
         if (mesh->marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
         if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
@@ -11218,8 +11234,8 @@ static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, 
 }
 
 // Has it paused, inserting or asking?
-static int paradt__patch_pauses(const paradt__patch *patch, int may_wait) {
-    return !patch->is_asking || (patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch)));
+static int paradt__patch_pauses(const paradt__patch *patch, int can_learn) {
+    return !patch->is_asking || (patch->waiting.count && !(can_learn && paradt__patch_learning_pays(patch)));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11594,15 +11610,9 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
 // Makes the patch the triangulation of the whole set, closed, with the caller's indices.
 static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
     paradt__insertion *build = &patch->build;
-    paradt_status status;
-    build->inserted = build->count;
-    build->later = 0;
-    status = paradt__patch_add_all(patch);
-    build->order = patch->order;
-    if (!status && build->inserted < build->count)
-        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count,
-                                         paradt__insertion_start(build));
-    if (!status) status = paradt__insertion_go(build, progress);
+    size_t before = build->count;
+    paradt_status status = paradt__patch_add_all(patch);
+    if (!status) status = paradt__insertion_more(build, patch->order, before, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
     if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets);
