@@ -10440,8 +10440,9 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 //
 // Let a cell with an own vertex be in conflict with q, and follow a path of such cells from it to the one that contains
 // q. If all of them have own vertices, so has the last, which is a ghost or has a vertex outside K. Otherwise some cell
-// on the path is the first without an own vertex, and the cell before it, with which it has a facet in common, has just
-// one. In either case a *suspect* is in conflict with q. The suspects are, of the cells and ghosts with an own vertex:
+// on the path is the first without an own vertex. The facet that it has in common with the cell before it has none
+// either, so that cell has just one. In both cases a *suspect* is in conflict with q. The suspects are, of the cells
+// and ghosts with an own vertex:
 //
 //     ghosts; cells with a vertex that may be outside K; cells with just one own vertex
 //
@@ -10453,9 +10454,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 //
 // The fringe consists of all ghosts, and of all cells with a vertex that is not own. All suspects are in the fringe,
 // and so is everything that the part does not own. Its list may name a place more than once, and places whose cells
-// have been in the fringe. Marks: PARADT__LISTED where the list names the place, until the cell there is killed. Doors:
-// paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__fringe_forget, paradt__is_suspect,
-// paradt__owns.
+// have been in the fringe. PARADT__LISTED marks only places that the list names.
+// Doors: paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__is_suspect, paradt__owns.
 
 // Adds a place to the list of the fringe, unless it is marked as listed.
 PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__mesh *mesh, paradt_index place,
