@@ -840,12 +840,12 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     inserting                    183   insertions from begin to end
 //   division
 //     regions of fronts            117   owners of cells, joining
-//     fringe                        93   suspects, owners by insertion
+//     fringe                        94   suspects, owners by insertion
 //     fields and patches           367   a region's points and what it builds
 //     questions between regions    352   is a cell right, for all points
 //     seam                         225   which cells of the first region are right
 //     results of patches           156   owned cells, open facets
-//     known points                 246   what a rank builds
+//     known points                 202   what a rank builds
 //     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         544   the steps of a divided insertion
@@ -4687,10 +4687,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
-// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
-// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
-// PARADT__VERIFY, PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
+// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
+// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
+// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -10455,7 +10455,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
 // The fringe consists of all ghosts, and of all cells with a vertex that is not own. All suspects are in the fringe,
 // and so is everything that the part does not own. Its list may name a place more than once, and places whose cells
 // have been in the fringe. PARADT__LISTED marks only places that the list names.
-// Doors: paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__is_suspect, paradt__owns.
+// Doors: paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__fringe_forget, paradt__is_suspect,
+// paradt__owns.
 
 // Adds a place to the list of the fringe, unless it is marked as listed.
 PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__mesh *mesh, paradt_index place,
@@ -11625,7 +11626,7 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 // What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
 // more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
 // the own points are the first. It is compiled where paradt_mpi.h is implemented.
-// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
@@ -11633,16 +11634,13 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 typedef struct paradt__known {
     paradt__insertion build;
     paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
+    paradt__list fringe; // see >>fringe
 } paradt__known;
 
 static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     known->build.memory = memory;
     paradt__insertion_end(&known->build);
-    paradt__release(memory, known->fringe);
+    paradt__list_free(&known->fringe, memory);
     paradt__release(memory, known->order);
     memset(known, 0, sizeof *known);
 }
@@ -11664,40 +11662,23 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     return paradt__insertion_run(&known->build, progress);
 }
 
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
-    size_t count = known->fringe_count;
-    paradt_status status =
-        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
-    if (status) return status;
-    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    known->fringe[known->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
 // Forgets the list of the fringe, to make it anew.
 static void paradt__known_relist(paradt__known *known) {
-    size_t i;
-    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
-    known->fringe_count = 0;
+    paradt__fringe_forget(&known->fringe, &known->build.scene.mesh);
 }
 
 // Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
 // positions are the own points'.
 PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
-    const paradt__mesh *cells = &known->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+    paradt__mesh *mesh = &known->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners;
+    if (corners == 4) return paradt__fringe_add_next(&known->fringe, mesh, 4, own, place, known->build.memory);
+    return paradt__fringe_add_next(&known->fringe, mesh, corners, own, place, known->build.memory);
 }
 
 // Lists all of it.
 static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
-        status = paradt__known_list(known, own, &place);
-    return status;
+    return paradt__fringe_list(&known->fringe, &known->build.scene.mesh, own, known->build.memory);
 }
 
 // Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
@@ -11711,23 +11692,9 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
     status = paradt__insert_one_more(build, position, -1);
     for (i = 0; i < build->update.made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+        status = paradt__fringe_add(&known->fringe, &build->scene.mesh, made, build->memory);
     }
     return status;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>fringe: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
 }
 
 // No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
@@ -11753,18 +11720,10 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
+// Does the rank own the cell? mark: of all points, says which are a later rank's
 PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
                                        const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
+    return paradt__owns(vertices, corners, own, mark, PARADT__OF_LATER_RANK);
 }
 
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
@@ -11772,13 +11731,13 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
 PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
                                             paradt_index *mark) {
     const paradt__mesh *cells = &known->build.scene.mesh;
-    size_t count = known->fringe_count, i, j, left = 0;
+    size_t count = known->fringe.count, i, j, left = 0;
     uint64_t others = 0;
     for (i = 0; i < count; i++) {
-        paradt_index place = known->fringe[i];
+        paradt_index place = known->fringe.items[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
@@ -11789,9 +11748,9 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
             mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
         others += (uint64_t)is_cell;
         known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        known->fringe[left++] = place;
+        known->fringe.items[left++] = place;
     }
-    known->fringe_count = left;
+    known->fringe.count = left;
     return others;
 }
 
@@ -11810,10 +11769,10 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
 // others' points have had their vertices marked already.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
-    size_t i, j, count = known->fringe_count;
+    size_t i, j, count = known->fringe.count;
     for (i = 0; i < count; i++) {
-        size_t base = (size_t)known->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        size_t base = (size_t)known->fringe.items[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         for (j = 0; j < corners; j++) {
             paradt_index link = cells->links[base + j];
             const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
@@ -11824,7 +11783,7 @@ PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, s
                 paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
         }
     }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe.items[i] * corners] = PARADT__DEAD;
 }
 
 PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
@@ -11842,22 +11801,20 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
                                   paradt__mesh *cells, paradt_index *mark) {
     paradt__insertion *build = &known->build;
     paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    size_t corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
     // of points without weights none is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
                           : paradt__known_drop_others(known, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    paradt__mesh_compact(&build->scene.mesh, known->fringe.count, &known->fringe, 1);
     for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
         paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
                               PARADT__VERTEX | PARADT__OF_OWN_CELL);
     paradt__release(memory, build->scene.mesh.spare);
     paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, known->fringe);
+    paradt__list_free(&known->fringe, memory);
     *cells = build->scene.mesh;
     memset(known, 0, sizeof *known);
     return others;

@@ -2781,7 +2781,7 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
         own_count = paradt__vertices_below(cell, k, own);
         if (!own_count) continue;
         status = paradt_mpi__list_cell_vertices(w, &q->to_send, k, cell);
-        if (!status && paradt__remote_is_suspect(cell, k, own, own_count, outer))
+        if (!status && paradt__is_suspect(cell, k, own, PARADT__NOWHERE, outer))
             status = paradt_mpi__enqueue(w, suspects, at);
     }
     return status;
