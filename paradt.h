@@ -821,7 +821,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
-//     grid                         320   a hierarchy of boxes over a set
+//     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       444   the spheres through a facet
 //     search                       353   the apex of a facet, a point in a sphere
@@ -841,7 +841,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   division
 //     regions of fronts            117   owners of cells, joining
 //     fringe                        94   suspects, owners by insertion
-//     fields and patches           367   a region's points and what it builds
+//     fields and patches           333   a region's points and what it builds
 //     questions between regions    352   is a cell right, for all points
 //     seam                         225   which cells of the first region are right
 //     results of patches           156   owned cells, open facets
@@ -5723,8 +5723,8 @@ static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const 
 // cut separates the vertices on its two sides in the sense that DeWall needs.
 // Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
 // over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
-// Doors: paradt__grid_build, paradt__grid_lay, paradt__grid_free, paradt__grid_lanes; for DeWall paradt__grid_cut,
-// paradt__grid_axis, paradt__before; paradt__exchange.
+// Doors: paradt__grid_build, paradt__grid_lay, paradt__grid_free, paradt__grid_lanes, paradt__grid_list_within; for
+// DeWall paradt__grid_cut, paradt__grid_axis, paradt__before; paradt__exchange.
 
 enum {
     PARADT__LANES = 8,       // points a grid cell, grid cells a group
@@ -6027,6 +6027,61 @@ PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__se
 static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
     paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
     if (!status) paradt__grid_fill(grid, set);
+    return status;
+}
+
+// --- the points in a box
+
+// Is the point in the closed box?
+static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
+    }
+    return 1;
+}
+
+// What paradt__grid_list_within looks for
+typedef struct paradt__within {
+    const double *low, *high;
+    size_t offset;
+    paradt__list *list;
+    paradt__memory *memory;
+} paradt__within;
+
+// Appends what is in one of the grid's boxes.
+static paradt_status paradt__grid_list_box(const paradt__grid *grid, const paradt__set *set, int level, size_t box,
+                                           const paradt__within *within) {
+    int dim = set->space.dim, axis;
+    size_t first = box * PARADT__LANES, i;
+    const double *bounds = grid->boxes[level] + box / PARADT__LANES * grid->group_width + box % PARADT__LANES;
+    paradt_status status = PARADT_OK;
+    for (axis = 0; axis < dim; axis++, bounds += 2 * PARADT__LANES) {
+        if (bounds[0] > within->high[axis] || bounds[PARADT__LANES] < within->low[axis]) return PARADT_OK;
+    }
+    for (i = first; i < first + PARADT__LANES && !status; i++) {
+        if (level) {
+            if (i >= grid->box_count[level - 1]) break;
+            status = paradt__grid_list_box(grid, set, level - 1, i, within);
+        } else if (i < set->count &&
+                   paradt__is_within(paradt__record(set, (paradt_index)i), within->low, within->high, dim)) {
+            status = paradt__list_append(within->list, (paradt_index)(within->offset + i), within->memory);
+        }
+    }
+    return status;
+}
+
+// Appends the positions of the set's points in the closed box [low, high], each plus `offset`. A grid without points
+// need not have been laid.
+static paradt_status paradt__grid_list_within(const paradt__grid *grid, const paradt__set *set, const double *low,
+                                              const double *high, size_t offset, paradt__list *list,
+                                              paradt__memory *memory) {
+    const paradt__within within = {low, high, offset, list, memory};
+    int top = grid->levels - 1;
+    paradt_status status = PARADT_OK;
+    size_t box;
+    for (box = 0; top >= 0 && box < grid->box_count[top] && !status; box++)
+        status = paradt__grid_list_box(grid, set, top, box, &within);
     return status;
 }
 
@@ -10746,38 +10801,6 @@ static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
 
 // --- the points to begin with
 
-// Is the point in the closed box?
-static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
-    int axis;
-    for (axis = 0; axis < dim; axis++) {
-        if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
-    }
-    return 1;
-}
-
-// Lists the points of a box of a field's grid that are in K. low, high: of K
-static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
-                                          const double *low, const double *high) {
-    int dim = patch->set->space.dim, axis;
-    size_t first = box * PARADT__LANES, i;
-    const double *bounds =
-        field->grid.boxes[level] + box / PARADT__LANES * field->grid.group_width + box % PARADT__LANES;
-    paradt_status status = PARADT_OK;
-    for (axis = 0; axis < dim; axis++, bounds += 2 * PARADT__LANES) {
-        if (bounds[0] > high[axis] || bounds[PARADT__LANES] < low[axis]) return PARADT_OK;
-    }
-    for (i = first; i < first + PARADT__LANES && !status; i++) {
-        if (level) {
-            if (i >= field->grid.box_count[level - 1]) break;
-            status = paradt__patch_gather(patch, field, level - 1, i, low, high);
-        } else if (i < field->set.count &&
-                   paradt__is_within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = paradt__list_append(&patch->margin, (paradt_index)(field->begin + i), patch->memory);
-        }
-    }
-    return status;
-}
-
 // Returns the width of the margin: about one and a half distances between neighbours. 0: there is none, since
 // differences of coordinates may overflow, or the box is cut across an axis that orient does not use.
 static double paradt__field_margin(const paradt__field *field) {
@@ -10800,12 +10823,10 @@ static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
         patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
     }
     patch->has_margin = margin > 0.0;
-    if (!patch->has_margin) return PARADT_OK;
-    for (field = patch->fields; field < patch->fields + patch->field_count && !status; field++) {
-        int level = field->grid.levels - 1;
-        size_t box;
-        for (box = 0; field != own && level >= 0 && box < field->grid.box_count[level] && !status; box++)
-            status = paradt__patch_gather(patch, field, level, box, low, high);
+    for (field = patch->fields; field < patch->fields + patch->field_count && patch->has_margin && !status; field++) {
+        if (field != own)
+            status = paradt__grid_list_within(&field->grid, &field->set, low, high, field->begin, &patch->margin,
+                                              patch->memory);
     }
     return status;
 }
