@@ -802,18 +802,18 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        182   progress, teams, pauses, the clock
 //   predicates
-//     space                        233   what the predicates know of a set
+//     space                        234   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        584   signs in integers
+//     exact                        608   signs in integers
 //     signs                        250   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        324   Hilbert's curve, sorting along it
+//     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
-//     sorting                      372   along the curve, box after box
+//     sorting                      373   along the curve, box after box
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
@@ -834,21 +834,21 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
-//     kept spheres                 507   conflict tests by one product, in space
-//     insertion in space           651   dig and star with kept spheres
-//     insertion in space by AVX2   463   its inner functions for four lanes
+//     kept spheres                 508   conflict tests by one product, in space
+//     insertion in space           656   dig and star with kept spheres
+//     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    183   insertions from begin to end
 //   division
 //     regions of fronts            117   owners of cells, joining
 //     fringe                        94   suspects, owners by insertion
-//     fields and patches           333   a region's points and what it builds
-//     questions between regions    352   is a cell right, for all points
-//     seam                         225   which cells of the first region are right
-//     results of patches           156   owned cells, open facets
+//     fields and patches           335   a region's points and what it builds
+//     questions between regions    364   is a cell right, for all points
+//     seam                         226   which cells of the first region are right
+//     results of patches           157   owned cells, open facets
 //     known points                 202   what a rank builds
 //     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
-//     regions of insertion         544   the steps of a divided insertion
+//     regions of insertion         522   the steps of a divided insertion
 //   entry
 //     methods                      213   one row a method; AUTO's choice
 //     triangulate                  343   the entry
@@ -1562,10 +1562,11 @@ static double paradt__now(void) {
 //   general  for any exponents and any dimension, with as many digits as it takes
 // No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
 // dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
-// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
-// more; the other stages take 9 KB.
-// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// most in-sphere tests that get there. A predicate, compiled with optimisation, takes less than 26 KB in all in 2 and 3
+// dimensions and 73 KB in more. The other stages take 9 KB.
+// Filters with bounds for a whole set come from Fortune and Van Wyk (Efficient exact arithmetic for computational
+// geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
+// fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
 // paradt__space_end, paradt__compare, paradt__rounding.
 
@@ -2108,11 +2109,11 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>exact
 //
-// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
-// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// The exact stages: signs of determinants in integers, for what the filters left undecided. The columns and the bits of
+// their numbers decide which stage takes a determinant (paradt__exact_inline). The small stage expands it by minors in
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
-// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
-// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
+// is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
@@ -2178,8 +2179,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                       const paradt__range *weights) {
+PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                         const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -2512,7 +2513,7 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
 //   w = 2  differences of 117 bits, with all digits balanced
 
 // Computes p[2 w], the determinant of the rows a and b in the first two columns.
-PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+PARADT__INLINE void paradt__pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
     paradt__multiply_add(sum, 1, a, w, b + w, w);
@@ -2520,17 +2521,41 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
+PARADT__NOINLINE void paradt__pair_two(paradt__digit *p, const paradt__digit *a, const paradt__digit *b) {
+    paradt__pair(p, a, b, 2);
+}
+
+// Does the same. The code for two digits is long and there only once.
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    if (w == 1) paradt__pair(p, a, b, 1);
+    else paradt__pair_two(p, a, b);
+}
+
 // Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
 // third: digits of an entry in the third column
-PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
-                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
-                                         const paradt__digit *ab, int w) {
+PARADT__INLINE void paradt__triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                   const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                   const paradt__digit *ab, int w) {
     paradt__wide sum[8];
     paradt__clear(sum, 2 * w + third);
     paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
     paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
     paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
     paradt__store(t, sum, 2 * w + third);
+}
+
+PARADT__NOINLINE void paradt__triple_two(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab) {
+    paradt__triple(t, 2, a, bc, b, ac, c, ab, 2);
+}
+
+// Does the same for third entries of w digits.
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    if (w == 1) paradt__triple(t, 1, a, bc, b, ac, c, ab, 1);
+    else paradt__triple_two(t, a, bc, b, ac, c, ab);
 }
 
 // The sign of the determinant. w: a constant, 1 or 2
@@ -2544,17 +2569,17 @@ PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, i
     paradt__fixed_pair(p02, x0, x2, w);
     paradt__fixed_pair(p12, x1, x2, w);
     if (n == 3 && k == 2) {
-        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        paradt__triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
         return paradt__sign(t012, 4 * w);
     }
-    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    paradt__fixed_triple(t012, x0, p12, x1, p02, x2, p01, w);
     if (n == 3) return paradt__sign(t012, 3 * w);
     paradt__fixed_pair(p03, x0, x3, w);
     paradt__fixed_pair(p13, x1, x3, w);
     paradt__fixed_pair(p23, x2, x3, w);
-    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
-    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
-    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
+    paradt__fixed_triple(t123, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2947,8 +2972,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // equal points have equal keys, and are found by them. So keys are made from the bits of the coordinates in integer
 // arithmetic, and no compiler flag changes them. The curve is D. Hilbert's (Math. Annalen 38, 1891), its step in any
 // dimension is C. Hamilton's ("Compact Hilbert indices", Dalhousie University, CS-2006-07).
-// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for those
-// who make keys in a way of their own paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
+// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for
+// callers that make keys in their own way paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
 // paradt__hilbert_key, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
@@ -2961,7 +2986,7 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
+    PARADT__MANY_KEYS = 2048,     // from so many keys on the table for many points pays
     PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
     // of the curve in two or three dimensions, at most: dim << dim
     PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
@@ -2969,8 +2994,8 @@ enum {
 
 // --- sorting by keys
 
-// Returns the bits of a key that the next pass sorts by, of those that are left. Enough to give each of `count` keys
-// a value of its own, if they are spread evenly; where that takes too large a table, half as many, for two passes.
+// Returns how many bits of a key the next pass sorts by, of the `bits` that are left: enough that each of `count`
+// evenly spread keys has a value of its own. Where the table would be too large, half as many, for two passes.
 static int paradt__digit_bits(size_t count, int bits) {
     int wanted = paradt__bit_length(count) - 1;
     if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
@@ -3069,8 +3094,7 @@ PARADT__INLINE uint64_t paradt__lattice_place(const paradt__lattice *lattice, in
     return (uint64_t)place - (uint64_t)lattice->low[axis];
 }
 
-// Chooses the units along each axis: such that all of the box fits into 62 bits. On axes without extent all places
-// are 0.
+// Chooses the unit of each axis, so that the box fits into 62 bits. On an axis without extent all places are 0.
 static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, const int64_t *high) {
     int axis, largest = -1074, own;
     for (axis = 0; axis < lattice->dim; axis++) {
@@ -3121,7 +3145,7 @@ PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *e
     start = (place - (place != 0)) & ~1u;
     start ^= start >> 1;
     *entry ^= (start << rotation | start >> (n - rotation)) & all;
-    // by the ones at the end of an odd place and those of the place before an even one
+    // counts the trailing ones of an odd place, or of the place before an even one
     *direction = (rotation + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
     return place;
 }
@@ -3372,7 +3396,7 @@ PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t inde
     PARADT__FETCH((const char *)points->data, begin + size - 1);
 }
 
-// Makes a double of its bits, 0.0 of those of -0.0.
+// The double with these bits; 0.0 for the bits of -0.0
 PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
     return paradt__from_bits(bits << 1 ? bits : 0);
 }
@@ -3538,8 +3562,8 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   order     positions, in the order in which points are tried; NULL: the order of the set, from basis[0] on
 //   given     number of points that are already in the basis: none, one, or two different ones
 //   basis     positions of the points; [dim + 1], with axes [ambient + 1]
-//   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
-//             return the axes in which the points are independent come first, one less than points, then the others
+//   axes      NULL: only the set's first `dim` axes count, which orient. Else [ambient], and all axes count: on return
+//             the axes in which the points are independent come first, one fewer than points, then the others
 //   counters  of predicates
 //   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
@@ -3609,8 +3633,8 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
     return first;
 }
 
-// Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
-// rounded: all that matters is that they never get smaller as a point moves away from the cut.
+// Returns the cut nearest to x among the cuts that bound its box, the first of several; NULL: no cut does. Distances
+// are rounded: all that matters is that they never get smaller as a point moves away from the cut.
 PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
@@ -3625,7 +3649,7 @@ PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cut
     return nearest;
 }
 
-// Writes the bounds of a box into low and high; those that it does not have stay as they are.
+// Writes the bounds of a box into low and high. Where the box has no bound, the value there stays.
 static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
     size_t first = 0, boxes = cuts->boxes;
     PARADT_ASSERT(box < boxes);
@@ -3794,10 +3818,9 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 //
 // The first pass over the caller's points, shared between the tasks of a team: finds the first point that is not
 // finite, measures the set for the predicates, takes a sample, and makes the pages of the memory that is filled from
-// then on. The loader is what this pass and those of >>sorting work on. Each pass looks in on the caller every few
-// thousand points, so that a call can be cancelled meanwhile.
-// Doors: paradt__loader_begin, paradt__loader_allocate, paradt__loader_free, paradt__loader_range,
-// paradt__loader_cancels, paradt__loader_survey.
+// then on. The loader is the state that this pass shares with the passes of >>sorting. Each pass asks every few
+// thousand points whether the call is cancelled. Doors: paradt__loader_begin, paradt__loader_allocate,
+// paradt__loader_free, paradt__loader_range, paradt__loader_cancels, paradt__loader_survey.
 
 enum {
     PARADT__MOST_FIRST_BITS = 8,  // bits of a key that all points are scattered by first, at most
@@ -3932,7 +3955,8 @@ static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     }
 }
 
-// Number of the sample's intervals that end up to a point. In integers: where a task ends the next one begins.
+// Number of the sample's intervals that end at or before a point. Computed in integers, so that a task's intervals
+// begin where the previous task's end.
 static size_t paradt__intervals_until(const paradt__loader *loader, size_t index) {
     return (size_t)((uint64_t)index * loader->sampled / loader->source->points.count);
 }
@@ -4160,9 +4184,10 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
-// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
-// large a part of them share places. Where points fill space a larger part does, but still a small one.
+// Would many points share places of a lattice with so many levels? If so, keys of more levels take less time than
+// sorting these points anew. A few points of the sample tell, on a lattice with fewer levels: the number is such that,
+// on a surface, the few share places as often as all points do on the finer lattice. In space the few share places more
+// often than that, but still rarely.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -4364,9 +4389,9 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
 // >>scale and axes
 //
 // The last steps that make a set: its coordinates are scaled by a power of two where that loses no bit, and permuted so
-// that the first `dim` of them orient. The axes are taken greedily from the first to the last, so the lexicographic
-// order over those taken is the one over all coordinates: a coordinate passed over is an affine function of those taken
-// before it.
+// that the first `dim` of them orient. The axes are taken greedily, from the first to the last. So the lexicographic
+// order over the axes taken is the order over all coordinates: a coordinate passed over is an affine function of the
+// coordinates taken before it.
 // Doors: paradt__set_load; paradt__set_scale, paradt__set_permute, paradt__set_measure, paradt__set_measured for sets
 // that are parts of one.
 
@@ -7962,8 +7987,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 }
 
 enum {
-    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
-    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with,
+    PARADT__FIRST_PATIENCE = 2000 // and predicates in addition, as the first cells take more
 };
 
 // Number of predicates that the searches have evaluated so far
@@ -8352,12 +8377,12 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 
 enum {
     PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
-    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
-    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
+    PARADT__FEW_POINTS = 1 << 15, // fewer points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
-#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
+#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
+#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8643,8 +8668,8 @@ enum {
                                                  // and for the cell's own, of which four are stored together
     PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
     PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
-    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
-    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+    PARADT__PLACES_AHEAD = 16,                   // from a new place to the place whose slot is prefetched
+    PARADT__INSERTIONS_AHEAD = 4                 // from an insertion to the insertion whose point is prefetched
 };
 
 #define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
@@ -8768,6 +8793,7 @@ PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const doubl
     return spoke;
 }
 
+// Returns the largest of the sizes of three numbers.
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
@@ -8980,7 +9006,7 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    double to_come = 28.0 * (double)(build->count - build->inserted); // new cells, as many as uniform points make
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
@@ -9038,7 +9064,7 @@ static void paradt__kept_measure(paradt__insertion *build) {
 }
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
@@ -9240,6 +9266,7 @@ typedef struct paradt__kept_kernels {
     paradt__links_kernel store_links;
 } paradt__kept_kernels;
 
+// The kernel `remake`
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
@@ -9273,7 +9300,8 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__dig dig = *work;
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
-    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
+    // the first cell was entered across no facet, so all four are looked at
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]);
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
@@ -9352,6 +9380,7 @@ PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     s->large_units = units;
 }
 
+// The kernel `fill_row`
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
@@ -9401,6 +9430,7 @@ PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_in
     }
 }
 
+// The kernel `store_links`
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
     links[0] = a;
@@ -9560,6 +9590,7 @@ PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, p
     paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
+// The kernel `make`
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                     const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10091,6 +10122,7 @@ PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__in
     paradt__kept_make_four(1, build, star, x, centred);
 }
 
+// The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10159,6 +10191,7 @@ static const unsigned char paradt__facet_shuffle[4][16] = {
 #undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
+// The kernel `fill_row`
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
                                                paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
@@ -10167,7 +10200,7 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store, so that a load of all four soon after need not wait until they are in the cache.
+// The kernel `store_links`: one store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
@@ -10187,13 +10220,13 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
 // between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
 //
-// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
-// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
-// points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. paradt__insertion_rest
-// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
-// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_more,
-// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
-// paradt__bowyer_watson.
+// An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
+// by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
+// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// frees all but the mesh, paradt__insertion_end everything.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
@@ -10594,9 +10627,9 @@ PARADT__INLINE int paradt__owns(const paradt_index *vertices, size_t corners, pa
 // room for copies of others' points that only the region sees. Vertices of a patch are numbered on their own: the
 // region's points in their order, then others' points in the order in which they came. paradt__patch_position
 // translates.
-// Doors: paradt__field_begin, paradt__spans, paradt__patch_begin, paradt__patch_points, paradt__patch_sort,
-// paradt__patch_reserve, paradt__patch_add, paradt__patch_position, paradt__patch_is_own, paradt__patch_own_vertices,
-// paradt__patch_rest, paradt__patch_end.
+// Doors: paradt__field_begin, paradt__spans, paradt__patch_begin, paradt__patch_use_memory, paradt__patch_points,
+// paradt__patch_sort, paradt__patch_reserve, paradt__patch_add, paradt__patch_position, paradt__patch_is_own,
+// paradt__patch_own_vertices, paradt__patch_rest, paradt__patch_end.
 
 typedef struct paradt__field {
     paradt__set set; // owns nothing
@@ -10647,13 +10680,11 @@ typedef struct paradt__patch {
 
     // the seam
     paradt__list seam_cells; // cells that were on the seam when they were asked about
-    paradt__mesh seam;       // see paradt__field
     paradt__list wrong;      // cells and ghosts of the first region that are not of T(P)
 
     // the result
     paradt_index *origin;       // the caller's indices of all points, or -1 for the points of later regions:
     paradt_index *origin_block; // in this block, or, if it is NULL, in the field's part of set.origin
-    int facets;                 // links are delivered as half-facets
     size_t dropped;             // cells and ghosts that are not delivered
     paradt__list open;          // facets delivered without a mirror, numbered as in the result
     size_t cells_built;         // cells of the triangulation, of which the mesh has the owned ones in the end
@@ -10673,9 +10704,14 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
     }
 }
 
-// Begins the patch of region number `own`.
+// Has the patch take memory from this account, and return to it what it has.
+static void paradt__patch_use_memory(paradt__patch *patch, paradt__memory *memory) {
+    patch->memory = patch->build.memory = memory;
+}
+
+// Begins the patch of region number `own`. first_alone: the first region's points span the space
 static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
-                                size_t field_count, size_t own, paradt__memory *memory) {
+                                size_t field_count, size_t own, int first_alone, paradt__memory *memory) {
     paradt__scene *scene = &patch->build.scene;
     size_t i;
     PARADT_ASSERT(own < field_count);
@@ -10686,9 +10722,9 @@ static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, co
     patch->fields = fields;
     patch->field_count = field_count;
     patch->own = fields + own;
-    patch->memory = patch->build.memory = memory;
+    patch->own_points_only = first_alone && own == 0;
+    paradt__patch_use_memory(patch, memory);
     paradt__mesh_begin(&scene->mesh, set->space.dim + 1, 1);
-    paradt__mesh_begin(&patch->seam, set->space.dim + 1, 0);
     scene->space = set->space;
     memset(&scene->space.counters, 0, sizeof scene->space.counters);
     paradt__insertion_layout(&patch->build, set);
@@ -10720,7 +10756,6 @@ static void paradt__patch_end(paradt__patch *patch) {
     paradt__list_free(&patch->wrong, patch->memory);
     paradt__list_free(&patch->fringe, patch->memory);
     paradt__list_free(&patch->open, patch->memory);
-    paradt__mesh_free(&patch->seam, patch->memory);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
     paradt__release(patch->memory, patch->origin_block);
@@ -10933,7 +10968,7 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 // Marks: PARADT__WAITING where a cell waits, or is deferred; PARADT__ASKED where it has been asked about. Neither where
 // the cell was made after that.
 // Doors: paradt__patch_build, paradt__patch_complete, paradt__patch_pauses, paradt__patch_publish,
-// paradt__patch_learn_all, paradt__patch_on_seam, PARADT__QUESTIONS_A_POINT.
+// paradt__patch_learn_all, paradt__patch_on_seam, paradt__patch_done, paradt__patch_left.
 
 // Is the cell or ghost on the seam: has it one vertex of the region, and no others but the first region's?
 static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) {
@@ -11260,6 +11295,18 @@ static int paradt__patch_pauses(const paradt__patch *patch, int can_learn) {
     return !patch->is_asking || (patch->waiting.count && !(can_learn && paradt__patch_learning_pays(patch)));
 }
 
+// What has been done, in points inserted
+static size_t paradt__patch_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
+}
+
+// What is still to be done, in points inserted. The questions to come take as long as the insertion of the margin.
+static size_t paradt__patch_left(const paradt__patch *patch) {
+    const paradt__insertion *build = &patch->build;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - patch->own->set.count;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>seam
 //
@@ -11282,13 +11329,12 @@ static int paradt__patch_pauses(const paradt__patch *patch, int can_learn) {
 //
 // The seam is a mesh with positions for vertices, which for points of the first region are its own vertices too. Links
 // of a cell's facets that do not belong to the seam are PARADT__HULL. Marks in the first region's mesh: PARADT__WRONG.
-// Doors: paradt__patch_list_seam, paradt__patch_has_cells, paradt__patch_apply_seam.
+// Doors: paradt__patch_list_seam, paradt__patch_apply_seam.
 
 // Adds a cell or ghost to the seam, with its facet opposite the apex open.
-static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
+static paradt_status paradt__patch_add_to_seam(const paradt__patch *patch, paradt__mesh *seam, paradt_index cell) {
     const paradt__mesh *mesh = &patch->build.scene.mesh;
     const paradt_index *vertices = paradt__mesh_row(mesh, cell);
-    paradt__mesh *seam = &patch->seam;
     paradt_index handle, i;
     paradt_status status = paradt__mesh_room(seam, patch->memory);
     if (status) return status;
@@ -11300,22 +11346,6 @@ static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_inde
     return PARADT_OK;
 }
 
-// Lists the seam of a region that has all cells of T(P) with its vertices.
-static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
-    paradt__mesh *mesh = &patch->build.scene.mesh;
-    size_t i;
-    paradt_status status = PARADT_OK;
-    PARADT_ASSERT(!patch->waiting.count && !patch->deferred.count && !patch->own_points_only);
-    PARADT__VERIFY(mesh, 1, PARADT__CONFLICT | PARADT__WAITING);
-    for (i = 0; i < patch->seam_cells.count && !status; i++) {
-        paradt_index cell = patch->seam_cells.items[i];
-        if (!(mesh->marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue; // another one by now
-        paradt__mesh_unmark(mesh, (size_t)cell, PARADT__ASKED); // it may be listed twice
-        status = paradt__patch_add_to_seam(patch, cell);
-    }
-    return status;
-}
-
 // Has any cell or ghost a vertex of the region?
 static int paradt__patch_has_cells(const paradt__patch *patch) {
     const paradt__mesh *mesh = &patch->build.scene.mesh;
@@ -11324,6 +11354,24 @@ static int paradt__patch_has_cells(const paradt__patch *patch) {
         if (*paradt__mesh_row(mesh, cell) != PARADT__DEAD && paradt__patch_own_vertices(patch, cell)) return 1;
     }
     return 0;
+}
+
+// Lists the seam in the region's field, when all cells of T(P) with a vertex of the region are there.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch, paradt__field *field) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    size_t i;
+    paradt_status status = PARADT_OK;
+    PARADT_ASSERT(field == patch->own && !patch->own_points_only && !patch->waiting.count && !patch->deferred.count);
+    PARADT__VERIFY(mesh, 1, PARADT__CONFLICT | PARADT__WAITING);
+    paradt__mesh_begin(&field->seam, mesh->corners, 0);
+    for (i = 0; i < patch->seam_cells.count && !status; i++) {
+        paradt_index cell = patch->seam_cells.items[i];
+        if (!(mesh->marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue; // another one by now
+        paradt__mesh_unmark(mesh, (size_t)cell, PARADT__ASKED); // it may be listed twice
+        status = paradt__patch_add_to_seam(patch, &field->seam, cell);
+    }
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    return status;
 }
 
 // --- what the other regions list, put together
@@ -11629,15 +11677,16 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     return status;
 }
 
-// Makes the patch the triangulation of the whole set, closed, with the caller's indices.
-static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
+// Makes the patch the triangulation of the whole set, closed, with the caller's indices. facets: links remain
+// half-facets
+static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, const paradt__progress *progress) {
     paradt__insertion *build = &patch->build;
     size_t before = build->count;
     paradt_status status = paradt__patch_add_all(patch);
     if (!status) status = paradt__insertion_more(build, patch->order, before, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets);
+    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets);
     return status;
 }
 
@@ -12153,9 +12202,7 @@ static void paradt__grid_task(void *context, size_t index) {
 static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
-    patch->facets = work->facets;
-    patch->own_points_only = work->first_alone && index == 0;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, work->first_alone, memory);
     region->status = paradt__patch_points(patch, work->basis);
 }
 
@@ -12210,17 +12257,11 @@ static void paradt__count_patch(paradt__region *region) {
     paradt__search_add_counts(&patch->search, &region->stats);
 }
 
-// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
-// field's.
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there.
 static void paradt__end_questions(paradt__work *work, size_t index) {
     paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
     region->waits = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
-    memset(&patch->seam, 0, sizeof patch->seam);
+    region->status = paradt__patch_list_seam(&region->patch, work->fields + index);
 }
 
 // Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
@@ -12344,26 +12385,12 @@ static void paradt__rank(paradt__ranked *list, size_t count) {
     }
 }
 
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__insertion *build = &patch->build;
-    if (work->region[index].built) return 0;
-    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
-    return build->count - build->inserted + build->count - work->fields[index].set.count;
-}
-
-// What a region has done, in points inserted
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
-}
-
 static void paradt__leg_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
+    size_t before = paradt__patch_done(&region->patch);
     if (!region->built) paradt__build_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
+    task->ran = paradt__patch_done(&region->patch) - before;
 }
 
 // Decides which task runs which region in the next leg. Returns how much is left of them all.
@@ -12372,7 +12399,7 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
     for (i = 0; i < work->regions; i++) {
         regions[i].number = tasks[i].number = i;
         tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
+        regions[i].amount = work->region[i].built ? 0 : paradt__patch_left(&work->region[i].patch);
         left += regions[i].amount;
     }
     paradt__rank(regions, work->regions);
@@ -12551,7 +12578,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     paradt__begin_way(work);
     progress = paradt__whole_progress(work);
     for (region = work->region; region < end; region++) {
-        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_use_memory(&region->patch, &work->memory);
         if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
             largest = region;
     }
@@ -12563,7 +12590,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     }
     own = &largest->patch.build.scene.mesh;
     if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(&largest->patch, &progress);
+    status = paradt__patch_take_all(&largest->patch, work->facets, &progress);
     paradt__count_patch(largest);
     largest->hull_facets = largest->patch.hull_facets;
     if (!status && own->lent) {
@@ -12650,7 +12677,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         paradt__region *region = work->region + i;
         paradt__count_region(work->stats, &region->stats);
         work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_use_memory(&region->patch, &work->memory);
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
         paradt__mesh_free(&work->fields[i].seam, &work->memory);
