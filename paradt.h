@@ -780,6 +780,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     update          what a change did: cells killed, cells made
 //     region, owner   a box of space; the region that delivers a cell which several make
 //     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     fringe, suspect a region's or rank's cells with others' points, and ghosts; those of them that could be wrong
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
