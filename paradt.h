@@ -5040,13 +5040,16 @@ PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place,
 
 // Drops the ghosts, closes the gaps from the end, and emits the cells in place: links in the form that is wanted,
 // vertices translated by `origin`. All in one pass, for the cells don't fit into a cache. Returns the number of ghosts.
+// meter: of the call, or NULL; when it is cancelled, cells are left as they are.
 PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_index *origin, int facets,
-                                               size_t corners) {
+                                               paradt__meter *meter, size_t corners) {
+    enum { PACE = 1 << 17 };         // cells between two looks at whether the call is cancelled
     const paradt__mesh copy = *mesh; // which nothing that is written can change
     const paradt__rows to = paradt__mesh_rows(copy.corners, facets, copy.vertices, copy.links, 0);
     size_t end = copy.count, i;
     uint64_t ghosts = 0;
     for (i = 0; i < end; i++) {
+        if (i % PACE == 0 && meter && paradt__meter_cancels(meter)) break;
         if (!paradt__mesh_keeps(&copy, i, corners, &ghosts)) {
             for (end--; end > i && !paradt__mesh_keeps(&copy, end, corners, &ghosts);) end--;
             if (end == i) break;
@@ -5058,9 +5061,9 @@ PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_
     return ghosts;
 }
 
-static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets) {
-    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, 4);
-    return paradt__mesh_close_any(mesh, origin, facets, (size_t)mesh->corners);
+static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets, paradt__meter *meter) {
+    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
+    return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
 }
 
 // The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
@@ -11249,7 +11252,8 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
     if (!status) status = paradt__insertion_go(build, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets);
+    if (!status)
+        patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets, progress->meter);
     return status;
 }
 
@@ -11400,6 +11404,8 @@ static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *co
     } else {
         for (i = 0; i < work->regions; i++) {
             task(work, i);
+            if (!work->region[i].status && paradt__meter_cancels(&work->meter))
+                work->region[i].status = PARADT_ERROR_CANCELLED;
             if (work->region[i].status) break;
         }
     }
@@ -11416,7 +11422,7 @@ static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
     paradt__share_memory(work);
     status = paradt__run_tasks(work, task);
     paradt__share_memory(work);
-    return status;
+    return !status && paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : status;
 }
 
 // Makes the regions' records, all zero but for their accounts.
@@ -12136,7 +12142,7 @@ static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     }
     if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
     if (!status && mesh.count) {
-        paradt__mesh_close(&mesh, NULL, 0);
+        paradt__mesh_close(&mesh, NULL, 0, NULL);
         *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
     }
     paradt__mesh_free(&mesh, &work->memory);
@@ -12474,7 +12480,7 @@ static paradt_status paradt__load(paradt__work *work, const paradt_points *point
 static paradt_status paradt__close(paradt__work *work) {
     if (!work->delivered) {
         PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
-        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets, &work->meter);
     }
     paradt__mesh_rest(&work->mesh, &work->memory);
     if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
@@ -13452,11 +13458,14 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     check->halves = check->neighbors && check->options && check->options->flags & PARADT_FACETS;
     if (check->neighbors) {
         size_t end = check->halves ? facets : check->t->cell_count;
-        for (i = 0; i < facets; i++)
+        for (i = 0; i < facets; i++) {
+            status = paradt__check_pace(check, i, facets);
+            if (status) return status;
             if (check->neighbors[i] < -1 || (check->neighbors[i] >= 0 && (size_t)check->neighbors[i] >= end))
                 return paradt__check_fail(check,
                                           check->halves ? "a neighbour is no half-facet" : "a neighbour is no cell",
                                           (paradt_index)(i / check->corners), -1);
+        }
         return PARADT_OK;
     }
     while (slots < facets + facets / 4) // most facets are there twice and take one slot
