@@ -10902,13 +10902,15 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
 // Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
 // That may be where they are, or before it. Lists the facets that are open.
 PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t first,
-                                                      size_t corners) {
+                                                      const paradt__progress *progress, size_t corners) {
     const paradt__mesh cells = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *place;
     const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < cells.count; i++) {
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
+            return PARADT_ERROR_CANCELLED;
         int bare = paradt__mesh_emit_row(&cells, i, corners, origin, &to);
         paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
         if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i, first);
@@ -10916,9 +10918,10 @@ PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, cons
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first) {
-    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, 4);
-    return paradt__patch_emit_cells(patch, to, first, (size_t)patch->build.scene.mesh.corners);
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first,
+                                        const paradt__progress *progress) {
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, progress, 4);
+    return paradt__patch_emit_cells(patch, to, first, progress, (size_t)patch->build.scene.mesh.corners);
 }
 
 // Looks for answers so far
@@ -11728,13 +11731,14 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     const paradt__mesh *own = &region->patch.build.scene.mesh;
+    paradt__progress progress = paradt__region_progress(work, index);
     size_t first = region->offset * (size_t)work->mesh.corners;
     int stays = paradt__stays_in_slice(work, index);
     paradt__rows to =
         paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
                           stays ? own->links : work->mesh.links + first, region->offset);
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset, &progress);
     if (index || region->status) return;
     region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
@@ -11917,6 +11921,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     paradt__region *region = work->region + index;
     paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
     size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__progress progress = paradt__region_progress(work, index);
     paradt__rows to;
     paradt__begin_patch(work, index, &work->memory);
     if (region->status) return region->status;
@@ -11933,7 +11938,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     if (!region->status) paradt__compact_task(work, index);
     if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
     to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
-    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, &progress);
     if (region->status) return region->status;
     mesh->count += own->count;
     paradt__patch_end(&region->patch);
