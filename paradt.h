@@ -11494,6 +11494,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     }
     if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
         if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
         paradt__mesh_free(&work->region[i].mesh, &work->memory);
     }
