@@ -724,6 +724,136 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
 
 // READING THE IMPLEMENTATION
+//
+// A POINT'S WAY through the file, from the caller's array to the caller's cells:
+//
+//       the caller's points                                            index
+//             |
+//             |  >>reading, >>sorting: finite, distinct, along Hilbert's curve, box after box
+//             |  >>scale and axes: the axes that orient, a scale for the filters
+//             v
+//       a set of records                                               position
+//             |
+//             +---------------- facet by facet ---+---------------- point by point -----+
+//             |                                   |                                     |
+//             |  >>grid          cells of eight   |  >>order of insertion   rounds      |
+//             |  >>first simplex where to begin   |  >>insertion     walk, dig, star    |
+//             |  >>search        the apex         |  >>kept spheres  tests by one       |
+//             |  >>front         the AFL          |                  product, in space  |
+//             |  >>incode, >>dewall               |                                     |
+//             v                                   v                                     |
+//       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
+//             |                                   |                                     |
+//             +-----------------+-----------------+                                     |
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>patches and
+//                               |  >>regions of insertion
+//                               |
+//                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
+//                               |  handles become numbers
+//                               v
+//       paradt_triangulation                                           index, number
+//
+// INDEX SPACES. All are paradt_index or size_t; a variable's name says of which space it is.
+//
+//     index      a point as the caller counts. set.origin[position] gives it
+//     position   a point in a set: its record is records + position * width. The vertices of a mesh are positions until
+//                the mesh is closed. A region's patch counts its own points first, then others' (vertex)
+//     place      a cell in a mesh, a point in a grid: its row, wherever the cell or point moves from
+//     handle     a facet as one of its cells sees it: corners * place + i, opposite vertex i. Links are handles
+//     number     a cell as delivered
+//     slot       of a hash table
+//     region     0 to regions - 1, a box of space; a rank in paradt_mpi.h
+//
+// SENTINELS
+//
+//     PARADT__HULL      a link: no cell is on the other side        PARADT__INFINITE  a vertex: that of ghosts
+//     PARADT__OPEN      a link: the cell there is not known;        PARADT__DEAD      a vertex: the place is free
+//                       a list's end                                PARADT__NOWHERE   no position, no place
+//     PARADT__GAVE_UP   a status: another way is to be tried        PARADT__FAR       a bound: there is none
+//
+// VOCABULARY. The field's words: cell, facet, ridge (a facet of a facet), vertex, apex (the vertex opposite a facet),
+// star and link of a vertex, conflict, cavity, hull, circumsphere, active face list (AFL). And of this file:
+//
+//     ghost           the cell on the outer side of a hull facet, with the infinite vertex
+//     half-facet      a facet as one of its cells sees it; its mirror: as the other cell does
+//     rim             the cavity's facets; to star the cavity: to join the point with the rim
+//     update          what a change did: cells killed, cells made
+//     region, owner   a box of space; the region that delivers a cell which several make
+//     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     seam            facets between the first region's cells and others'
+//     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
+//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
+//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     filter          floating point that decides, or says that it can't
+//
+// THREE READING PATHS
+//
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//                       where it is fast; >>inserting
+//     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>patches and the sections behind it,
+//                       >>regions of insertion; then paradt_mpi.h
+//
+// CONTENTS, with the lines of each section
+//
+//   ground
+//     memory                       173   the account of every byte
+//     numbers                      200   bit patterns, integers, small helpers
+//     tasks                        182   progress, teams, pauses, the clock
+//   predicates
+//     space                        233   what the predicates know of a set
+//     filters                      196   signs in floating point, with error bounds
+//     digits                       132   integers of many digits
+//     exact                        584   signs in integers
+//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//   points
+//     curve                        324   Hilbert's curve, sorting along it
+//     points                       162   the caller's points, records
+//     measures                     144   points that span, spacing
+//     cuts                         220   boxes of space
+//     reading                      199   the first pass over the points
+//     sorting                      372   along the curve, box after box
+//     scale and axes               102   the scale, the axes that orient
+//     reference sphere             195   sagittas near a sphere
+//   mesh
+//     mesh                         666   cells, links, ghosts, free places; closing
+//     facets                       255   the table of facets: AFL, ridges, open facets
+//     scene                        115   conflict test, walk, update
+//   search
+//     grid                         320   a hierarchy of boxes over a set
+//     search kernels               388   tests of eight boxes or points together
+//     pencil                       444   the spheres through a facet
+//     search                       353   the apex of a facet, a point in a sphere
+//     questions                     75   the same of cells of others' points
+//   making
+//     first simplex                139   a cell to begin with
+//     reach                         96   which cells a region makes and owns, facet by facet
+//     front                        408   what facet by facet has in common
+//     incode                        28   incremental construction
+//     dewall                       145   divide and conquer, merge first
+//     order of insertion           144   rounds along the curve
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 507   conflict tests by one product, in space
+//     insertion in space           651   dig and star with kept spheres
+//     insertion in space by AVX2   463   its inner functions for four lanes
+//     inserting                    169   insertions from begin to end
+//   division
+//     regions                      112   @@
+//     patches                      560   @@
+//     telling                      269   @@
+//     seam                         262   @@
+//     known points                 246   what a rank builds
+//     call                         178   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         544   the steps of a divided insertion
+//   entry
+//     methods                      213   one row a method; AUTO's choice
+//     triangulate                  343   the entry
+//   check
+//     check                        495   the certificate
+//   division
+//     check of the hull            285   @@
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -864,7 +994,7 @@ extern "C" {
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
 // of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
 // Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
-// paradt__grow, paradt__release, paradt__make_pages.
+// paradt__grow, paradt__release, paradt__make_pages, paradt__block_bytes.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -982,6 +1112,13 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
+// The bytes of a block, which begins with its size
+PARADT__OPTIONAL size_t paradt__block_bytes(const void *payload) {
+    size_t bytes = 0;
+    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
+    return bytes;
+}
+
 enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
 
 // Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
@@ -1033,7 +1170,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
 // paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
 // paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
-// paradt__largest.
+// paradt__largest, PARADT__DIMENSIONS, paradt__widen.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -1239,6 +1376,7 @@ static double paradt__widen(uint32_t bits) {
 // callback has asked for it, all tasks find the work cancelled at their next look.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
@@ -1427,7 +1565,7 @@ static double paradt__now(void) {
 // The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
 // DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare.
+// paradt__space_end, paradt__compare, paradt__rounding.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2821,9 +2959,10 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
     PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
-    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
+    PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
+    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
 };
 
 // --- sorting by keys
@@ -4453,10 +4592,10 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
-// the set remains as it is. On return set->grade_limit
-// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points. On
+// return set->grade_limit is the largest sagitta, and set->grade_error the error by cutting off:
+// paradt__set_grade_bounds makes bounds of them. *nearby: whether all points are so near to the sphere; if not, or
+// after an error, the set is as it was. meter: NULL, or asked now and then.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
@@ -4502,7 +4641,8 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
+// Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
+// nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
 static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
                                        paradt__memory *memory) {
     double radius2;
@@ -4545,10 +4685,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
-// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
-// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
+// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
+// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
+// PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4804,6 +4944,22 @@ PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, si
     mesh->spare[mesh->spare_count++] = place;
 }
 
+// The place on the other side of a facet of the cell or ghost at a place
+PARADT__INLINE size_t paradt__mesh_across(const paradt__mesh *mesh, size_t corners, size_t place, size_t facet) {
+    return (size_t)mesh->links[place * corners + facet] / corners;
+}
+
+// Sets a mark of the cell at a place. Returns 0 if it was set already.
+PARADT__INLINE int paradt__mesh_mark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    if (mesh->marks[place] & mark) return 0;
+    mesh->marks[place] |= mark;
+    return 1;
+}
+
+PARADT__INLINE void paradt__mesh_unmark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    mesh->marks[place] &= (unsigned char)~mark;
+}
+
 // Number of the vertices of a cell or ghost that are in [0, end)
 PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
     int count = 0;
@@ -4845,6 +5001,20 @@ PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
         if (cell[i] == PARADT__INFINITE) return i;
     }
     return -1;
+}
+
+// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number in
+// that cell; else *facet is -1.
+PARADT__INLINE int paradt__mesh_behind_ghost(const paradt__mesh *mesh, size_t corners, size_t *place, int *facet) {
+    const paradt_index *vertices = mesh->vertices + *place * corners;
+    size_t mirror;
+    *facet = -1;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mirror = (size_t)mesh->links[*place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)];
+    *place = mirror / corners;
+    *facet = (int)(mirror % corners);
+    return 1;
 }
 
 // The vertices of the facet opposite `opposite`, in the cell's order.
@@ -5423,7 +5593,8 @@ static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *m
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+// Doors: paradt__scene_record, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
+// paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -5451,6 +5622,26 @@ static void paradt__update_free(paradt__update *update, paradt__memory *memory) 
 PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, paradt_index point) {
     PARADT_ASSERT(point >= 0);
     return scene->records + (size_t)point * scene->width;
+}
+
+// The vertices of a cell, and their records
+PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corners, size_t place, paradt_index *vertices,
+                                       const double **records) {
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        vertices[i] = scene->mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(scene, vertices[i]);
+    }
+}
+
+// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
+    const paradt_index *vertices = scene->mesh.vertices + place * corners;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(scene, vertices[i]));
+        PARADT__PREFETCH(scene->mesh.marks + paradt__mesh_across(&scene->mesh, corners, place, i));
+    }
 }
 
 // Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
@@ -5841,7 +6032,8 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
 // of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
 // one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
-// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
+// bounds; K is PARADT__ROUND.
+// Doors: paradt__kernels_choose, PARADT__ROUND.
 
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
 // at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
@@ -7520,6 +7712,20 @@ static void paradt__front_note_seeded(paradt__front *front, const paradt_index *
 // Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
+// Fills the keys of a cell's facets and the active facets' chains for them, and prefetches what these begin with.
+PARADT__INLINE void paradt__front_keys(const paradt__facets *active, const paradt_index *cell, int corners,
+                                       paradt__facet_key *key, paradt_index **chain) {
+    uint64_t sum = paradt__cell_sum(cell, corners);
+    int i;
+    for (i = 0; i < corners; i++) {
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(active, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(active->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+}
+
 // Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
 // the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
 // vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
@@ -7528,21 +7734,14 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
                                                  int corners) {
     paradt__mesh *mesh = &front->mesh;
     paradt_index base = (paradt_index)mesh->count * corners;
-    uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
     PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
-    for (i = 0; i < corners; i++) {
-        mesh->vertices[base + i] = cell[i];
-        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
-        key[i].smallest = paradt__smallest_but(cell, corners, i);
-        chain[i] = paradt__facets_chain(table, key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+    for (i = 0; i < corners; i++) mesh->vertices[base + i] = cell[i];
+    paradt__front_keys(table, cell, corners, key, chain);
     for (i = 0; i < corners && !status; i++) {
         paradt_index mirror = from;
         if (i != across) {
@@ -7590,8 +7789,6 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     }
     return status;
 }
-
-enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 // Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
@@ -7901,7 +8098,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
 // a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
 // one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
-// Doors: paradt__round_order, paradt__merged_order.
+// Doors: paradt__round_order, paradt__merged_order, paradt__late_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -8013,6 +8210,30 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     return r.order;
 }
 
+// Returns the order in which to insert points that come late: by rounds, and in each along a curve. A new block, or
+// NULL when there is no memory.
+PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
+    paradt_index *order = paradt__round_order(set->count, memory);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
+    size_t i;
+    if (keyed && other && order) {
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, keyed);
+    paradt__release(memory, other);
+    return order;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion
 //
@@ -8021,8 +8242,8 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
 // After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
-// A weighted point is hidden if no cell is in conflict with it, and a vertex becomes hidden if no facet of the rim has
-// it.
+// A weighted point is hidden if no cell is in conflict with it; a vertex becomes hidden if it is on no facet of the
+// rim.
 //
 // Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
@@ -8098,7 +8319,8 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
 }
 
 // Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
-// surfaces have more cells; of many points as many as tell how many cells the others will have. Then rows are copied.
+// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
+// copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
@@ -8536,8 +8758,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// Row i: the order of the vertices of a cell but for vertex i that keeps the orientation if what replaces vertex i
-// comes last
+// Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
 // Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
@@ -8717,8 +8938,7 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Changes over to sagittas if the records have them, and if they are so small that without them most powers would be in
-// doubt.
+// Changes over to sagittas if the records have them, so small that without them most powers would be in doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
@@ -8728,13 +8948,30 @@ static void paradt__kept_grade(paradt__insertion *build) {
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
+// Finds what the set's bounding box decides: its centre, and what bounds on errors and ghosts are made of.
+static void paradt__kept_measure(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
+        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+    }
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
+    paradt__kept_grade(build);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+}
+
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called as
-// well.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
-    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
-    int axis;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
+    size_t room, bytes, i;
     if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
         return PARADT_OK;
     while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
@@ -8752,18 +8989,7 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    for (axis = 0; axis < 3; axis++) {
-        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
-        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
-        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
-        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
-    }
-    s->box_square = s->frame.square;
-    s->steepness = sqrt(s->box_square) * paradt__power(60);
-    paradt__kept_grade(build);
-    s->zero_below =
-        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    paradt__kept_measure(build);
     PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
@@ -9708,8 +9934,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// Replaces the vertices in kept->spokes by the edges from the point to them. The last four may be padded: by any
-// vertex.
+// Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
+// four.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
@@ -11261,14 +11487,259 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>known points
+//
+// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
+// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
+// the own points are the first. It is compiled where paradt_mpi.h is implemented.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
+
+typedef struct paradt__known {
+    paradt__insertion build;
+    paradt_index *order; // of the insertion of the first points
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
+    // such ones have been, and few more than once
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
+} paradt__known;
+
+static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
+    known->build.memory = memory;
+    paradt__insertion_end(&known->build);
+    paradt__release(memory, known->fringe);
+    paradt__release(memory, known->order);
+    memset(known, 0, sizeof *known);
+}
+
+// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
+// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
+// box, as ordered bits
+static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
+                                         const int64_t *high, paradt__memory *memory,
+                                         const paradt__progress *progress) {
+    paradt__curve curve;
+    memset(known, 0, sizeof *known);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    known->order = paradt__merged_order(set, own, &curve, memory);
+    if (!known->order) return PARADT_ERROR_MEMORY;
+    paradt__insertion_begin(&known->build, set, known->order, memory);
+    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&known->build, progress);
+}
+
+// Puts a place on the list of the fringe.
+PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
+    size_t count = known->fringe_count;
+    paradt_status status =
+        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
+    if (status) return status;
+    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
+    known->fringe[known->fringe_count++] = (paradt_index)place;
+    return PARADT_OK;
+}
+
+// Forgets the list of the fringe, to make it anew.
+static void paradt__known_relist(paradt__known *known) {
+    size_t i;
+    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
+    known->fringe_count = 0;
+}
+
+// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
+// positions are the own points'.
+PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
+    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+}
+
+// Lists all of it.
+static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
+        status = paradt__known_list(known, own, &place);
+    return status;
+}
+
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
+// where such cells were.
+static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
+    paradt__insertion *build = &known->build;
+    size_t i;
+    paradt_status status;
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+    }
+    return status;
+}
+
+// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
+// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
+// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
+PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
+                                             const unsigned char *outer) {
+    int suspect = share == 1;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        int other = vertices[j] >= own;
+        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
+    }
+    return suspect;
+}
+
+// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
+    paradt__insertion_rest(&known->build);
+    paradt__release(memory, known->order);
+    known->order = NULL;
+}
+
+// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
+// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+enum {
+    PARADT__NO_VERTEX = 0,
+    PARADT__VERTEX = 1,
+    PARADT__OF_OWN_CELL = 2,
+    PARADT__OF_NONE_DROPPED = 4,
+    PARADT__OF_LATER_RANK = 8
+};
+
+PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
+                                          paradt_index bits) {
+    size_t j;
+    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
+}
+
+// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
+// are the own points'; mark: of all points, says which are a later rank's.
+PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                       const paradt_index *mark) {
+    paradt_index bits = 0;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        share |= vertices[j] < own;
+        bits |= mark[vertices[j]];
+    }
+    return share && !(bits & PARADT__OF_LATER_RANK);
+}
+
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
+// marked as dropped. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
+                                            paradt_index *mark) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    size_t count = known->fringe_count, i, j, left = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index place = known->fringe[i];
+        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
+        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        if (vertices[0] == PARADT__DEAD) continue;
+        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+            continue;
+        }
+        if (known->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        for (j = 0; j < corners && is_cell; j++)
+            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        others += (uint64_t)is_cell;
+        known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
+        known->fringe[left++] = place;
+    }
+    known->fringe_count = left;
+    return others;
+}
+
+// Is a vertex of the cell an own point that was not found to be one of an own cell?
+PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
+                                        const paradt_index *mark) {
+    int leaves = 0;
+    size_t j;
+    for (j = 0; j < corners; j++)
+        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
+    return leaves;
+}
+
+// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
+// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
+// others' points have had their vertices marked already.
+PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
+    paradt__mesh *cells = &known->build.scene.mesh;
+    size_t i, j, count = known->fringe_count;
+    for (i = 0; i < count; i++) {
+        size_t base = (size_t)known->fringe[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        for (j = 0; j < corners; j++) {
+            paradt_index link = cells->links[base + j];
+            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
+            if (PARADT__LIKELY(known->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
+            if (paradt__known_leaves(cells->vertices + base, corners, own, mark) &&
+                paradt__vertices_among(across, (int)corners, 0, own))
+                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+    }
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+}
+
+PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
+                                                  paradt_index *mark) {
+    uint64_t others = paradt__known_judge(known, own, corners, mark);
+    paradt__known_drop(known, own, corners, mark);
+    return others;
+}
+
+// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
+// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
+// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
+// cells are dropped since others own them.
+static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
+                                  paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &known->build;
+    paradt_index own = (paradt_index)set->count;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    uint64_t others;
+    // of points without weights none is hidden
+    for (i = 0; i < set->count; i++)
+        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
+    others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
+                          : paradt__known_drop_others(known, own, corners, mark);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
+    paradt__release(memory, known->fringe);
+    *cells = build->scene.mesh;
+    memset(known, 0, sizeof *known);
+    return others;
+}
+
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>call
 //
 // What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
 // the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
 // memory are joined, and what is left of the limit is shared among them anew.
-// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
-// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
-// paradt__region_view_of, paradt__may_insert, paradt__build_front.
+// Doors: paradt__count_predicates, paradt__count_region, paradt__begin_way, paradt__whole_progress,
+// paradt__region_progress, paradt__region_count, paradt__run_step, paradt__begin_regions, paradt__share_memory.
 
 struct paradt__front;
 struct paradt__work;
@@ -12088,7 +12559,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // >>methods
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
-// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+// Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
+// paradt__release_helpers.
 
 // --- do regions pay?
 //
@@ -12637,357 +13109,6 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>remote
-//
-// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
-// region built alone.
-//
-// It is only compiled where paradt_mpi.h is implemented.
-//
-// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
-// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
-
-#ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__REMOTE 1
-
-// Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
-// the set.
-typedef struct paradt__remote_engine {
-    paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-} paradt__remote_engine;
-
-static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->build.memory = memory;
-    paradt__insertion_end(&engine->build);
-    paradt__release(memory, engine->fringe);
-    paradt__release(memory, engine->order);
-    memset(engine, 0, sizeof *engine);
-}
-
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 const int64_t *low, const int64_t *high, paradt__memory *memory,
-                                                 const paradt__progress *progress) {
-    paradt__curve curve;
-    memset(engine, 0, sizeof *engine);
-    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
-                        set->count / 8);
-    engine->order = paradt__merged_order(set, own, &curve, memory);
-    if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__insertion_begin(&engine->build, set, engine->order, memory);
-    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__insertion_run(&engine->build, progress);
-}
-
-// The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
-// there is no memory.
-static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__memory *memory) {
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
-    paradt_index *order = paradt__round_order(set->count, memory);
-    const paradt__space *space = &set->space;
-    paradt__curve curve;
-    size_t i;
-    if (keyed && other && order) {
-        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
-                            set->count);
-        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
-    } else {
-        paradt__release(memory, order);
-        order = NULL;
-    }
-    paradt__release(memory, keyed);
-    paradt__release(memory, other);
-    return order;
-}
-
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
-    size_t count = engine->fringe_count;
-    paradt_status status =
-        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
-    if (status) return status;
-    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    engine->fringe[engine->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
-// Forgets the list of the fringe, to make it anew.
-static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
-    size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
-    engine->fringe_count = 0;
-}
-
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
-PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
-                                                        size_t *place) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
-}
-
-// Lists all of it.
-static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
-        status = paradt__remote_engine_list(engine, own, &place);
-    return status;
-}
-
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
-static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
-                                                  paradt_index position) {
-    paradt__insertion *build = &engine->build;
-    size_t i;
-    paradt_status status;
-    build->scene.records = set->records;
-    build->count++;
-    status = paradt__insert_one_more(build, position, -1);
-    for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
-    }
-    return status;
-}
-
-// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
-// there; else *facet is -1.
-PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
-                                               int *facet) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t base = *place * corners;
-    int ghost;
-    *facet = -1;
-    if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
-    return 1;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
-}
-
-// The place on the other side of a facet of what is at a place
-PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                                   size_t facet) {
-    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
-}
-
-// Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
-PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->build.scene.mesh.marks + place;
-    if (*mark & PARADT__WAITING) return 0;
-    *mark |= PARADT__WAITING;
-    return 1;
-}
-
-static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
-}
-
-// Fetches what is at a place ahead of its use.
-PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
-}
-
-// The same of its vertices' records, and of the marks of what is around it.
-PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
-                                                       size_t place) {
-    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
-        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
-    }
-}
-
-// The vertices of the cell at a place, as positions in the set, and their records.
-PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                               paradt_index *vertices, const double **records) {
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
-        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
-    }
-}
-
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
-static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt__insertion_rest(&engine->build);
-    paradt__release(memory, engine->order);
-    engine->order = NULL;
-}
-
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
-enum {
-    PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
-};
-
-PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
-                                          paradt_index bits) {
-    size_t j;
-    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
-}
-
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
-PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
-                                       const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
-}
-
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
-PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                    paradt_index *mark) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t count = engine->fringe_count, i, j, left = 0;
-    uint64_t others = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index place = engine->fringe[i];
-        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        if (vertices[0] == PARADT__DEAD) continue;
-        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
-            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-            continue;
-        }
-        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
-        for (j = 0; j < corners && is_cell; j++)
-            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
-        others += (uint64_t)is_cell;
-        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        engine->fringe[left++] = place;
-    }
-    engine->fringe_count = left;
-    return others;
-}
-
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
-PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
-                                                const paradt_index *mark) {
-    int leaves = 0;
-    size_t j;
-    for (j = 0; j < corners; j++)
-        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
-    return leaves;
-}
-
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
-PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                               paradt_index *mark) {
-    paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t i, j, count = engine->fringe_count;
-    for (i = 0; i < count; i++) {
-        size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        for (j = 0; j < corners; j++) {
-            paradt_index link = cells->links[base + j];
-            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->links[link] = PARADT__OPEN;
-            if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
-                paradt__vertices_among(across, (int)corners, 0, own))
-                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-        }
-    }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)engine->fringe[i] * corners] = PARADT__DEAD;
-}
-
-PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
-                                                          size_t corners, paradt_index *mark) {
-    uint64_t others = paradt__remote_engine_judge(engine, own, corners, mark);
-    paradt__remote_engine_drop(engine, own, corners, mark);
-    return others;
-}
-
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
-static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__mesh *cells, paradt_index *mark) {
-    paradt__insertion *build = &engine->build;
-    paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
-    uint64_t others;
-    // of points without weights none is hidden
-    for (i = 0; i < set->count; i++)
-        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
-    others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
-                          : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
-                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, engine->fringe);
-    *cells = build->scene.mesh;
-    memset(engine, 0, sizeof *engine);
-    return others;
-}
-
-// The bytes that a result holds: each block begins with its size.
-static size_t paradt__remote_bytes(const paradt_triangulation *t) {
-    const void *blocks[3] = {t->cells, t->neighbors, t->representative};
-    size_t bytes, sum = 0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        if (!blocks[i]) continue;
-        memcpy(&bytes, (const char *)blocks[i] - PARADT__BLOCK_HEADER, sizeof bytes);
-        sum += bytes;
-    }
-    return sum;
-}
-
-#endif // PARADT_MPI_IMPLEMENTATION
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------

@@ -60,10 +60,11 @@ static void *get(FILE *file, size_t size) {
 enum { SHARES = 7 };
 
 static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
-    paradt_options options = {PARADT_AUTO};
+    paradt_options options;
     paradt_triangulation t;
     paradt_fault fault;
     paradt_status status;
+    memset(&options, 0, sizeof options);
     options.method = (paradt_method)method;
     options.regions = (size_t)regions;
     status = paradt_triangulate(&t, points, &options);
