@@ -8631,10 +8631,10 @@ typedef struct paradt__kept {
 
     // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
     // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
-    uint32_t *number;                                                   // [numbers]
-    size_t numbers;                                                     // at least points + 1
-    uint32_t first, next_number, spokes_end;                            // spokes_end: the offset behind the last vertex
-    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
+    uint32_t *number;                        // [numbers]
+    size_t numbers;                          // at least points + 1
+    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[(int)PARADT__RIM_VERTICES + (int)PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
     // Tables of edges. Row i, element j: the handle of the facet that contains the edge from vertex i to vertex j and
     // the new point, in the new cell that sees the edge in this direction.
@@ -12701,8 +12701,7 @@ static const paradt__method *paradt__method_of(paradt_method method) {
         {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
         {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion} // BOWYER_WATSON
-    };
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
     return rows + method;
 }
 
