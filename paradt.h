@@ -817,7 +817,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         666   cells, links, ghosts, free places; closing
+//     mesh                         669   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
@@ -841,17 +841,17 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   division
 //     regions                      112   @@
 //     patches                      560   @@
-//     telling                      269   @@
-//     seam                         262   @@
+//     telling                      272   @@
+//     seam                         263   @@
 //     known points                 246   what a rank builds
-//     call                         178   what one call works with; steps
-//     fronts                        96   InCoDe and DeWall from set to mesh
-//     regions of insertion         544   the steps of a divided insertion
+//     call                         180   what one call works with; steps
+//     fronts                        97   InCoDe and DeWall from set to mesh
+//     regions of insertion         546   the steps of a divided insertion
 //   entry
-//     methods                      213   one row a method; AUTO's choice
+//     methods                      212   one row a method; AUTO's choice
 //     triangulate                  343   the entry
 //   check
-//     check                        495   the certificate
+//     check                        498   the certificate
 //   division
 //     check of the hull            285   @@
 
