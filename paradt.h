@@ -851,10 +851,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         522   the steps of a divided insertion
 //   entry
-//     methods                      213   one row a method; AUTO's choice
+//     methods                      212   one row a method; AUTO's choice
 //     triangulate                  343   the entry
 //   check
-//     check                        495   the certificate
+//     check                        498   the certificate
 //   division
 //     check of the hull            285   @@
 
@@ -5255,13 +5255,16 @@ PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place,
 
 // Drops the ghosts, closes the gaps from the end, and emits the cells in place: links in the form that is wanted,
 // vertices translated by `origin`. All in one pass, for the cells don't fit into a cache. Returns the number of ghosts.
+// meter: of the call, or NULL; when it is cancelled, cells are left as they are.
 PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_index *origin, int facets,
-                                               size_t corners) {
+                                               paradt__meter *meter, size_t corners) {
+    enum { PACE = 1 << 17 };         // cells between two looks at whether the call is cancelled
     const paradt__mesh copy = *mesh; // which nothing that is written can change
     const paradt__rows to = paradt__mesh_rows(copy.corners, facets, copy.vertices, copy.links, 0);
     size_t end = copy.count, i;
     uint64_t ghosts = 0;
     for (i = 0; i < end; i++) {
+        if (i % PACE == 0 && meter && paradt__meter_cancels(meter)) break;
         if (!paradt__mesh_keeps(&copy, i, corners, &ghosts)) {
             for (end--; end > i && !paradt__mesh_keeps(&copy, end, corners, &ghosts);) end--;
             if (end == i) break;
@@ -5273,9 +5276,9 @@ PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_
     return ghosts;
 }
 
-static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets) {
-    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, 4);
-    return paradt__mesh_close_any(mesh, origin, facets, (size_t)mesh->corners);
+static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets, paradt__meter *meter) {
+    if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
+    return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
 }
 
 // The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
@@ -8728,10 +8731,10 @@ typedef struct paradt__kept {
 
     // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
     // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
-    uint32_t *number;                                                   // [numbers]
-    size_t numbers;                                                     // at least points + 1
-    uint32_t first, next_number, spokes_end;                            // spokes_end: the offset behind the last vertex
-    paradt__spoke spokes[PARADT__RIM_VERTICES + PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
+    uint32_t *number;                        // [numbers]
+    size_t numbers;                          // at least points + 1
+    uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
+    paradt__spoke spokes[(int)PARADT__RIM_VERTICES + (int)PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
     // Tables of edges. Row i, element j: the handle of the facet that contains the edge from vertex i to vertex j and
     // the new point, in the new cell that sees the edge in this direction.
@@ -11631,23 +11634,27 @@ static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt_
 // Writes the region's cells to `rows`, which may be where they are, or before it, with the caller's vertices, and lists
 // their open facets.
 PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t first,
-                                                      size_t corners) {
+                                                      const paradt__progress *progress, size_t corners) {
     const paradt__mesh mesh = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *rows;
     const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < mesh.count; i++) {
-        int bare = paradt__mesh_emit_row(&mesh, i, corners, origin, &to);
+        int bare;
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
+            return PARADT_ERROR_CANCELLED;
+        bare = paradt__mesh_emit_row(&mesh, i, corners, origin, &to);
         paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
         if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i, first);
     }
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first) {
-    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, 4);
-    return paradt__patch_emit_cells(patch, to, first, (size_t)patch->build.scene.mesh.corners);
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first,
+                                        const paradt__progress *progress) {
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, progress, 4);
+    return paradt__patch_emit_cells(patch, to, first, progress, (size_t)patch->build.scene.mesh.corners);
 }
 
 // --- the whole set
@@ -11687,7 +11694,8 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
     if (!status) status = paradt__insertion_more(build, patch->order, before, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets);
+    if (!status)
+        patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets, progress->meter);
     return status;
 }
 
@@ -12039,6 +12047,8 @@ static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *co
     } else {
         for (i = 0; i < work->regions; i++) {
             task(work, i);
+            if (!work->region[i].status && paradt__meter_cancels(&work->meter))
+                work->region[i].status = PARADT_ERROR_CANCELLED;
             if (work->region[i].status) break;
         }
     }
@@ -12055,7 +12065,7 @@ static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
     paradt__share_memory(work);
     status = paradt__run_tasks(work, task);
     paradt__share_memory(work);
-    return status;
+    return !status && paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : status;
 }
 
 // Makes the regions' records, all zero but for their accounts.
@@ -12124,6 +12134,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     }
     if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
         if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
         paradt__mesh_free(&work->region[i].mesh, &work->memory);
     }
@@ -12353,13 +12364,14 @@ static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     const paradt__mesh *own = &region->patch.build.scene.mesh;
+    paradt__progress progress = paradt__region_progress(work, index);
     size_t first = region->offset * (size_t)work->mesh.corners;
     int stays = paradt__stays_in_slice(work, index);
     paradt__rows to =
         paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
                           stays ? own->links : work->mesh.links + first, region->offset);
     if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset);
+    region->status = paradt__patch_emit(&region->patch, &to, region->offset, &progress);
     if (index || region->status) return;
     region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
     if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
@@ -12528,6 +12540,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     paradt__region *region = work->region + index;
     paradt__mesh *mesh = &work->mesh, *own = &region->patch.build.scene.mesh, *lent = &work->slices;
     size_t corners = (size_t)mesh->corners, capacity, rest;
+    paradt__progress progress = paradt__region_progress(work, index);
     paradt__rows to;
     paradt__begin_patch(work, index, &work->memory);
     if (region->status) return region->status;
@@ -12544,7 +12557,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     if (!region->status) paradt__compact_task(work, index);
     if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
     to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
-    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, &progress);
     if (region->status) return region->status;
     mesh->count += own->count;
     paradt__patch_end(&region->patch);
@@ -12754,7 +12767,7 @@ static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     }
     if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
     if (!status && mesh.count) {
-        paradt__mesh_close(&mesh, NULL, 0);
+        paradt__mesh_close(&mesh, NULL, 0, NULL);
         *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
     }
     paradt__mesh_free(&mesh, &work->memory);
@@ -12835,8 +12848,7 @@ static const paradt__method *paradt__method_of(paradt_method method) {
         {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
         {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {PARADT__CAN_ALL | PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion} // BOWYER_WATSON
-    };
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
     return rows + method;
 }
 
@@ -13092,7 +13104,7 @@ static paradt_status paradt__load(paradt__work *work, const paradt_points *point
 static paradt_status paradt__close(paradt__work *work) {
     if (!work->delivered) {
         PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
-        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets);
+        work->stats->hull_facets += paradt__mesh_close(&work->mesh, work->set.origin, work->facets, &work->meter);
     }
     paradt__mesh_rest(&work->mesh, &work->memory);
     if (work->options.flags & PARADT_NO_NEIGHBORS || work->set.space.dim < 1) { // one point has no facets
@@ -13719,11 +13731,14 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     check->halves = check->neighbors && check->options && check->options->flags & PARADT_FACETS;
     if (check->neighbors) {
         size_t end = check->halves ? facets : check->t->cell_count;
-        for (i = 0; i < facets; i++)
+        for (i = 0; i < facets; i++) {
+            status = paradt__check_pace(check, i, facets);
+            if (status) return status;
             if (check->neighbors[i] < -1 || (check->neighbors[i] >= 0 && (size_t)check->neighbors[i] >= end))
                 return paradt__check_fail(check,
                                           check->halves ? "a neighbour is no half-facet" : "a neighbour is no cell",
                                           (paradt_index)(i / check->corners), -1);
+        }
         return PARADT_OK;
     }
     while (slots < facets + facets / 4) // most facets are there twice and take one slot

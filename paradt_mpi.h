@@ -271,7 +271,7 @@ typedef struct paradt_mpi_stats {
 } paradt_mpi_stats;
 
 typedef struct paradt_mpi_triangulation {
-    int dim;                    // affine dimension of all ranks' points: dim + 1 vertices a cell; -1: no points
+    int dim;                    // affine dimension of all points: dim + 1 vertices a cell; -1: no points, or an error
     int ambient;                // coordinates a point
     uint64_t cell_total;        // cells of all ranks
     uint64_t first_cell;        // number of this rank's first cell
@@ -303,7 +303,7 @@ typedef struct paradt_mpi_triangulation {
 //            and error_point.
 //   local    this rank's points; read during the call only; see POINTS.
 //   options  NULL: the defaults. flags, local.flags and local.partition must be the same on all ranks.
-// Errors, the same on all ranks: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED.
+// Errors, the same on all ranks: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT.
 // Thread safety: concurrent calls need MPI_THREAD_MULTIPLE, a communicator and an `out` each.
 // Cost: see COST and MEMORY.
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
@@ -3276,8 +3276,13 @@ PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const 
 static paradt_status paradt_mpi__take_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1;
     paradt__mesh own = paradt_mpi__local_mesh(w, w->out->cell_count);
+    size_t i;
     w->out->cells = w->local.cells;
     w->local.cells = NULL;
+    if (!own.links) { // a single vertex has no facets
+        for (i = 0; i < own.count; i++) own.vertices[i] = number[own.vertices[i]];
+        return PARADT_OK;
+    }
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
         w->local.neighbors = NULL;
@@ -3786,8 +3791,10 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
         return status;
     }
     w->stats.seconds_partition = paradt__now() - begun;
-    return w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
-                                                    : paradt_mpi__distributed(w, rows);
+    status = w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
+                                                      : paradt_mpi__distributed(w, rows);
+    if (!status && w->options.local.flags & PARADT_FULL_DIM && w->out->dim < w->dim) status = PARADT_ERROR_FLAT;
+    return status;
 }
 
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
@@ -3812,6 +3819,7 @@ PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, M
         int rank = out->error_rank;
         size_t point = out->error_point;
         paradt_mpi_free(out);
+        out->dim = -1;
         out->error_rank = rank;
         out->error_point = point;
     } else {
@@ -3940,6 +3948,7 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
     paradt_status status = PARADT_OK;
     if (!out) out = &nowhere;
     memset(out, 0, sizeof *out);
+    out->dim = -1;
     memset(&w, 0, sizeof w);
     memset(&errors, 0, sizeof errors);
     w.out = &errors;

@@ -183,6 +183,51 @@ for compiler in g++ clang++; do
     fi
 done
 
+# --- ranks keep the contracts of paradt.h: a single vertex, points in a plane, what is empty
+
+cat >"$work/ranks.c" <<'END'
+#define PARADT_MPI_IMPLEMENTATION
+#include "paradt_mpi.h"
+#include <stdio.h>
+int main(int argc, char **argv) {
+    double x[50][3];
+    int rank, i, good = 1;
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    for (i = 0; i < 50; i++) {
+        x[i][0] = rank * 50 + i;
+        x[i][1] = (i * 7 + rank) % 13;
+        x[i][2] = 1;
+    }
+    for (i = 0; i < 3; i++) {
+        paradt_points points = paradt_points_f64(x[0], i ? 50 : rank == 0, 3);
+        paradt_mpi_options options = {0};
+        paradt_mpi_triangulation t;
+        paradt_triangulation whole;
+        paradt_status status;
+        options.local.flags = i == 2 ? PARADT_FULL_DIM : 0;
+        status = paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, &options);
+        good = good && status == (i == 2 ? PARADT_ERROR_FLAT : PARADT_OK) && t.dim == (i == 0 ? 0 : i == 1 ? 2 : -1);
+        good = good && (i == 1 || (!t.neighbors && !t.sum.hull_facets));
+        if (!status) {
+            good = good && paradt_mpi_gather(&whole, MPI_COMM_WORLD, &t, 0) == PARADT_OK;
+            good = good && whole.dim == (rank ? -1 : i ? 2 : 0) && (rank || i || (whole.cell_count == 1 && !whole.neighbors));
+            paradt_free(&whole);
+        }
+        paradt_mpi_free(&t);
+    }
+    MPI_Finalize();
+    return !good;
+}
+END
+if has mpicc && has mpiexec; then
+    mpicc -I. "$work/ranks.c" -o "$work/ranks" -lm >"$work/log" 2>&1 &&
+        timeout 120 mpiexec -n 2 "$work/ranks" >>"$work/log" 2>&1 </dev/null
+    report $? ranks_keep_the_contracts_of_small_results "$work/log"
+else
+    skip ranks_keep_the_contracts_of_small_results "mpicc is not installed"
+fi
+
 # --- a shared library
 
 if make -s lib BUILD="$work" CFLAGS=-O1 >"$work/log" 2>&1 && [ ! -s "$work/log" ]; then
