@@ -652,6 +652,7 @@ PARADT_DEF const char *paradt_status_string(paradt_status status);
 // Returns the method's name on the command line, of static storage; never NULL, whatever the value. Thread-safe.
 PARADT_DEF const char *paradt_method_string(paradt_method method);
 
+#ifndef PARADT_NO_CHECK
 // Proves in exact arithmetic that the triangulation is the one that the points define: cells, neighbours,
 // representatives, hidden points, dimension. Returns PARADT_OK if it is. Returns PARADT_ERROR_INVALID if it is not, and
 // *fault says what was found first.
@@ -665,6 +666,7 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 // paradt_triangulate, but neither its searches nor its data structures.
 PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation, const paradt_points *points,
                                       const paradt_options *options, paradt_fault *fault);
+#endif
 
 // Returns a hash of the set of cells, each as a set of point indices: the sum of paradt_hash_cell over the cells, 0
 // without cells. It depends neither on the order of cells and vertices nor on the size of indices or the machine, and
@@ -722,6 +724,135 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // what it is for, what holds in it, where the idea is from and its doors, and uses only what stands above it.
 
 // READING THE IMPLEMENTATION
+//
+// A POINT'S WAY through the file, from the caller's array to the caller's cells:
+//
+//       the caller's points                                            index
+//             |
+//             |  >>reading, >>sorting: finite, distinct, along Hilbert's curve, box after box
+//             |  >>scale and axes: the axes that orient, a scale for the filters
+//             v
+//       a set of records                                               position
+//             |
+//             +---------------- facet by facet ---+---------------- point by point -----+
+//             |                                   |                                     |
+//             |  >>grid          cells of eight   |  >>order of insertion   rounds      |
+//             |  >>first simplex where to begin   |  >>insertion     walk, dig, star    |
+//             |  >>search        the apex         |  >>kept spheres  tests by one       |
+//             |  >>front         the AFL          |                  product, in space  |
+//             |  >>incode, >>dewall               |                                     |
+//             v                                   v                                     |
+//       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
+//             |                                   |                                     |
+//             +-----------------+-----------------+                                     |
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>patches and
+//                               |  >>regions of insertion
+//                               |
+//                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
+//                               |  handles become numbers
+//                               v
+//       paradt_triangulation                                           index, number
+//
+// INDEX SPACES. All are paradt_index or size_t; a variable's name says of which space it is.
+//
+//     index      a point as the caller counts. set.origin[position] gives it
+//     position   a point in a set: its record is records + position * width. The vertices of a mesh are positions until
+//                the mesh is closed. A region's patch counts its own points first, then others' (vertex)
+//     place      a cell in a mesh, a point in a grid: its row, wherever the cell or point moves from
+//     handle     a facet as one of its cells sees it: corners * place + i, opposite vertex i. Links are handles
+//     number     a cell as delivered
+//     slot       of a hash table
+//     region     0 to regions - 1, a box of space; a rank in paradt_mpi.h
+//
+// SENTINELS
+//
+//     PARADT__HULL      a link: no cell is on the other side        PARADT__INFINITE  a vertex: that of ghosts
+//     PARADT__OPEN      a link: the cell there is not known;        PARADT__DEAD      a vertex: the place is free
+//                       a list's end                                PARADT__NOWHERE   no position, no place
+//     PARADT__GAVE_UP   a status: another way is to be tried        PARADT__FAR       a bound: there is none
+//
+// VOCABULARY. The field's words: cell, facet, ridge (a facet of a facet), vertex, apex (the vertex opposite a facet),
+// star and link of a vertex, conflict, cavity, hull, circumsphere, active face list (AFL). And of this file:
+//
+//     ghost           the cell on the outer side of a hull facet, with the infinite vertex
+//     half-facet      a facet as one of its cells sees it; its mirror: as the other cell does
+//     rim             the cavity's facets; to star the cavity: to join the point with the rim
+//     update          what a change did: cells killed, cells made
+//     region, owner   a box of space; the region that delivers a cell which several make
+//     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     seam            facets between the first region's cells and others'
+//     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
+//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
+//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     filter          floating point that decides, or says that it can't
+//
+// THREE READING PATHS
+//
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//                       where it is fast; >>inserting
+//     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>patches and the sections behind it,
+//                       >>regions of insertion; then paradt_mpi.h
+//
+// CONTENTS, with the lines of each section
+//
+//   ground
+//     memory                       166   the account of every byte
+//     numbers                      200   bit patterns, integers, small helpers
+//     tasks                        181   progress, teams, pauses, the clock
+//   predicates
+//     space                        233   what the predicates know of a set
+//     filters                      196   signs in floating point, with error bounds
+//     digits                       132   integers of many digits
+//     exact                        584   signs in integers
+//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//   points
+//     curve                        323   Hilbert's curve, sorting along it
+//     points                       162   the caller's points, records
+//     measures                     144   points that span, spacing
+//     cuts                         220   boxes of space
+//     reading                      199   the first pass over the points
+//     sorting                      372   along the curve, box after box
+//     scale and axes               102   the scale, the axes that orient
+//     reference sphere             194   sagittas near a sphere
+//   mesh
+//     mesh                         636   cells, links, ghosts, free places; closing
+//     facets                       255   the table of facets: AFL, ridges, open facets
+//     scene                         94   conflict test, walk, update
+//   search
+//     grid                         320   a hierarchy of boxes over a set
+//     search kernels               387   tests of eight boxes or points together
+//     pencil                       444   the spheres through a facet
+//     search                       353   the apex of a facet, a point in a sphere
+//     questions                     75   the same of cells of others' points
+//   making
+//     first simplex                139   a cell to begin with
+//     reach                         96   which cells a region makes and owns, facet by facet
+//     front                        403   what facet by facet has in common
+//     incode                        28   incremental construction
+//     dewall                       145   divide and conquer, merge first
+//     order of insertion           120   rounds along the curve
+//     insertion                    254   dig and star, in any dimension
+//     kept spheres                 503   conflict tests by one product, in space
+//     insertion in space           651   dig and star with kept spheres
+//     insertion in space by AVX2   463   its inner functions for four lanes
+//     inserting                    169   insertions from begin to end
+//   division
+//     regions                      112   @@
+//     patches                      560   @@
+//     telling                      269   @@
+//     seam                         262   @@
+//     call                         179   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         544   the steps of a divided insertion
+//   entry
+//     methods                      212   one row a method; AUTO's choice
+//     triangulate                  342   the entry
+//   division
+//     remote                       352   @@
+//   check
+//     check                        737   the certificate
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -1237,6 +1368,7 @@ static double paradt__widen(uint32_t bits) {
 // callback has asked for it, all tasks find the work cancelled at their next look.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
+enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
@@ -2819,9 +2951,10 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__ORIENTATIONS = 24,    // of the curve in two or three dimensions, at most: dim << dim
     PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
-    PARADT__FLAT = 1 << 14        // an exponent that makes every coordinate 0
+    PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
+    // of the curve in two or three dimensions, at most: dim << dim
+    PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
 };
 
 // --- sorting by keys
@@ -4451,10 +4584,10 @@ static int paradt__sphere_top(const paradt__set *set, double radius2) {
     return top;
 }
 
-// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points.
-// meter: NULL, or asked now and then. *nearby: whether all points are so near to the sphere; if not, or after an error,
-// the set remains as it is. On return set->grade_limit
-// is the largest sagitta, and set->grade_error the error by cutting off: paradt__set_grade_bounds makes bounds of them.
+// Gives the records their sagittas by the sphere around set->centre, in a new record array for `capacity` points. On
+// return set->grade_limit is the largest sagitta, and set->grade_error the error by cutting off:
+// paradt__set_grade_bounds makes bounds of them. *nearby: whether all points are so near to the sphere; if not, or
+// after an error, the set is as it was. meter: NULL, or asked now and then.
 static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, double nearness, size_t capacity,
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
@@ -4500,7 +4633,8 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_error += largest * paradt__power(-48);
 }
 
-// Gives the records their sagittas, if the set is so near to a sphere (see PARADT__NEAR_SPHERE) and they are of use.
+// Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
+// nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
 static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
                                        paradt__memory *memory) {
     double radius2;
@@ -7515,6 +7649,20 @@ static void paradt__front_note_seeded(paradt__front *front, const paradt_index *
 // Called for each facet that becomes active, to put it into a work list. NULL: there are no lists.
 typedef paradt_status (*paradt__activate)(paradt__front *front, void *method, paradt_index handle);
 
+// Fills the keys of a cell's facets and the active facets' chains for them, and prefetches what these begin with.
+PARADT__INLINE void paradt__front_keys(const paradt__facets *active, const paradt_index *cell, int corners,
+                                       paradt__facet_key *key, paradt_index **chain) {
+    uint64_t sum = paradt__cell_sum(cell, corners);
+    int i;
+    for (i = 0; i < corners; i++) {
+        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
+        key[i].smallest = paradt__smallest_but(cell, corners, i);
+        chain[i] = paradt__facets_chain(active, key[i]);
+        PARADT__PREFETCH(chain[i]);
+    }
+    for (i = 0; i < corners; i++) PARADT__PREFETCH(active->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+}
+
 // Stores a cell and updates the AFL: facets of the cell that were active are tied and leave, the others enter. from:
 // the facet across which the cell was found, which has left the AFL, as a handle in the older cell; across: which
 // vertex of the new cell is opposite that facet. For a seed: PARADT__OPEN and -1.
@@ -7523,21 +7671,14 @@ PARADT__INLINE paradt_status paradt__front_store(paradt__front *front, const par
                                                  int corners) {
     paradt__mesh *mesh = &front->mesh;
     paradt_index base = (paradt_index)mesh->count * corners;
-    uint64_t sum = paradt__cell_sum(cell, corners);
     paradt_status status = PARADT_OK;
     int i, change[PARADT_MAX_DIM + 1], sum_of_changes = 0;
     paradt__facet_key key[PARADT_MAX_DIM + 1];
     paradt_index *chain[PARADT_MAX_DIM + 1], facet[PARADT_MAX_DIM];
     paradt__facets *table = &front->active;
     PARADT_ASSERT(mesh->count < mesh->capacity && (across < 0) == (from < 0));
-    for (i = 0; i < corners; i++) {
-        mesh->vertices[base + i] = cell[i];
-        key[i].key = paradt__facet_hash(sum - paradt__vertex_key(cell[i]));
-        key[i].smallest = paradt__smallest_but(cell, corners, i);
-        chain[i] = paradt__facets_chain(table, key[i]);
-        PARADT__PREFETCH(chain[i]);
-    }
-    for (i = 0; i < corners; i++) PARADT__PREFETCH(table->entries + (*chain[i] < 0 ? 0 : *chain[i]));
+    for (i = 0; i < corners; i++) mesh->vertices[base + i] = cell[i];
+    paradt__front_keys(table, cell, corners, key, chain);
     for (i = 0; i < corners && !status; i++) {
         paradt_index mirror = from;
         if (i != across) {
@@ -7585,8 +7726,6 @@ static paradt_status paradt__front_list_gates(paradt__front *front) {
     }
     return status;
 }
-
-enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
 
 // Adds a cell; the parameters are those of paradt__front_store.
 static paradt_status paradt__front_add(paradt__front *front, const paradt_index *cell, int across, paradt_index from,
@@ -8016,8 +8155,8 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
 // cavity's rim make a new cell. Ghosts close the mesh, so inside and outside of the hull are one case.
 //
 // After each insertion the mesh is T(P), complete and exact, of the points P inserted so far; so no cell is ever flat.
-// A weighted point is hidden if no cell is in conflict with it, and a vertex becomes hidden if no facet of the rim has
-// it.
+// A weighted point is hidden if no cell is in conflict with it; a vertex becomes hidden if it is on no facet of the
+// rim.
 //
 // Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
@@ -8093,7 +8232,8 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
 }
 
 // Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
-// surfaces have more cells; of many points as many as tell how many cells the others will have. Then rows are copied.
+// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
+// copied.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
@@ -8531,8 +8671,7 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// Row i: the order of the vertices of a cell but for vertex i that keeps the orientation if what replaces vertex i
-// comes last
+// Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
 // Makes the function of the ghost on the facet p q r by (6). centred: p. Where the facet is too small for it, all
@@ -8712,8 +8851,7 @@ static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     return 1;
 }
 
-// Changes over to sagittas if the records have them, and if they are so small that without them most powers would be in
-// doubt.
+// Changes over to sagittas if the records have them, so small that without them most powers would be in doubt.
 static void paradt__kept_grade(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     double square = build->grade_limit + build->grade_error / (16.0 * PARADT__UNIT_ERROR);
@@ -8723,13 +8861,30 @@ static void paradt__kept_grade(paradt__insertion *build) {
     s->frame.slack = build->grade_error / (4.0 * PARADT__UNIT_ERROR);
 }
 
+// Finds what the set's bounding box decides: its centre, and what bounds on errors and ghosts are made of.
+static void paradt__kept_measure(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    int axis;
+    for (axis = 0; axis < 3; axis++) {
+        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
+        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
+        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
+        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
+        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+    }
+    s->box_square = s->frame.square;
+    s->steepness = sqrt(s->box_square) * paradt__power(60);
+    paradt__kept_grade(build);
+    s->zero_below =
+        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+}
+
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called as
-// well.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
-    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5, room, bytes, i;
-    int axis;
+    size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
+    size_t room, bytes, i;
     if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
         return PARADT_OK;
     while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
@@ -8747,18 +8902,7 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    for (axis = 0; axis < 3; axis++) {
-        double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
-        double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
-        s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
-        s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
-        s->frame.square += s->frame.half[axis] * s->frame.half[axis];
-    }
-    s->box_square = s->frame.square;
-    s->steepness = sqrt(s->box_square) * paradt__power(60);
-    paradt__kept_grade(build);
-    s->zero_below =
-        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    paradt__kept_measure(build);
     PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
     if (build->count > 4)
         s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
@@ -9703,8 +9847,8 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
-// Replaces the vertices in kept->spokes by the edges from the point to them. The last four may be padded: by any
-// vertex.
+// Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
+// four.
 PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
@@ -12980,49 +13124,60 @@ static size_t paradt__remote_bytes(const paradt_triangulation *t) {
 // >>check
 //
 // The certificate: whatever the arrays of a triangulation hold, paradt_check accepts exactly those that are T(P). It
-// shares with the methods only the reading of points, the predicates and the memory account; it builds nothing that it
-// could get wrong in the same way, and it takes linear time (expected: hashing; hidden points are found by short
-// walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and Uhrig,
-// "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999; Devillers,
-// Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
-// Computational Geometry 11, 1998. Door: paradt_check.
+// shares only the reading of points, the predicates and the memory account with the methods, and builds nothing that it
+// could get wrong in the same way. It takes linear time (expected: there is hashing, and hidden points are found by
+// short walks). Program checking for geometry in this spirit: Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel and
+// Uhrig, "Checking geometric programs or verification of geometric structures", Computational Geometry 12, 1999;
+// Devillers, Liotta, Preparata and Tamassia, "Checking the convexity of polytopes and the planarity of subdivisions",
+// Computational Geometry 11, 1998.
 //
-// What is tested, all of it in exact signs (k: the affine dimension, counted anew; o: a place infinitesimally near the
-// lexicographically smallest vertex, inside one of its cells):
+// What is tested, all of it in exact signs. k is the affine dimension, determined anew; o is a place infinitesimally
+// near the lexicographically smallest vertex, inside one of its cells.
 //   (1) points of equal coordinates have the same representative, the right one, or all are hidden; each
 //       representative is a vertex, each vertex is its own representative;
 //   (2) each cell is positively oriented;
-//   (3) adjacency is an involution on the facets of cells, two neighbours have all but one vertex in common, and their
+//   (3) adjacency is an involution on the facets of cells, two neighbours have all vertices but one in common, and
+//   their
 //       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
-//   (4) across each facet with two cells, the other cell's vertex is no conflict of the cell under the perturbation;
-//   (5) each hull facet (one without neighbour) has o strictly on its cell's side;
-//   (6) at each ridge of the hull, where two hull facets meet when one turns around it through the cells, neither
-//       facet's remaining vertex is beyond the other facet's hyperplane;
-//   (7) one cell only contains o;
-//   (8) each hidden point lies in a cell with which it is not in conflict.
+//   (4) for each facet with two cells, the vertex opposite in one cell is not in conflict with the other cell;
+//   (5) each hull facet (one with a single cell) has o strictly on the side of its cell;
+//   (6) at each ridge of the hull, where turning around it through the cells leads from one hull facet to another,
+//       neither facet has its remaining vertex beyond the hyperplane of the other;
+//   (7) only one cell contains o;
+//   (8) each hidden point lies in a cell that it is not in conflict with.
 //
 // Why this proves T(P). Choose the infinitesimals of o and of the perturbation as real numbers so small that all the
-// finitely many signs stay as they are; "generic" means off the hyperplanes of all facets. Let n(x) be the number of
-// cells that contain a generic x. By (2) and (3) n does not change across a facet of two cells: one is lost, one
-// gained. Across a hull facet it falls by one to the facet's outside. Facets of the hull are paired at ridges: turning
-// around a ridge is an injective map of flags by (3), so it never runs in circles and ends at another hull facet, which
-// by (2), (3) has the opposite orientation at the ridge. By (5) the hull is thus star-shaped about o: projected from o
-// to the sphere, neighbouring facets lie on opposite sides of their ridge, so the projection covers the sphere equally
-// often everywhere, and any generic ray from o crosses the hull n(o) times, each time outward. By (7) that is once, and
-// the hull is the boundary of one star-shaped body Q with n = 1 in it and n = 0 outside. A section of Q by a generic
-// plane through o is a star-shaped polygon, convex at each corner by (6), so convex; so is Q. Q contains all of P:
-// vertices and duplicates by (1), hidden points by (8); so Q = conv(P), and the cells tile it. Let g be the function on
-// Q that is affine on each cell and takes the lifted heights at the vertices. Along any generic segment g is
-// continuous, as neighbours share a facet's vertices, and strictly convex at each facet crossed, by (4). So the plane
-// of any cell lies below g on all of Q, hence below each lifted vertex; below each hidden one by (8), as it is a
-// conflict or not by the plane over its own place. With perturbed heights "below" is strict but for the cell's own
-// vertices: each cell is a facet of the lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none
-// is there twice. Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5), Q's interior contains
-// o. Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+// finitely many signs stay as they are. "Generic" means off the hyperplanes of all facets.
+//   The cells near a facet. Let n(x) be the number of cells that contain a generic x. By (2) and (3) n does not change
+// across a facet of two cells: one cell is left, one entered. Across a hull facet, outward, it falls by one.
+//   The hull is star-shaped. Facets of the hull are paired at ridges: turning around a ridge is an injective map of
+//   flags
+// by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite orientation
+// at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of their ridge.
+// So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the hull n(o) times,
+// each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about o, with n = 1
+// inside and n = 0 outside.
+//   The hull is convex. A section of Q by a generic plane through o is a star-shaped polygon, convex at each corner by
+// (6), and therefore convex; so Q is convex. Q contains all of P: vertices and duplicates by (1), hidden points by (8).
+// So Q = conv(P), and the cells tile it.
+//   The cells are Delaunay. Let g be the function on Q that is affine on each cell and takes the lifted heights at the
+// vertices. Along any generic segment g is continuous, as neighbours share the vertices of a facet, and strictly convex
+// at each facet crossed, by (4). So the plane of any cell lies below g on all of Q, and hence below each lifted vertex.
+// It lies below each lifted hidden point by (8), as the plane of the cell under such a point decides whether it is in
+// conflict. With perturbed heights "below" is strict except at the vertices of the cell: each cell is a facet of the
+// lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none is there twice.
+//   Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5): the interior of Q contains o.
+//   Nothing
+// else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+//
+// This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
+// has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
+// paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
 
-enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback: some milliseconds
+enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
-// What is done, one after another, with the part of the work that is done when it begins
+// The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
     X(READ, 0.0)                                                                                                       \
     X(LEAD, 0.02)                                                                                                      \
@@ -13045,17 +13200,18 @@ typedef struct paradt__check {
     const paradt_options *options; // may be NULL
     paradt_fault *fault;
     paradt__memory memory;
-    paradt__set set;               // the records of all the caller's points, by the caller's index
-    size_t corners;                // dim + 1, of a cell
-    const paradt_index *neighbors; // t->neighbors or matched
-    int halves;                    // 1: they are half-facets
+    paradt__set set;               // the records of all points, by the caller's index
+    size_t corners;                // vertices of a cell: dim + 1
+    const paradt_index *neighbors; // t->neighbors or `matched`
+    int halves;                    // 1: neighbors are half-facets
     paradt_index *matched;         // [cell_count][corners] the neighbours found here, or NULL
-    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: no vertex
-    const double
-        *origin[PARADT_MAX_DIM + 1]; // o: the first moved towards the second, by infinitely less to the third...
+    paradt_index *cell_of;         // [point_count] a cell of each vertex; -1: not a vertex
+    // o is the first of these vertices, moved towards the second, by infinitely less towards the third, and so on.
+    const double *origin[PARADT_MAX_DIM + 1];
     paradt__check_phase phase;
 } paradt__check;
 
+// Says what is wrong. cell, point: an index, or -1
 static paradt_status paradt__check_fail(paradt__check *check, const char *reason, paradt_index cell,
                                         paradt_index point) {
     check->fault->reason = reason;
@@ -13064,19 +13220,20 @@ static paradt_status paradt__check_fail(paradt__check *check, const char *reason
     return PARADT_ERROR_INVALID;
 }
 
-// Tells the progress callback that `done` of a phase's elements are done. To be called for each of them.
+// Tells the progress callback that `done` of the phase's elements are done; to be called for each of them.
 static paradt_status paradt__check_pace(const paradt__check *check, size_t done, size_t all) {
 #define PARADT__CHECK_BEGIN(name, begin) begin,
     static const double begins[] = {PARADT__CHECK_PHASES(PARADT__CHECK_BEGIN) 1.0, 1.0};
 #undef PARADT__CHECK_BEGIN
     const paradt_options *options = check->options;
     double fraction = begins[check->phase];
+    PARADT_ASSERT(done <= all);
     if (done % PARADT__CHECK_PACE || !options || !options->progress) return PARADT_OK;
     fraction += (begins[check->phase + 1] - fraction) * (double)done / (double)all;
     return options->progress(options->user, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
-// The cell across a facet (numbered cell * corners + corner); negative: none
+// Returns the cell across a facet, whose number is cell * corners + corner; -1: none.
 PARADT__INLINE paradt_index paradt__check_neighbor(const paradt__check *check, size_t facet) {
     paradt_index neighbor = check->neighbors[facet];
     return check->halves && neighbor >= 0 ? (paradt_index)((size_t)neighbor / check->corners) : neighbor;
@@ -13086,22 +13243,25 @@ PARADT__INLINE const paradt_index *paradt__check_cell(const paradt__check *check
     return check->t->cells + cell * check->corners;
 }
 
+// Fills corners with the coordinates of the cell's vertices.
 static void paradt__check_gather(const paradt__check *check, size_t cell, const double **corners) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i;
     for (i = 0; i < check->corners; i++) corners[i] = paradt__record(&check->set, vertices[i]);
 }
 
-// In dimension 0 a cell is a point and the empty determinant is 1.
+// Returns the orientation of a cell. In dimension 0 a cell is a point, and the empty determinant is 1.
 static int paradt__check_orient(paradt__check *check, const double *const *corners) {
     return check->set.space.dim == 0 ? 1 : paradt__orient(&check->set.space, corners);
 }
 
-// On which side of the facet opposite `corner` x lies: 1 is the cell's. corners come back as they were.
+// Returns on which side of the facet opposite `corner` the point x lies: 1 on the side of the cell, 0 on its
+// hyperplane, -1 beyond it. corners: the cell's; they come back as they were.
 static int paradt__check_side(paradt__check *check, const double **corners, size_t corner, const double *x) {
     const double *own = corners[corner];
     int side;
     size_t i;
+    PARADT_ASSERT(corner < check->corners);
     if (x == own) return 1;
     for (i = 0; i < check->corners; i++)
         if (x == corners[i]) return 0;
@@ -13113,13 +13273,13 @@ static int paradt__check_side(paradt__check *check, const double **corners, size
 
 // --- points: condition (1) up to "is a vertex"
 
-// The predicates' error bounds are those of one dimension
+// Sets the dimension in which the predicates work, and their error bounds.
 static void paradt__check_set_dim(paradt__check *check, int dim) {
     check->set.space.dim = dim;
     if (dim > 0) paradt__space_end(&check->set.space);
 }
 
-// ... and of the coordinates that stand at their places.
+// Measures all records anew, as the order of their coordinates has changed, and sets the dimension.
 static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__space *space = &check->set.space;
     size_t i;
@@ -13128,6 +13288,7 @@ static void paradt__check_measure(paradt__check *check, int dim) {
     paradt__check_set_dim(check, dim);
 }
 
+// Reads the points.
 static paradt_status paradt__check_read(paradt__check *check, const paradt_points *points) {
     paradt__source source = paradt__source_of(points);
     paradt__set *set = &check->set;
@@ -13149,7 +13310,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
     return PARADT_OK;
 }
 
-// Takes the coordinate at place `axis` of all records to their end; `axis` of them orient.
+// Moves the coordinate at place `axis` of all records to the end of the coordinates. `axis` axes are taken so far.
 static void paradt__check_pass_over(paradt__check *check, int axis) {
     size_t i, after = (size_t)(check->set.space.ambient - axis - 1);
     for (i = 0; i < check->set.count; i++) {
@@ -13160,9 +13321,10 @@ static void paradt__check_pass_over(paradt__check *check, int axis) {
     paradt__check_measure(check, axis);
 }
 
-// The affine dimension. Axes are taken from the first to the last, each that makes the projection to the axes taken
-// larger: one point out of the flat of the basis shows it. One that is passed over is an affine function of those
-// taken, for all points are then exactly in that flat. In the end the records begin with the axes taken.
+// Determines the affine dimension. Axes are taken from the first to the last: each one that raises the dimension of the
+// projection to the axes taken, which one point off the flat of the basis shows. An axis that is passed over is an
+// affine function of those taken, for then all points are exactly in that flat. In the end the records begin with the
+// axes taken.
 static paradt_status paradt__check_dimension(paradt__check *check) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, taken = 0, ambient = check->set.space.ambient;
@@ -13185,18 +13347,19 @@ static paradt_status paradt__check_dimension(paradt__check *check) {
     return PARADT_OK;
 }
 
-// The place in the table of the points that have the record's coordinates, or of an empty one.
+// Returns the slot of the table that holds the record's coordinates, or the empty slot where they belong.
 static size_t paradt__check_place(const paradt__check *check, const paradt_index *table, size_t slots,
                                   const double *record) {
     int ambient = check->set.space.ambient;
     size_t slot = (size_t)paradt__hash_coordinates(record, ambient) & (slots - 1);
+    PARADT_ASSERT(slots > check->set.count && !(slots & (slots - 1)));
     while (table[slot] >= 0 &&
            memcmp(paradt__record(&check->set, table[slot]), record, (size_t)ambient * sizeof(double)))
         slot = (slot + 1) & (slots - 1);
     return slot;
 }
 
-// Fills the table with the point that has to stand for its place: the heaviest, then the first.
+// Fills the table with the point that has to stand for each place: the heaviest, among these the first.
 static paradt_status paradt__check_lead(const paradt__check *check, paradt_index *table, size_t slots) {
     const paradt__space *space = &check->set.space;
     paradt_status status = PARADT_OK;
@@ -13213,6 +13376,7 @@ static paradt_status paradt__check_lead(const paradt__check *check, paradt_index
     return status;
 }
 
+// Compares representatives with the points that have to stand for their places.
 static paradt_status paradt__check_against_leaders(paradt__check *check, const paradt_index *table, size_t slots) {
     const paradt_index *representative = check->t->representative;
     paradt_status status = PARADT_OK;
@@ -13231,6 +13395,7 @@ static paradt_status paradt__check_against_leaders(paradt__check *check, const p
     return status;
 }
 
+// Condition (1), but for whether representatives are vertices.
 static paradt_status paradt__check_representatives(paradt__check *check) {
     paradt_status status;
     paradt_index *table;
@@ -13256,6 +13421,7 @@ static paradt_status paradt__check_representatives(paradt__check *check) {
 
 // --- cells: condition (2), the rest of (1)
 
+// Checks that the cell's vertices are distinct representatives, and notes the cell for each of them.
 static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
     size_t i, j;
@@ -13274,6 +13440,7 @@ static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
     return PARADT_OK;
 }
 
+// Condition (2), and the rest of (1).
 static paradt_status paradt__check_cells(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t i, cell_count = check->t->cell_count;
@@ -13298,12 +13465,14 @@ static paradt_status paradt__check_cells(paradt__check *check) {
 
 // --- facets: conditions (3) and (4)
 
-// The corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 when they don't share it.
-// place becomes where each vertex is found in the other cell, with the opposite one in the place of `corner`.
+// Returns the corner of the cell `other` that is not in the facet opposite `corner` of `cell`; -1 if the cells do not
+// share that facet. place[i] becomes the corner of `other` at which vertex i of `cell` stands; place[corner] the one
+// that is returned.
 static int paradt__check_across(const paradt__check *check, size_t cell, size_t corner, size_t other, size_t *place) {
     const paradt_index *a = paradt__check_cell(check, cell), *b = paradt__check_cell(check, other);
     unsigned left = (1u << check->corners) - 1;
     size_t i, j;
+    PARADT_ASSERT(corner < check->corners && cell < check->t->cell_count && other < check->t->cell_count);
     for (i = 0; i < check->corners; i++) {
         if (i == corner) continue;
         for (j = 0; j < check->corners && a[i] != b[j]; j++) {
@@ -13317,8 +13486,8 @@ static int paradt__check_across(const paradt__check *check, size_t cell, size_t 
     return a[corner] == b[j] ? -1 : (int)j;
 }
 
-// Given that both cells are positively oriented, the vertices opposite a shared facet are on different sides if and
-// only if replacing one by the other turns the orientation over.
+// Is the permutation odd? Of two positively oriented cells with a common facet, the opposite vertices lie on different
+// sides of it if and only if `place` is odd: replacing one vertex by the other reverses the orientation.
 static int paradt__check_is_odd(const size_t *place, size_t corners) {
     size_t i, j;
     int odd = 0;
@@ -13327,6 +13496,7 @@ static int paradt__check_is_odd(const size_t *place, size_t corners) {
     return odd;
 }
 
+// Conditions (3) and (4) for one facet.
 static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size_t corner, const double **corners) {
     size_t facet = cell * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin;
     paradt_index neighbor = paradt__check_neighbor(check, facet);
@@ -13355,6 +13525,7 @@ static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size
     return PARADT_OK;
 }
 
+// Conditions (3) and (4).
 static paradt_status paradt__check_facets(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 2];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13368,8 +13539,8 @@ static paradt_status paradt__check_facets(paradt__check *check) {
     return PARADT_OK;
 }
 
-// Looks for the facet of the cell opposite `corner` in the table of facets (numbered cell * corners + corner, plus 1; 0
-// is empty). Returns its place there, or the empty one where it belongs.
+// Returns the slot of the table that holds the facet opposite `corner` of the cell, or the empty slot where it belongs.
+// table: facets, each its number cell * corners + corner, plus 1; 0: empty
 static size_t paradt__check_facet_place(const paradt__check *check, const size_t *table, size_t slots, size_t cell,
                                         size_t corner) {
     const paradt_index *vertices = paradt__check_cell(check, cell);
@@ -13391,7 +13562,7 @@ static size_t paradt__check_facet_place(const paradt__check *check, const size_t
     return slot;
 }
 
-// Adjacency for a triangulation that comes without: cells with equal facets are neighbours.
+// Finds the neighbours of a triangulation that comes without: cells with equal facets.
 static paradt_status paradt__check_match(paradt__check *check, size_t *table, size_t slots) {
     size_t cell, corner, corners = check->corners;
     for (cell = 0; cell < check->t->cell_count; cell++) {
@@ -13415,6 +13586,7 @@ static paradt_status paradt__check_match(paradt__check *check, size_t *table, si
     return PARADT_OK;
 }
 
+// Takes the neighbours, each of which has to be a cell or a half-facet, or finds them.
 static paradt_status paradt__check_adjacency(paradt__check *check) {
     size_t facets = check->t->cell_count * check->corners, slots = 16, i, *table;
     paradt_status status;
@@ -13429,7 +13601,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
                                           (paradt_index)(i / check->corners), -1);
         return PARADT_OK;
     }
-    while (slots < facets + facets / 4) // most facets are there twice and take one place
+    while (slots < facets + facets / 4) // most facets are there twice and take one slot
         slots *= 2;
     check->neighbors = check->matched = (paradt_index *)paradt__alloc(&check->memory, facets, sizeof(paradt_index));
     table = (size_t *)paradt__alloc(&check->memory, slots, sizeof *table);
@@ -13443,10 +13615,17 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
     return status;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of the hull
+//
+// The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
+// and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
+// that makes triangulations. Door: paradt_check.
+
 // --- the hull and the covering: conditions (5) to (7)
 
 // Is o on the cell's side of the facet opposite `corner`? The orientation is affine in o, so its sign is that of the
-// first of o's vertices that is off the facet; they are not all on it, being those of a cell.
+// first of o's vertices that is off the facet. Not all of them are on it, as they are the vertices of a cell.
 static int paradt__check_holds_origin(paradt__check *check, const double **corners, size_t corner) {
     size_t i;
     int side = 0;
@@ -13454,7 +13633,8 @@ static int paradt__check_holds_origin(paradt__check *check, const double **corne
     return side > 0;
 }
 
-// The lexicographically smallest vertex is o's first, so most cells are passed by on their first coordinates.
+// Chooses o near the lexicographically smallest vertex, so that most cells can be passed over by their first
+// coordinates.
 static void paradt__check_choose_origin(paradt__check *check) {
     size_t i, smallest = check->set.count, home;
     const double *first;
@@ -13471,7 +13651,7 @@ static void paradt__check_choose_origin(paradt__check *check) {
     check->origin[0] = first;
 }
 
-// Are all corners on one side of o's first vertex, strictly and along one axis?
+// Are all corners strictly on one side of o's first vertex along some axis? Then the cell does not contain o.
 static int paradt__check_is_apart(const paradt__check *check, const double *const *corners) {
     int axis;
     for (axis = 0; axis < check->set.space.dim; axis++) {
@@ -13486,10 +13666,10 @@ static int paradt__check_is_apart(const paradt__check *check, const double *cons
     return 0;
 }
 
-// The vertex in which the hull facet opposite `corner` of the cell is met, across the ridge without the corner `aside`
-// too, by the next hull facet: turns around the ridge from cell to cell. `leave` is the corner whose facet is left
-// through, `stay` the one that is not of the ridge and stays. For each flag (cell, leave, stay) there is one before it
-// at most, and none before the first, so this ends.
+// The hull facet opposite `corner` of the cell has a ridge, without the corner `aside` too. Returns the remaining
+// vertex of the other hull facet at this ridge, by turning around the ridge from cell to cell: `leave` is the corner
+// opposite the facet that the cell is left through, `stay` the other corner that is not in the ridge. Each flag (cell,
+// leave, stay) has at most one predecessor, and the first has none, so this ends.
 static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, size_t corner, size_t aside) {
     size_t leave = aside, stay = corner, place[PARADT_MAX_DIM + 1];
     for (;;) {
@@ -13503,6 +13683,7 @@ static paradt_index paradt__check_turn(const paradt__check *check, size_t cell, 
     }
 }
 
+// Conditions (5) and (6) for one hull facet.
 static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell, size_t corner,
                                               const double **corners) {
     size_t aside;
@@ -13519,6 +13700,7 @@ static paradt_status paradt__check_hull_facet(paradt__check *check, size_t cell,
     return PARADT_OK;
 }
 
+// Conditions (5) to (7).
 static paradt_status paradt__check_hull(paradt__check *check) {
     const double *corners[PARADT_MAX_DIM + 1];
     size_t cell, corner, cell_count = check->t->cell_count;
@@ -13550,8 +13732,8 @@ typedef struct paradt__check_key {
     paradt_index point;
 } paradt__check_key;
 
-// The place of x in a Morton order of a grid of 2^bits cells an axis over the box. Only the time of the walks depends
-// on it. A box so thin that its width has no inverse is not divided.
+// Returns the place of x in the Morton order of a grid with 2^bits cells along each axis of the box. Only the time of
+// the walks depends on it. A box so thin that its width has no inverse is not divided.
 static uint64_t paradt__check_morton(const double *x, const double *low, const double *high, int dim, int bits) {
     uint64_t key = 0, limit = ((uint64_t)1 << bits) - 1, cell[PARADT_MAX_DIM];
     int axis, bit;
@@ -13566,7 +13748,7 @@ static uint64_t paradt__check_morton(const double *x, const double *low, const d
     return key;
 }
 
-// The vertices and hidden points, in no order yet. Returns how many there are.
+// Lists the vertices and hidden points with their keys, in no order yet. Returns how many there are.
 static size_t paradt__check_list(const paradt__check *check, paradt__check_key *keys) {
     const paradt__set *set = &check->set;
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
@@ -13590,7 +13772,7 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
     return listed;
 }
 
-// By key, in passes of a digit from the lowest; there are an even number, so the result is in keys again.
+// Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
 static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
@@ -13605,9 +13787,9 @@ static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other
     }
 }
 
-// Moves *cell to one that contains the point, across facets that have it on their other side. In a regular
-// triangulation, which the cells are known to be by now, such a walk never comes back to a cell (Edelsbrunner, "An
-// acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
+// Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
+// it. The cells are known to be a regular triangulation by now, and in such a triangulation the walk never comes back
+// to a cell (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
 static paradt_status paradt__check_walk(paradt__check *check, paradt_index point, paradt_index *cell) {
     const double *corners[PARADT_MAX_DIM + 2], *x = paradt__record(&check->set, point);
     for (;;) {
@@ -13624,6 +13806,7 @@ static paradt_status paradt__check_walk(paradt__check *check, paradt_index point
     return PARADT_OK;
 }
 
+// Condition (8).
 static paradt_status paradt__check_hidden(paradt__check *check) {
     paradt__check_key *keys;
     paradt_status status = PARADT_OK;
@@ -13647,6 +13830,22 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
 
 // --- all of it
 
+// Tests the conditions of a triangulation that has points, each in an order in which it may rely on those before.
+static paradt_status paradt__check_conditions(paradt__check *check) {
+    paradt_status status = paradt__check_representatives(check);
+    check->phase = PARADT__CHECK_CELLS;
+    if (!status) status = paradt__check_cells(check);
+    if (!status && !check->t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__check_facets(check);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__check_hull(check);
+    check->phase = PARADT__CHECK_HIDDEN;
+    return status ? status : paradt__check_hidden(check);
+}
+
 static paradt_status paradt__check_all(paradt__check *check, const paradt_points *points) {
     const paradt_triangulation *t = check->t;
     paradt_status status;
@@ -13656,26 +13855,14 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
-    if (status) return status;
-    if (!points->count)
-        return t->cell_count ? paradt__check_fail(check, "there are cells without points", -1, -1) : PARADT_OK;
-    status = paradt__check_representatives(check);
-    check->phase = PARADT__CHECK_CELLS;
-    if (!status) status = paradt__check_cells(check);
-    if (!status && !t->cell_count) status = paradt__check_fail(check, "there are points, but no cells", -1, -1);
-    check->phase = PARADT__CHECK_MATCH;
-    if (!status) status = paradt__check_adjacency(check);
-    check->phase = PARADT__CHECK_FACETS;
-    if (!status) status = paradt__check_facets(check);
-    check->phase = PARADT__CHECK_HULL;
-    if (!status) status = paradt__check_hull(check);
-    check->phase = PARADT__CHECK_HIDDEN;
-    if (!status) status = paradt__check_hidden(check);
+    if (!status && !points->count && t->cell_count)
+        status = paradt__check_fail(check, "there are cells without points", -1, -1);
+    if (!status && points->count) status = paradt__check_conditions(check);
     check->phase = PARADT__CHECK_END;
     return status ? status : paradt__check_pace(check, 0, 1);
 }
 
-// What is missing in the triangulation; NULL: nothing.
+// Returns what is missing in the triangulation; NULL: nothing.
 static const char *paradt__check_triangulation(const paradt_triangulation *t) {
     if (!t) return "triangulation is NULL";
     if (t->cell_count && !t->cells) return "triangulation.cells is NULL, but triangulation.cell_count is not 0";
