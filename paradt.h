@@ -798,9 +798,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // CONTENTS, with the lines of each section
 //
 //   ground
-//     memory                       166   the account of every byte
+//     memory                       173   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        181   progress, teams, pauses, the clock
+//     tasks                        182   progress, teams, pauses, the clock
 //   predicates
 //     space                        233   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
@@ -808,33 +808,33 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     exact                        584   signs in integers
 //     signs                        250   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        323   Hilbert's curve, sorting along it
+//     curve                        324   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
 //     sorting                      372   along the curve, box after box
 //     scale and axes               102   the scale, the axes that orient
-//     reference sphere             194   sagittas near a sphere
+//     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         636   cells, links, ghosts, free places; closing
+//     mesh                         666   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
-//     scene                         94   conflict test, walk, update
+//     scene                        115   conflict test, walk, update
 //   search
 //     grid                         320   a hierarchy of boxes over a set
-//     search kernels               387   tests of eight boxes or points together
+//     search kernels               388   tests of eight boxes or points together
 //     pencil                       444   the spheres through a facet
 //     search                       353   the apex of a facet, a point in a sphere
 //     questions                     75   the same of cells of others' points
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
-//     front                        403   what facet by facet has in common
+//     front                        408   what facet by facet has in common
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
-//     order of insertion           120   rounds along the curve
-//     insertion                    254   dig and star, in any dimension
-//     kept spheres                 503   conflict tests by one product, in space
+//     order of insertion           144   rounds along the curve
+//     insertion                    255   dig and star, in any dimension
+//     kept spheres                 507   conflict tests by one product, in space
 //     insertion in space           651   dig and star with kept spheres
 //     insertion in space by AVX2   463   its inner functions for four lanes
 //     inserting                    169   insertions from begin to end
@@ -843,16 +843,17 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     patches                      560   @@
 //     telling                      269   @@
 //     seam                         262   @@
-//     call                         179   what one call works with; steps
+//     known points                 246   what a rank builds
+//     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         544   the steps of a divided insertion
 //   entry
-//     methods                      212   one row a method; AUTO's choice
-//     triangulate                  342   the entry
-//   division
-//     remote                       352   @@
+//     methods                      213   one row a method; AUTO's choice
+//     triangulate                  343   the entry
 //   check
-//     check                        737   the certificate
+//     check                        495   the certificate
+//   division
+//     check of the hull            285   @@
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -993,7 +994,7 @@ extern "C" {
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
 // of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
 // Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
-// paradt__grow, paradt__release, paradt__make_pages.
+// paradt__grow, paradt__release, paradt__make_pages, paradt__block_bytes.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -1111,6 +1112,13 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->allocator.free(memory->allocator.user, block);
 }
 
+// The bytes of a block, which begins with its size
+PARADT__OPTIONAL size_t paradt__block_bytes(const void *payload) {
+    size_t bytes = 0;
+    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
+    return bytes;
+}
+
 enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
 
 // Has the system provide the pages of the array's bytes first..end - 1, which are about to be written, in one call.
@@ -1162,7 +1170,7 @@ static void *paradt__alloc_filled(paradt__memory *memory, size_t count, size_t s
 // Doors: paradt__bits, paradt__from_bits, paradt__biased_exponent, paradt__is_finite, paradt__ordered_bits,
 // paradt__from_ordered_bits, paradt__power, paradt__trailing_zeros, paradt__bit_length, paradt__split, paradt__scale,
 // paradt__max, paradt__min, paradt__mix, paradt__precise, paradt__rounded, paradt__abs, paradt__larger,
-// paradt__largest.
+// paradt__largest, PARADT__DIMENSIONS, paradt__widen.
 
 // X(d) for each dimension that the implementation is compiled for
 #if PARADT_MAX_DIM == 2
@@ -1557,7 +1565,7 @@ static double paradt__now(void) {
 // The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
 // DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare.
+// paradt__space_end, paradt__compare, paradt__rounding.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -4677,10 +4685,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
-// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
-// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
-// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
+// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
+// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
+// PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4936,6 +4944,22 @@ PARADT__INLINE void paradt__mesh_give(paradt__mesh *mesh, paradt_index place, si
     mesh->spare[mesh->spare_count++] = place;
 }
 
+// The place on the other side of a facet of the cell or ghost at a place
+PARADT__INLINE size_t paradt__mesh_across(const paradt__mesh *mesh, size_t corners, size_t place, size_t facet) {
+    return (size_t)mesh->links[place * corners + facet] / corners;
+}
+
+// Sets a mark of the cell at a place. Returns 0 if it was set already.
+PARADT__INLINE int paradt__mesh_mark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    if (mesh->marks[place] & mark) return 0;
+    mesh->marks[place] |= mark;
+    return 1;
+}
+
+PARADT__INLINE void paradt__mesh_unmark(paradt__mesh *mesh, size_t place, unsigned char mark) {
+    mesh->marks[place] &= (unsigned char)~mark;
+}
+
 // Number of the vertices of a cell or ghost that are in [0, end)
 PARADT__INLINE int paradt__vertices_below(const paradt_index *vertices, size_t corners, paradt_index end) {
     int count = 0;
@@ -4977,6 +5001,20 @@ PARADT__INLINE int paradt__ghost_place(const paradt_index *cell, int corners) {
         if (cell[i] == PARADT__INFINITE) return i;
     }
     return -1;
+}
+
+// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number in
+// that cell; else *facet is -1.
+PARADT__INLINE int paradt__mesh_behind_ghost(const paradt__mesh *mesh, size_t corners, size_t *place, int *facet) {
+    const paradt_index *vertices = mesh->vertices + *place * corners;
+    size_t mirror;
+    *facet = -1;
+    if (PARADT__LIKELY(paradt__is_finite_cell(vertices, (int)corners))) return 1;
+    if (vertices[0] == PARADT__DEAD) return 0;
+    mirror = (size_t)mesh->links[*place * corners + (size_t)paradt__ghost_place(vertices, (int)corners)];
+    *place = mirror / corners;
+    *facet = (int)(mirror % corners);
+    return 1;
 }
 
 // The vertices of the facet opposite `opposite`, in the cell's order.
@@ -5552,7 +5590,8 @@ static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *m
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free.
+// Doors: paradt__scene_record, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
+// paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -5580,6 +5619,26 @@ static void paradt__update_free(paradt__update *update, paradt__memory *memory) 
 PARADT__INLINE const double *paradt__scene_record(const paradt__scene *scene, paradt_index point) {
     PARADT_ASSERT(point >= 0);
     return scene->records + (size_t)point * scene->width;
+}
+
+// The vertices of a cell, and their records
+PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corners, size_t place, paradt_index *vertices,
+                                       const double **records) {
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        vertices[i] = scene->mesh.vertices[place * corners + i];
+        records[i] = paradt__scene_record(scene, vertices[i]);
+    }
+}
+
+// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
+    const paradt_index *vertices = scene->mesh.vertices + place * corners;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(scene, vertices[i]));
+        PARADT__PREFETCH(scene->mesh.marks + paradt__mesh_across(&scene->mesh, corners, place, i));
+    }
 }
 
 // Sign of the orientation of the cell with the vertex at `place` replaced by x. The other vertices are finite.
@@ -5970,7 +6029,8 @@ static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set
 // that difference less centre . u. Floating point only ever rules out, by the bounds that the query has for the errors
 // of F and N: a lane is kept unless F is certainly positive or N certainly not. What is kept >>search looks at one by
 // one. All kernels use the same bounds, so all lead to the same cells, though not by the same way. >>search derives the
-// bounds; K is PARADT__ROUND. Doors: paradt__kernels_choose.
+// bounds; K is PARADT__ROUND.
+// Doors: paradt__kernels_choose, PARADT__ROUND.
 
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
 // at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
@@ -8035,7 +8095,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
 // a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
 // one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
-// Doors: paradt__round_order, paradt__merged_order.
+// Doors: paradt__round_order, paradt__merged_order, paradt__late_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -8145,6 +8205,30 @@ static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, co
     paradt__release(memory, other);
     paradt__release(memory, sorted);
     return r.order;
+}
+
+// Returns the order in which to insert points that come late: by rounds, and in each along a curve. A new block, or
+// NULL when there is no memory.
+PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt__memory *memory) {
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
+    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
+    paradt_index *order = paradt__round_order(set->count, memory);
+    const paradt__space *space = &set->space;
+    paradt__curve curve;
+    size_t i;
+    if (keyed && other && order) {
+        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
+                            set->count);
+        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
+    } else {
+        paradt__release(memory, order);
+        order = NULL;
+    }
+    paradt__release(memory, keyed);
+    paradt__release(memory, other);
+    return order;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11396,14 +11480,259 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>known points
+//
+// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
+// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
+// the own points are the first. It is compiled where paradt_mpi.h is implemented.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
+
+#ifdef PARADT_MPI_IMPLEMENTATION
+#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
+
+typedef struct paradt__known {
+    paradt__insertion build;
+    paradt_index *order; // of the insertion of the first points
+    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
+    // such ones have been, and few more than once
+    paradt_index *fringe;
+    size_t fringe_count, fringe_capacity;
+} paradt__known;
+
+static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
+    known->build.memory = memory;
+    paradt__insertion_end(&known->build);
+    paradt__release(memory, known->fringe);
+    paradt__release(memory, known->order);
+    memset(known, 0, sizeof *known);
+}
+
+// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
+// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
+// box, as ordered bits
+static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
+                                         const int64_t *high, paradt__memory *memory,
+                                         const paradt__progress *progress) {
+    paradt__curve curve;
+    memset(known, 0, sizeof *known);
+    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
+                        set->count / 8);
+    known->order = paradt__merged_order(set, own, &curve, memory);
+    if (!known->order) return PARADT_ERROR_MEMORY;
+    paradt__insertion_begin(&known->build, set, known->order, memory);
+    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    return paradt__insertion_run(&known->build, progress);
+}
+
+// Puts a place on the list of the fringe.
+PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
+    size_t count = known->fringe_count;
+    paradt_status status =
+        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
+    if (status) return status;
+    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
+    known->fringe[known->fringe_count++] = (paradt_index)place;
+    return PARADT_OK;
+}
+
+// Forgets the list of the fringe, to make it anew.
+static void paradt__known_relist(paradt__known *known) {
+    size_t i;
+    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
+    known->fringe_count = 0;
+}
+
+// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
+// positions are the own points'.
+PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
+                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
+    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+}
+
+// Lists all of it.
+static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
+        status = paradt__known_list(known, own, &place);
+    return status;
+}
+
+// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
+// where such cells were.
+static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
+    paradt__insertion *build = &known->build;
+    size_t i;
+    paradt_status status;
+    build->scene.records = set->records;
+    build->count++;
+    status = paradt__insert_one_more(build, position, -1);
+    for (i = 0; i < build->update.made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+    }
+    return status;
+}
+
+// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
+// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
+// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
+PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
+                                             const unsigned char *outer) {
+    int suspect = share == 1;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        int other = vertices[j] >= own;
+        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
+    }
+    return suspect;
+}
+
+// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
+    paradt__insertion_rest(&known->build);
+    paradt__release(memory, known->order);
+    known->order = NULL;
+}
+
+// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
+// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+enum {
+    PARADT__NO_VERTEX = 0,
+    PARADT__VERTEX = 1,
+    PARADT__OF_OWN_CELL = 2,
+    PARADT__OF_NONE_DROPPED = 4,
+    PARADT__OF_LATER_RANK = 8
+};
+
+PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
+                                          paradt_index bits) {
+    size_t j;
+    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
+}
+
+// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
+// are the own points'; mark: of all points, says which are a later rank's.
+PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                       const paradt_index *mark) {
+    paradt_index bits = 0;
+    int share = 0;
+    size_t j;
+    for (j = 0; j < corners; j++) {
+        share |= vertices[j] < own;
+        bits |= mark[vertices[j]];
+    }
+    return share && !(bits & PARADT__OF_LATER_RANK);
+}
+
+// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
+// marked as dropped. Returns how many are cells.
+PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
+                                            paradt_index *mark) {
+    const paradt__mesh *cells = &known->build.scene.mesh;
+    size_t count = known->fringe_count, i, j, left = 0;
+    uint64_t others = 0;
+    for (i = 0; i < count; i++) {
+        paradt_index place = known->fringe[i];
+        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
+        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        if (vertices[0] == PARADT__DEAD) continue;
+        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
+            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+            continue;
+        }
+        if (known->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
+        for (j = 0; j < corners && is_cell; j++)
+            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
+        others += (uint64_t)is_cell;
+        known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
+        known->fringe[left++] = place;
+    }
+    known->fringe_count = left;
+    return others;
+}
+
+// Is a vertex of the cell an own point that was not found to be one of an own cell?
+PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
+                                        const paradt_index *mark) {
+    int leaves = 0;
+    size_t j;
+    for (j = 0; j < corners; j++)
+        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
+    return leaves;
+}
+
+// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
+// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
+// others' points have had their vertices marked already.
+PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
+    paradt__mesh *cells = &known->build.scene.mesh;
+    size_t i, j, count = known->fringe_count;
+    for (i = 0; i < count; i++) {
+        size_t base = (size_t)known->fringe[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        for (j = 0; j < corners; j++) {
+            paradt_index link = cells->links[base + j];
+            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
+            if (PARADT__LIKELY(known->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
+            cells->links[link] = PARADT__OPEN;
+            if (paradt__known_leaves(cells->vertices + base, corners, own, mark) &&
+                paradt__vertices_among(across, (int)corners, 0, own))
+                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
+        }
+    }
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+}
+
+PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
+                                                  paradt_index *mark) {
+    uint64_t others = paradt__known_judge(known, own, corners, mark);
+    paradt__known_drop(known, own, corners, mark);
+    return others;
+}
+
+// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
+// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
+// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
+// cells are dropped since others own them.
+static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
+                                  paradt__mesh *cells, paradt_index *mark) {
+    paradt__insertion *build = &known->build;
+    paradt_index own = (paradt_index)set->count;
+    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    uint64_t others;
+    // of points without weights none is hidden
+    for (i = 0; i < set->count; i++)
+        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
+    others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
+                          : paradt__known_drop_others(known, own, corners, mark);
+    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
+    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
+    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
+        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
+                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
+    paradt__release(memory, build->scene.mesh.spare);
+    paradt__release(memory, build->scene.mesh.marks);
+    paradt__release(memory, known->fringe);
+    *cells = build->scene.mesh;
+    memset(known, 0, sizeof *known);
+    return others;
+}
+
+#endif // PARADT_MPI_IMPLEMENTATION
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>call
 //
 // What one call works with, from the options to the mesh, and how its steps are run. A step is a task for each region;
 // the program's parallel_for, or a loop, runs the tasks. Between two steps no task runs: then the regions' accounts of
 // memory are joined, and what is left of the limit is shared among them anew.
-// Doors: paradt__count_predicates, paradt__count_front, paradt__count_region, paradt__begin_way,
-// paradt__whole_progress, paradt__region_progress, paradt__region_count, paradt__run_tasks, paradt__run_step,
-// paradt__region_view_of, paradt__may_insert, paradt__build_front.
+// Doors: paradt__count_predicates, paradt__count_region, paradt__begin_way, paradt__whole_progress,
+// paradt__region_progress, paradt__region_count, paradt__run_step, paradt__begin_regions, paradt__share_memory.
 
 struct paradt__front;
 struct paradt__work;
@@ -12218,7 +12547,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // >>methods
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
-// Doors: paradt__method_of, paradt__plan, paradt__build_cells, paradt_method_string.
+// Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
+// paradt__release_helpers.
 
 // --- do regions pay?
 //
@@ -12767,357 +13097,6 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>remote
-//
-// What paradt_mpi.h stands on, beside the doors of the sections above: insertion that can be gone on with, and one
-// region built alone.
-//
-// It is only compiled where paradt_mpi.h is implemented.
-//
-// Doors: what begins with paradt__remote_engine, paradt__remote_late_order, paradt__remote_is_suspect,
-// paradt__remote_owns, paradt__remote_region, paradt__remote_bytes.
-
-#ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__REMOTE 1
-
-// Insertion that can be gone on with: the triangulation of the points so far, ghosts and all. Vertices are positions in
-// the set.
-typedef struct paradt__remote_engine {
-    paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
-} paradt__remote_engine;
-
-static void paradt__remote_engine_free(paradt__remote_engine *engine, paradt__memory *memory) {
-    engine->build.memory = memory;
-    paradt__insertion_end(&engine->build);
-    paradt__release(memory, engine->fringe);
-    paradt__release(memory, engine->order);
-    memset(engine, 0, sizeof *engine);
-}
-
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
-static paradt_status paradt__remote_engine_begin(paradt__remote_engine *engine, const paradt__set *set, size_t own,
-                                                 const int64_t *low, const int64_t *high, paradt__memory *memory,
-                                                 const paradt__progress *progress) {
-    paradt__curve curve;
-    memset(engine, 0, sizeof *engine);
-    paradt__curve_begin(&curve, set->space.ambient, paradt__levels_for(own, set->space.ambient), low, high,
-                        set->count / 8);
-    engine->order = paradt__merged_order(set, own, &curve, memory);
-    if (!engine->order) return PARADT_ERROR_MEMORY;
-    paradt__insertion_begin(&engine->build, set, engine->order, memory);
-    engine->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
-    return paradt__insertion_run(&engine->build, progress);
-}
-
-// The order in which to insert points that come late: by rounds, and in each along a curve. A new block, or NULL when
-// there is no memory.
-static paradt_index *paradt__remote_late_order(const paradt__set *set, paradt__memory *memory) {
-    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *keyed);
-    paradt__keyed *other = (paradt__keyed *)paradt__alloc(memory, set->count, sizeof *other);
-    paradt_index *order = paradt__round_order(set->count, memory);
-    const paradt__space *space = &set->space;
-    paradt__curve curve;
-    size_t i;
-    if (keyed && other && order) {
-        paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
-                            set->count);
-        for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
-        for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
-    } else {
-        paradt__release(memory, order);
-        order = NULL;
-    }
-    paradt__release(memory, keyed);
-    paradt__release(memory, other);
-    return order;
-}
-
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__remote_fringe_add(paradt__remote_engine *engine, size_t place) {
-    size_t count = engine->fringe_count;
-    paradt_status status =
-        paradt__list_room(&engine->fringe, count, &engine->fringe_capacity, count + 1, engine->build.memory);
-    if (status) return status;
-    engine->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    engine->fringe[engine->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
-// Forgets the list of the fringe, to make it anew.
-static void paradt__remote_engine_relist(paradt__remote_engine *engine) {
-    size_t i;
-    for (i = 0; i < engine->fringe_count; i++) engine->build.scene.mesh.marks[engine->fringe[i]] = 0;
-    engine->fringe_count = 0;
-}
-
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
-PARADT__INLINE paradt_status paradt__remote_engine_list(paradt__remote_engine *engine, paradt_index own,
-                                                        size_t *place) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__remote_fringe_add(engine, *place) : PARADT_OK;
-}
-
-// Lists all of it.
-static paradt_status paradt__remote_engine_list_all(paradt__remote_engine *engine, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__remote_engine_relist(engine); place < engine->build.scene.mesh.count && !status; place++)
-        status = paradt__remote_engine_list(engine, own, &place);
-    return status;
-}
-
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
-static paradt_status paradt__remote_engine_insert(paradt__remote_engine *engine, const paradt__set *set,
-                                                  paradt_index position) {
-    paradt__insertion *build = &engine->build;
-    size_t i;
-    paradt_status status;
-    build->scene.records = set->records;
-    build->count++;
-    status = paradt__insert_one_more(build, position, -1);
-    for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__remote_fringe_add(engine, (size_t)made);
-    }
-    return status;
-}
-
-// Is a place in use? If by a ghost, *place becomes that of the cell behind its facet, and *facet the facet's number
-// there; else *facet is -1.
-PARADT__INLINE int paradt__remote_engine_place(const paradt__remote_engine *engine, size_t corners, size_t *place,
-                                               int *facet) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t base = *place * corners;
-    int ghost;
-    *facet = -1;
-    if (PARADT__LIKELY(paradt__vertices_among(cells->vertices + base, (int)corners, 0, PARADT__NOWHERE))) return 1;
-    if (cells->vertices[base] == PARADT__DEAD) return 0;
-    ghost = paradt__ghost_place(cells->vertices + base, (int)corners);
-    *place = (size_t)cells->links[base + (size_t)ghost] / corners;
-    *facet = (int)((size_t)cells->links[base + (size_t)ghost] % corners);
-    return 1;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
-}
-
-// The place on the other side of a facet of what is at a place
-PARADT__INLINE size_t paradt__remote_engine_across(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                                   size_t facet) {
-    return (size_t)engine->build.scene.mesh.links[place * corners + facet] / corners;
-}
-
-// Marks a place as one to be looked at, until it is unmarked; 0: it is marked already.
-PARADT__INLINE int paradt__remote_engine_mark(paradt__remote_engine *engine, size_t place) {
-    unsigned char *mark = engine->build.scene.mesh.marks + place;
-    if (*mark & PARADT__WAITING) return 0;
-    *mark |= PARADT__WAITING;
-    return 1;
-}
-
-static void paradt__remote_engine_unmark(paradt__remote_engine *engine, size_t place) {
-    engine->build.scene.mesh.marks[place] &= (unsigned char)~PARADT__WAITING;
-}
-
-// Fetches what is at a place ahead of its use.
-PARADT__INLINE void paradt__remote_engine_fetch(const paradt__remote_engine *engine, size_t corners, size_t place) {
-    paradt__fetch_row(engine->build.scene.mesh.vertices, engine->build.scene.mesh.links, place, corners);
-}
-
-// The same of its vertices' records, and of the marks of what is around it.
-PARADT__INLINE void paradt__remote_engine_fetch_around(const paradt__remote_engine *engine, size_t corners,
-                                                       size_t place) {
-    const paradt_index *vertices = engine->build.scene.mesh.vertices + place * corners;
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        if (vertices[i] >= 0) PARADT__PREFETCH(paradt__scene_record(&engine->build.scene, vertices[i]));
-        PARADT__PREFETCH(engine->build.scene.mesh.marks + paradt__remote_engine_across(engine, corners, place, i));
-    }
-}
-
-// The vertices of the cell at a place, as positions in the set, and their records.
-PARADT__INLINE void paradt__remote_engine_cell(const paradt__remote_engine *engine, size_t corners, size_t place,
-                                               paradt_index *vertices, const double **records) {
-    size_t i;
-    for (i = 0; i < corners; i++) {
-        vertices[i] = engine->build.scene.mesh.vertices[place * corners + i];
-        records[i] = paradt__scene_record(&engine->build.scene, vertices[i]);
-    }
-}
-
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
-static void paradt__remote_engine_rest(paradt__remote_engine *engine, paradt__memory *memory) {
-    paradt__insertion_rest(&engine->build);
-    paradt__release(memory, engine->order);
-    engine->order = NULL;
-}
-
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
-enum {
-    PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
-};
-
-PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
-                                          paradt_index bits) {
-    size_t j;
-    for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
-}
-
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
-PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
-                                       const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
-}
-
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
-PARADT__INLINE uint64_t paradt__remote_engine_judge(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                                    paradt_index *mark) {
-    const paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t count = engine->fringe_count, i, j, left = 0;
-    uint64_t others = 0;
-    for (i = 0; i < count; i++) {
-        paradt_index place = engine->fringe[i];
-        const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        if (vertices[0] == PARADT__DEAD) continue;
-        if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
-            paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-            continue;
-        }
-        if (engine->build.scene.mesh.marks[place] & PARADT__DROPPED) continue; // it is in the list twice
-        for (j = 0; j < corners && is_cell; j++)
-            mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
-        others += (uint64_t)is_cell;
-        engine->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        engine->fringe[left++] = place;
-    }
-    engine->fringe_count = left;
-    return others;
-}
-
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
-PARADT__INLINE int paradt__remote_engine_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
-                                                const paradt_index *mark) {
-    int leaves = 0;
-    size_t j;
-    for (j = 0; j < corners; j++)
-        leaves |= vertices[j] >= 0 && vertices[j] < own && mark[vertices[j]] == PARADT__VERTEX;
-    return leaves;
-}
-
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
-PARADT__INLINE void paradt__remote_engine_drop(paradt__remote_engine *engine, paradt_index own, size_t corners,
-                                               paradt_index *mark) {
-    paradt__mesh *cells = &engine->build.scene.mesh;
-    size_t i, j, count = engine->fringe_count;
-    for (i = 0; i < count; i++) {
-        size_t base = (size_t)engine->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, engine->fringe, count, i);
-        for (j = 0; j < corners; j++) {
-            paradt_index link = cells->links[base + j];
-            const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
-            if (PARADT__LIKELY(engine->build.scene.mesh.marks[(size_t)link / corners] & PARADT__DROPPED)) continue;
-            cells->links[link] = PARADT__OPEN;
-            if (paradt__remote_engine_leaves(cells->vertices + base, corners, own, mark) &&
-                paradt__vertices_among(across, (int)corners, 0, own))
-                paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
-        }
-    }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)engine->fringe[i] * corners] = PARADT__DEAD;
-}
-
-PARADT__INLINE uint64_t paradt__remote_engine_drop_others(paradt__remote_engine *engine, paradt_index own,
-                                                          size_t corners, paradt_index *mark) {
-    uint64_t others = paradt__remote_engine_judge(engine, own, corners, mark);
-    paradt__remote_engine_drop(engine, own, corners, mark);
-    return others;
-}
-
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
-static uint64_t paradt__remote_engine_end(paradt__remote_engine *engine, const paradt__set *set, paradt__memory *memory,
-                                          paradt__mesh *cells, paradt_index *mark) {
-    paradt__insertion *build = &engine->build;
-    paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
-    uint64_t others;
-    // of points without weights none is hidden
-    for (i = 0; i < set->count; i++)
-        mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
-    others = corners == 4 ? paradt__remote_engine_drop_others(engine, own, 4, mark)
-                          : paradt__remote_engine_drop_others(engine, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + engine->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, engine->fringe, engine->fringe_count, &end);
-    for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
-        paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
-                              PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, engine->fringe);
-    *cells = build->scene.mesh;
-    memset(engine, 0, sizeof *engine);
-    return others;
-}
-
-// The bytes that a result holds: each block begins with its size.
-static size_t paradt__remote_bytes(const paradt_triangulation *t) {
-    const void *blocks[3] = {t->cells, t->neighbors, t->representative};
-    size_t bytes, sum = 0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        if (!blocks[i]) continue;
-        memcpy(&bytes, (const char *)blocks[i] - PARADT__BLOCK_HEADER, sizeof bytes);
-        sum += bytes;
-    }
-    return sum;
-}
-
-#endif // PARADT_MPI_IMPLEMENTATION
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------

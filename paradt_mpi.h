@@ -365,7 +365,7 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 #ifndef PARADT_MPI__IMPLEMENTED
 #define PARADT_MPI__IMPLEMENTED
 
-#ifndef PARADT__REMOTE
+#ifndef PARADT__RANKS
 #error "PARADT_MPI_IMPLEMENTATION must be defined before paradt.h is included with PARADT_IMPLEMENTATION"
 #endif
 
@@ -489,7 +489,7 @@ typedef struct paradt_mpi__work {
     uint64_t budget; // work that questions may take: about the number of all ranks' cells
     int too_costly;  // questions or answers exceed it
     // the local triangulation of the known points
-    paradt__remote_engine engine; // while `inserting`
+    paradt__known engine; // while `inserting`
     int inserting;
     paradt_triangulation local; // made by another method, or at last taken from the engine
     size_t local_bytes;         // that it holds in an account of its own
@@ -2279,7 +2279,8 @@ static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
 static void paradt_mpi__account_local(paradt_mpi__work *w) {
     paradt_mpi__add_peak(w, &w->local);
     PARADT_ASSERT(!w->local_bytes);
-    w->local_bytes = paradt__remote_bytes(&w->local);
+    w->local_bytes = paradt__block_bytes(w->local.cells) + paradt__block_bytes(w->local.neighbors) +
+                     paradt__block_bytes(w->local.representative);
     w->memory.held += w->local_bytes;
 }
 
@@ -2335,10 +2336,10 @@ static paradt_status paradt_mpi__insert_new(paradt_mpi__work *w) {
     all.count = w->known;
     added.records = w->set.records + first * w->set.width;
     added.count = w->known - first;
-    order = paradt__remote_late_order(&added, &w->memory);
+    order = paradt__late_order(&added, &w->memory);
     if (!order) return PARADT_ERROR_MEMORY;
     for (i = 0; i < added.count && !status; i++)
-        status = paradt__remote_engine_insert(&w->engine, &all, (paradt_index)first + order[i]);
+        status = paradt__known_insert(&w->engine, &all, (paradt_index)first + order[i]);
     paradt__release(&w->memory, order);
     return status;
 }
@@ -2355,7 +2356,7 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     w->meter_told = 0;
     progress = paradt__progress_of(&w->meter, &w->meter_told, 1.0);
     w->inserting = 1;
-    return paradt__remote_engine_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
+    return paradt__known_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }
 
 // Is the local triangulation made by insertion that goes on when points arrive? PARADT_AUTO prefers it in one dimension
@@ -2394,7 +2395,7 @@ PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, 
     int facet;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && *place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        if (!paradt__remote_engine_place(&w->engine, k, place, &facet)) return 0;
+        if (!paradt__mesh_behind_ghost(&w->engine.build.scene.mesh, k, place, &facet)) return 0;
         return facet < 0 ? topics : 1u << facet;
     }
     for (j = 0; j < k; j++) topics |= (unsigned)(w->local.neighbors[*place * k + j] < 0) << j;
@@ -2407,7 +2408,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
     size_t j;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        paradt__remote_engine_cell(&w->engine, k, place, cell, corners);
+        paradt__scene_cell(&w->engine.build.scene, k, place, cell, corners);
         return;
     }
     for (j = 0; j < k; j++) {
@@ -2688,7 +2689,7 @@ typedef struct paradt_mpi__queue { // places to be asked about, in this order; p
 static paradt_status paradt_mpi__enqueue(paradt_mpi__work *w, paradt_mpi__queue *list, size_t place) {
     void *items;
     PARADT_ASSERT(w->inserting && place < paradt_mpi__place_count(w));
-    if (!paradt__remote_engine_mark(&w->engine, place)) return PARADT_OK;
+    if (!paradt__mesh_mark(&w->engine.build.scene.mesh, place, PARADT__WAITING)) return PARADT_OK;
     items = paradt_mpi__reserve_one(w, list->items, list->count, &list->capacity, sizeof *list->items);
     if (!items) return PARADT_ERROR_MEMORY;
     list->items = (size_t *)items;
@@ -2758,8 +2759,9 @@ static unsigned char *paradt_mpi__mark_outer(paradt_mpi__work *w) {
 PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k, const paradt_mpi__queue *list,
                                             size_t at) {
     enum { SOON = 4, LATER = 8 };
-    if (at + LATER < list->count) paradt__remote_engine_fetch(&w->engine, k, list->items[at + LATER]);
-    if (at + SOON < list->count) paradt__remote_engine_fetch_around(&w->engine, k, list->items[at + SOON]);
+    const paradt__mesh *cells = &w->engine.build.scene.mesh;
+    if (at + LATER < list->count) paradt__fetch_row(cells->vertices, cells->links, list->items[at + LATER], k);
+    if (at + SOON < list->count) paradt__scene_fetch_around(&w->engine.build.scene, k, list->items[at + SOON]);
 }
 
 // Lists the fringe in the engine. Of the cells and ghosts in it that have own vertices, queues the suspects and lists
@@ -2770,10 +2772,10 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
     paradt_index own = (paradt_index)w->set.count;
     paradt_status status = PARADT_OK;
     size_t at = 0;
-    for (paradt__remote_engine_relist(&w->engine); !status; at++) {
+    for (paradt__known_relist(&w->engine); !status; at++) {
         const paradt_index *cell;
         int own_count;
-        status = paradt__remote_engine_list(&w->engine, own, &at);
+        status = paradt__known_list(&w->engine, own, &at);
         if (status || at == cells->count) break;
         cell = cells->vertices + at * k;
         own_count = paradt__vertices_below(cell, k, own);
@@ -2798,7 +2800,8 @@ PARADT__INLINE paradt_status paradt_mpi__ask_from_fringe(paradt_mpi__work *w, pa
         status = paradt_mpi__ask_about_place(w, q, k, list->items[at], &exposed);
         paradt_mpi__limit_questions(w, q);
         for (j = 0; j < k && exposed && !status; j++)
-            status = paradt_mpi__enqueue(w, list, paradt__remote_engine_across(&w->engine, k, list->items[at], j));
+            status =
+                paradt_mpi__enqueue(w, list, paradt__mesh_across(&w->engine.build.scene.mesh, k, list->items[at], j));
     }
     return status;
 }
@@ -2813,7 +2816,8 @@ static paradt_status paradt_mpi__collect_from_fringe(paradt_mpi__work *w, paradt
     if (!outer) status = PARADT_ERROR_MEMORY;
     else if (w->set.space.dim == 3) status = paradt_mpi__ask_from_fringe(w, q, 4, &list, outer);
     else status = paradt_mpi__ask_from_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
-    for (at = 0; at < list.count; at++) paradt__remote_engine_unmark(&w->engine, list.items[at]);
+    for (at = 0; at < list.count; at++)
+        paradt__mesh_unmark(&w->engine.build.scene.mesh, list.items[at], PARADT__WAITING);
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
     return status;
@@ -3104,7 +3108,7 @@ static paradt_status paradt_mpi__send_all(paradt_mpi__work *w, size_t *added) {
     status = paradt_mpi__agree(w, paradt_mpi__exchange_points(w, status, &list, added));
     w->stats.points_asked += *added;
     paradt__release(&w->memory, list.items);
-    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    if (w->inserting) paradt__known_free(&w->engine, &w->memory);
     w->inserting = 0;
     return status;
 }
@@ -3130,8 +3134,8 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
         if (added || w->too_costly) status = paradt_mpi__triangulate_known(w);
     }
     if (!status && w->inserting && (w->ranks == 1 || w->too_costly)) // else the questions have listed the fringe
-        status = paradt__remote_engine_list_all(&w->engine, (paradt_index)w->set.count);
-    if (!status && w->inserting) paradt__remote_engine_rest(&w->engine, &w->memory);
+        status = paradt__known_list_all(&w->engine, (paradt_index)w->set.count);
+    if (!status && w->inserting) paradt__known_rest(&w->engine, &w->memory);
     return status;
 }
 
@@ -3176,7 +3180,7 @@ PARADT__INLINE int paradt_mpi__is_own(const paradt_mpi__work *w, size_t k, const
 
 // Drops the cells that other ranks own and fills the gaps with cells from the end, so that nearly all cells keep their
 // places. Returns how many are left. mark: [known] PARADT__OF_LATER_RANK or nothing for each point; bits are added that
-// say what the cells make of it (see >>remote)
+// say what the cells make of it (see >>known points)
 PARADT__INLINE size_t paradt_mpi__compact_own(const paradt_mpi__work *w, const paradt__mesh *mesh, size_t k,
                                               paradt_index *mark) {
     size_t end = mesh->count, c;
@@ -3205,7 +3209,7 @@ static paradt__mesh paradt_mpi__local_mesh(const paradt_mpi__work *w, size_t cou
 }
 
 // Keeps the own cells alone, in w->local, and ends the insertion. mark: [known] set to what the cells make of each
-// point (see >>remote). Not collective.
+// point (see >>known points). Not collective.
 static void paradt_mpi__keep_own_cells(paradt_mpi__work *w, paradt_index *mark) {
     size_t k = (size_t)w->out->dim + 1, made = w->local.cell_count, own = w->set.count, i;
     paradt__mesh cells;
@@ -3221,7 +3225,7 @@ static void paradt_mpi__keep_own_cells(paradt_mpi__work *w, paradt_index *mark) 
     }
     PARADT_ASSERT(!w->local_bytes && !w->local.cells);
     w->inserting = 0;
-    w->stats.cells_recomputed += paradt__remote_engine_end(&w->engine, &w->set, &w->memory, &cells, mark);
+    w->stats.cells_recomputed += paradt__known_end(&w->engine, &w->set, &w->memory, &cells, mark);
     w->local.dim = w->set.space.dim;
     w->local.cell_count = cells.count;
     w->local.cells = cells.vertices;
@@ -3714,7 +3718,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
 
 // Frees all that a call holds except the result. Collective.
 static void paradt_mpi__end(paradt_mpi__work *w) {
-    if (w->inserting) paradt__remote_engine_free(&w->engine, &w->memory);
+    if (w->inserting) paradt__known_free(&w->engine, &w->memory);
     w->inserting = 0;
     paradt_mpi__free_local(w);
     paradt_mpi__free_points(w);
