@@ -843,7 +843,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     patches                      560   @@
 //     telling                      269   @@
 //     seam                         262   @@
-//     known points                 246   what a rank builds
+//     known points                 275   what a rank builds
 //     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         544   the steps of a divided insertion
@@ -11499,6 +11499,26 @@ typedef struct paradt__known {
     size_t fringe_count, fringe_capacity;
 } paradt__known;
 
+// The cells and ghosts, whose vertices are positions.
+PARADT__INLINE const paradt__mesh *paradt__known_mesh(const paradt__known *known) {
+    return &known->build.scene.mesh;
+}
+
+// The mesh with the records of its vertices.
+PARADT__INLINE const paradt__scene *paradt__known_scene(const paradt__known *known) {
+    return &known->build.scene;
+}
+
+// Number of points inserted: those at the first positions.
+PARADT__INLINE size_t paradt__known_count(const paradt__known *known) {
+    return known->build.count;
+}
+
+// The set's records have moved.
+static void paradt__known_move_records(paradt__known *known, const double *records) {
+    known->build.scene.records = records;
+}
+
 static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     known->build.memory = memory;
     paradt__insertion_end(&known->build);
@@ -11533,6 +11553,15 @@ PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size
     known->build.scene.mesh.marks[place] |= PARADT__LISTED;
     known->fringe[known->fringe_count++] = (paradt_index)place;
     return PARADT_OK;
+}
+
+// Marks a place as waiting in a queue. Returns 0 if it is marked.
+PARADT__INLINE int paradt__known_wait(paradt__known *known, size_t place) {
+    return paradt__mesh_mark(&known->build.scene.mesh, place, PARADT__WAITING);
+}
+
+PARADT__INLINE void paradt__known_wait_no_more(paradt__known *known, size_t place) {
+    paradt__mesh_unmark(&known->build.scene.mesh, place, PARADT__WAITING);
 }
 
 // Forgets the list of the fringe, to make it anew.
@@ -12760,7 +12789,7 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
+// Doors: the public functions; for ranks paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;

@@ -282,6 +282,7 @@ run() { # name of the group, of the program
 build plain -O2
 run many plain
 run shares plain
+run facets plain
 [ -z "$QUICK" ] || exit 0
 run families plain
 # With the sanitizers where they work: weights, because points that come late can hide others, and errors.
