@@ -802,7 +802,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        182   progress, teams, pauses, the clock
 //   predicates
-//     space                        233   what the predicates know of a set
+//     space                        234   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        584   signs in integers
@@ -1645,9 +1645,10 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end. dim: -1
+// where there are no points
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
-    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
+    PARADT_ASSERT(dim >= -1 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
