@@ -13089,7 +13089,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     return paradt__end_call(&work, out, status, begun, built);
 }
 
-#ifdef PARADT_MPI_IMPLEMENTATION
+#if defined(PARADT_MPI_IMPLEMENTATION) && !defined(PARADT_NO_FRONTS)
 // paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
 // `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
 // Hidden points are not found: that takes the cells of all regions.

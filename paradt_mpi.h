@@ -18,7 +18,7 @@
 //
 //     int main(int argc, char **argv) {
 //         static double x[1000][3];
-//         paradt_points points = paradt_points_f64(x, 1000, 3);
+//         paradt_points points = paradt_points_f64(x[0], 1000, 3);
 //         paradt_mpi_triangulation t;
 //         int rank, i, j;
 //         MPI_Init(&argc, &argv);
@@ -155,7 +155,8 @@
 // With PARADT_MPI_REPLICATED every rank hands in all points, the same on each rank. No points are sent. Each rank makes
 // the cells of its box by InCoDe (by DeWall if that is the method; all others are replaced by InCoDe), like a region of
 // paradt.h. The ranks communicate only to agree on errors and to number and link the cells. That is the thesis'
-// ParaInCoDe. Global ids are the indices, and representative is the same on all ranks.
+// ParaInCoDe. Global ids are the indices, and representative is the same on all ranks. A build with PARADT_NO_FRONTS
+// has no InCoDe, and refuses the flag.
 //
 //
 // ERRORS
@@ -168,7 +169,7 @@
 //                              partition of options.local; or replicated points are not the same
 //     PARADT_ERROR_CANCELLED   the progress callback of some rank returned nonzero
 //     PARADT_ERROR_FLAT        with PARADT_FULL_DIM in options.local.flags: the points of all ranks together lie in a
-//                              flat of lower dimension. Those of a single rank may
+//                              flat of lower dimension; the points that one rank hands in may
 //
 // After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_mpi_free
 // does no harm). error_rank, error_point, error_text and the statistics are filled. After PARADT_ERROR_MEMORY
@@ -289,7 +290,7 @@ typedef struct paradt_mpi_stats {
 } paradt_mpi_stats;
 
 typedef struct paradt_mpi_triangulation {
-    int dim;                    // affine dimension of all ranks' points: dim + 1 vertices a cell; -1: no points, error
+    int dim;                    // affine dimension of all points: dim + 1 vertices a cell; -1: no points, or an error
     int ambient;                // coordinates a point
     uint64_t cell_total;        // cells of all ranks
     uint64_t first_cell;        // number of this rank's first cell
@@ -352,8 +353,8 @@ PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *triangulatio
 // Gathers the cells of all ranks on rank `root`, as paradt_triangulate would return them there for all points, in some
 // order of cells and with few statistics. Neighbours are half-facets if they are that in the triangulation. Collective
 // over comm, which has the ranks of paradt_mpi_triangulate.
-//   out            overwritten; freed by paradt_free. Empty on the other ranks and after an error, when error_text says
-//                  what went wrong.
+//   out            overwritten; freed by paradt_free. Empty on the other ranks and after an error. Then error_text says
+//                  what went wrong, and an argument's fault on the rank that has it.
 //   triangulation  unchanged. Its allocator serves for *out.
 //   root           the same on all ranks
 // Errors, the same on all ranks: ARGUMENT, MEMORY, TOO_LARGE (more points or cells than paradt.h's limits allow).
@@ -486,8 +487,8 @@ typedef struct paradt_mpi__work {
     size_t error_point;
     const char *error_text; // of this rank's own error; NULL: what the status says
     paradt_status failed;   // what all ranks agreed on
-    double progress_begin;  // a step's progress from 0 to 1 is the call's from here on,
-    double progress_length; // so far
+    double progress_begin;  // the step at hand does this part of the whole work: it begins here,
+    double progress_length; // and takes so much
     double progress_told;   // what the callback was told last
     // an exchange
     size_t *to, *from; // [ranks] elements for each rank, and from each
@@ -528,7 +529,7 @@ typedef struct paradt_mpi__work {
     uint32_t meter_told;        // all of which is one share
 } paradt_mpi__work;
 
-// Begins a step of which the end is that part of the whole call's work.
+// Begins the next step. end: part of the whole call's work that is done when the step ends, 0..1
 static void paradt_mpi__begin_step(paradt_mpi__work *w, double end) {
     w->progress_begin += w->progress_length;
     w->progress_length = end - w->progress_begin;
@@ -854,6 +855,11 @@ static paradt_status paradt_mpi__check_own(paradt_mpi__work *w, const paradt_poi
     if (status) return paradt_mpi__refuse(w, status, text);
     if (w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED)
         return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT, "options.flags has a bit other than PARADT_MPI_REPLICATED");
+#ifdef PARADT_NO_FRONTS
+    if (w->options.flags & PARADT_MPI_REPLICATED)
+        return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT,
+                                  "PARADT_MPI_REPLICATED is left out of this build, by PARADT_NO_FRONTS");
+#endif
     return PARADT_OK;
 }
 
@@ -3316,7 +3322,6 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
     MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
     w->out->first_cell = w->rank ? before : 0;
     w->out->cell_total = paradt_mpi__reduce_sum(w, mine);
-    w->stats.cells = mine;
 }
 
 // Lists the open facets of an own cell. A facet on the hull of the local triangulation is open too, unless the hull is
@@ -3679,6 +3684,8 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status stat
 //
 // Door: paradt_mpi__replicated.
 
+#ifndef PARADT_NO_FRONTS
+
 // Returns ARGUMENT on all ranks unless the points are the same on all. Collective.
 static paradt_status paradt_mpi__compare_points(paradt_mpi__work *w, const double *rows) {
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
@@ -3787,6 +3794,8 @@ static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
     return status ? status : paradt_mpi__represent_replicated(w);
 }
 
+#endif // PARADT_NO_FRONTS
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>triangulate
 //
@@ -3887,8 +3896,10 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
         return status;
     }
     w->stats.seconds_partition = paradt__now() - begun;
-    return w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
-                                                    : paradt_mpi__distributed(w, rows);
+#ifndef PARADT_NO_FRONTS
+    if (w->options.flags & PARADT_MPI_REPLICATED) return paradt_mpi__replicated(w, rows);
+#endif
+    return paradt_mpi__distributed(w, rows);
 }
 
 // After an error: leaves nothing in `out` but what says which.
@@ -3923,6 +3934,7 @@ PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, M
     if (!status) status = paradt_mpi__agree(&w, paradt_mpi__check_cancel(&w, 1.0));
     out->allocator = w.memory.allocator;
     if (status) paradt_mpi__withdraw(out);
+    w.stats.cells = out->cell_count;
     w.stats.peak_bytes = w.memory.peak;
     if (status == PARADT_ERROR_MEMORY) w.stats.needed_bytes = w.memory.needed;
     w.stats.seconds = paradt__now() - begun;
@@ -4044,7 +4056,7 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
 PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm, const paradt_mpi_triangulation *t,
                                            int root) {
     paradt_mpi__work w;
-    paradt_mpi_triangulation errors; // paradt_mpi__agree notes the rank here
+    paradt_mpi_triangulation errors; // paradt_mpi__agree notes the error here
     paradt_triangulation nowhere;
     paradt_status status = PARADT_OK;
     if (!out) out = &nowhere;
@@ -4058,12 +4070,16 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
     MPI_Comm_dup(comm, &w.comm);
     MPI_Comm_rank(w.comm, &w.rank);
     MPI_Comm_size(w.comm, &w.ranks);
-    if (!t || out == &nowhere || root < 0 || root >= w.ranks) status = PARADT_ERROR_ARGUMENT;
+    if (!t) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "triangulation is NULL");
+    else if (out == &nowhere) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "out is NULL");
+    else if (root < 0 || root >= w.ranks) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "root is no rank");
     status = paradt_mpi__agree(&w, status);
     if (!status) status = paradt_mpi__gather(&w, out, t, root);
     out->allocator = w.memory.allocator;
-    if (status) paradt_free(out);
-    if (status) out->error_text = paradt_status_string(status);
+    if (status) {
+        paradt_free(out);
+        out->error_text = w.error_text ? w.error_text : paradt_status_string(status);
+    }
     paradt_mpi__end(&w);
     return status;
 }
