@@ -10951,13 +10951,13 @@ static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_ind
 // ---------------------------------------------------------------------------------------------------------------------
 // >>questions between regions
 //
-// How a patch gets from the triangulation of its first points to all cells of T(P) with a vertex of the region. It
-// inserts, then asks about the cells that wait, first the suspects (see >>fringe), and inserts the answers; the new
-// cells have to wait in turn. A cell need not be asked about if its sphere is inside K, nor, near a sphere, a ghost
-// whose facet cuts a cap off that sphere which is inside K.
+// How a patch gets from the triangulation of its first points to all cells of T(P) with a vertex of the region. It asks
+// about the cells that wait, first of all the suspects (see >>fringe), and inserts the answers; new cells have to wait
+// in turn. A cell need not be asked about if its sphere is inside K; nor a ghost near a reference sphere, if the cap of
+// that sphere beyond the ghost's facet is inside K.
 //
 // A question about a cell is put to the other fields one by one, in one of two ways. Through the field's grid, by
-// the doors of >>questions, near a sphere with sagittas. Or through the neighbours of a vertex:
+// the doors of >>questions. Or through the neighbours of a vertex:
 //
 // Let v be a vertex of the cell, or of the ghost's facet, and a point of a set Q. If any point of Q is in conflict with
 // the cell, so is one of v's neighbours in T(Q). For, lifted, Q is in the convex cone that the edges at v and the
