@@ -843,7 +843,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     patches                      560   @@
 //     telling                      269   @@
 //     seam                         262   @@
-//     known points                 275   what a rank builds
+//     known points                 279   what a rank builds
 //     call                         178   what one call works with; steps
 //     fronts                        96   InCoDe and DeWall from set to mesh
 //     regions of insertion         544   the steps of a divided insertion
@@ -11483,9 +11483,10 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 // ---------------------------------------------------------------------------------------------------------------------
 // >>known points
 //
-// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
-// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
-// the own points are the first. It is compiled where paradt_mpi.h is implemented.
+// What a rank builds by insertion: the triangulation of all points that it knows, its own and other ranks'. It grows
+// whenever more points become known; at the end only the cells that the rank owns are left. Vertices are positions in a
+// set whose first points are the own ones. The *fringe* is all that more points, or other ranks, have a say in: the
+// ghosts, and the cells with other ranks' points. Compiled only where paradt_mpi.h is implemented.
 // Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
@@ -11493,10 +11494,9 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 
 typedef struct paradt__known {
     paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
+    paradt_index *order;  // in which the first points are inserted
+    paradt_index *fringe; // [fringe_capacity] once listed: the places of the fringe. Some have been in it and are not
+                          // any more; few are listed twice
     size_t fringe_count, fringe_capacity;
 } paradt__known;
 
@@ -11528,9 +11528,10 @@ static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     memset(known, 0, sizeof *known);
 }
 
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
+// Inserts all points of the set. It was measured with all points that are to come and spans them; if it has sagittas,
+// they have sagittas as well.
+//   own        number of own points, at least 1. They are in the order of a curve
+//   low, high  the own points' box, as ordered bits
 static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
                                          const int64_t *high, paradt__memory *memory,
                                          const paradt__progress *progress) {
@@ -11545,7 +11546,7 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     return paradt__insertion_run(&known->build, progress);
 }
 
-// Puts a place on the list of the fringe.
+// Appends a place to the fringe's list.
 PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
     size_t count = known->fringe_count;
     paradt_status status =
@@ -11565,15 +11566,15 @@ PARADT__INLINE void paradt__known_wait_no_more(paradt__known *known, size_t plac
     paradt__mesh_unmark(&known->build.scene.mesh, place, PARADT__WAITING);
 }
 
-// Forgets the list of the fringe, to make it anew.
+// Empties the fringe's list, to make it anew.
 static void paradt__known_relist(paradt__known *known) {
     size_t i;
     for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
     known->fringe_count = 0;
 }
 
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
+// Lists the first place of the fringe from *place on, and sets *place to it, or to the number of all places if there is
+// none. own: number of own points
 PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
     const paradt__mesh *cells = &known->build.scene.mesh;
     *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
@@ -11581,7 +11582,7 @@ PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_ind
     return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
 }
 
-// Lists all of it.
+// Lists the whole fringe.
 static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
     paradt_status status = PARADT_OK;
     size_t place = 0;
@@ -11590,8 +11591,8 @@ static paradt_status paradt__known_list_all(paradt__known *known, paradt_index o
     return status;
 }
 
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
+// Inserts one more point of the set, whose records may have moved. All cells that this makes are listed as fringe,
+// though not all of them have other ranks' points.
 static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
     paradt__insertion *build = &known->build;
     size_t i;
@@ -11606,9 +11607,11 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
     return status;
 }
 
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
+// May a cell or ghost of the fringe be the first in conflict with a point that is missing? That is so for a ghost, a
+// cell with a single own vertex, and a cell with a marked vertex; >>patches says why. Without branches, as no predictor
+// would foretell them.
+//   share  number of own vertices
+//   outer  [positions - own] the marks of other ranks' points, and one element more
 PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
                                              const unsigned char *outer) {
     int suspect = share == 1;
@@ -11620,21 +11623,20 @@ PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_
     return suspect;
 }
 
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+// Ends the insertion: gives back all memory but that of the mesh and the fringe.
 static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
     paradt__insertion_rest(&known->build);
     paradt__release(memory, known->order);
     known->order = NULL;
 }
 
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+// What is known of a point when cells are dropped, as bits
 enum {
     PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
+    PARADT__VERTEX = 1,          // it is a vertex of a cell
+    PARADT__OF_OWN_CELL = 2,     // ... of an own cell
+    PARADT__OF_NONE_DROPPED = 4, // no cell that is dropped has it: if it is a vertex, then of own cells alone
+    PARADT__OF_LATER_RANK = 8    // a rank with a higher number has it
 };
 
 PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
@@ -11643,8 +11645,8 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
+// Does this rank own the cell? Its owner is the rank with the highest number that has a vertex of it. own: number of
+// own points; mark: [positions] says which points a later rank has
 PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
                                        const paradt_index *mark) {
     paradt_index bits = 0;
@@ -11657,8 +11659,8 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
     return share && !(bits & PARADT__OF_LATER_RANK);
 }
 
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
+// Takes the own cells off the fringe's list: ghosts and other ranks' cells are left, which are marked as dropped.
+// Returns the number of other ranks' cells.
 PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
                                             paradt_index *mark) {
     const paradt__mesh *cells = &known->build.scene.mesh;
@@ -11685,7 +11687,7 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
     return others;
 }
 
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
+// Has a dropped cell an own point that no own cell is known to have?
 PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
                                         const paradt_index *mark) {
     int leaves = 0;
@@ -11695,9 +11697,10 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
     return leaves;
 }
 
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
+// Drops what is listed, and opens the facets of the cells beside it. An own point of a dropped cell may be a vertex of
+// own cells too. The cells around a vertex are connected through facets, so then one that is dropped and one that is
+// not share a facet: that is where such points are found and marked. Cells with other ranks' points are not dropped and
+// have their vertices marked already, so only those of own points alone are looked at.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
     size_t i, j, count = known->fringe_count;
@@ -11724,17 +11727,18 @@ PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_i
     return others;
 }
 
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
+// Hands the own cells over in *cells, after paradt__known_rest and with the fringe listed. Facets without an own cell
+// on the other side are open. Returns how many cells are dropped because other ranks own them.
+//   set   of the own points
+//   mark  [positions] filled with what is known of each point; of other ranks' points it says before whether a later
+//         rank has them
 static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
                                   paradt__mesh *cells, paradt_index *mark) {
     paradt__insertion *build = &known->build;
     paradt_index own = (paradt_index)set->count;
     size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
-    // of points without weights none is hidden
+    // without weights no point is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
