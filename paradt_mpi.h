@@ -386,8 +386,9 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 // point has there.
 //
 // Of paradt.h this file uses the ground (memory, numbers, tasks), points from reading to the reference sphere, mesh and
-// scene, grid, search and questions, the order of late points, methods and triangulate; and known points, which exists
-// for this file. It reads the fields of a set and of its space, and writes those that all ranks must have alike.
+// scene, grid, search and questions, the order of late points, the fringe, methods and triangulate; and known points,
+// which exists for this file. It reads the fields of a set and of its space, and writes those that all ranks must have
+// alike.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
@@ -2513,7 +2514,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
 // it.
 //
 // While points are inserted, not all cells need be looked at. Let K be the box in which all points are known
-// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>patches of paradt.h, if
+// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>fringe of paradt.h, if
 // q is in conflict with any cell that has an own vertex, it is in conflict with a suspect: a ghost, a cell with a
 // vertex outside K, or a cell with just one own vertex, all of which are in the fringe. So the search starts at the
 // suspects and goes on through facets from each cell that is exposed: one whose sphere is not inside K.
@@ -2866,7 +2867,7 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
         own_count = paradt__vertices_below(cell, k, own);
         if (!own_count) continue;
         status = paradt_mpi__list_cell_vertices(w, &q->to_send, k, cell);
-        if (!status && paradt__remote_is_suspect(cell, k, own, own_count, outer))
+        if (!status && paradt__is_suspect(cell, k, own, PARADT__NOWHERE, outer))
             status = paradt_mpi__enqueue(w, suspects, at);
     }
     return status;
@@ -3362,8 +3363,13 @@ PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const 
 static paradt_status paradt_mpi__take_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1;
     paradt__mesh own = paradt_mpi__local_mesh(w, w->out->cell_count);
+    size_t i;
     w->out->cells = w->local.cells;
     w->local.cells = NULL;
+    if (!own.links) { // a single vertex has no facets
+        for (i = 0; i < own.count; i++) own.vertices[i] = number[own.vertices[i]];
+        return PARADT_OK;
+    }
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
         w->local.neighbors = NULL;
