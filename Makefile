@@ -49,8 +49,8 @@ PROVIDED := $(T)/have.mk
 -include $(if $(filter test-programs test-list $(T)/%,$(MAKECMDGOALS)),$(PROVIDED))
 
 C_TESTS      := $(sort $(wildcard tests/*.c))
-# Without tests/structure.sh in this list the test of the headers' structure runs like the others.
-NO_TESTS     := tests/run.sh tests/setup.sh tests/structure.sh
+# Without in this list the test of the headers' structure runs like the others.
+NO_TESTS     := tests/run.sh tests/setup.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/*.c))
 # Test programs that include cgal.h need CGAL; those that include gmp.h or one of these other headers need GMP.

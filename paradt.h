@@ -846,7 +846,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     questions between regions    364   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           161   dropping, emitting, taking over
-//     known points                 231   what a rank builds
+//     known points                 233   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        97   InCoDe and DeWall from set to mesh
 //     regions of insertion         524   the steps of a divided insertion
@@ -11702,17 +11702,17 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
 // ---------------------------------------------------------------------------------------------------------------------
 // >>known points
 //
-// What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
-// more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
-// the own points are the first. It is compiled where paradt_mpi.h is implemented.
-// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
+// What a rank builds by insertion: the triangulation of all points that it knows, its own and other ranks'. It grows
+// whenever more points become known; at the end only the cells that the rank owns are left. Vertices are positions in a
+// set whose first points are the own ones. All that other ranks have a say in is in the fringe (>>fringe). Compiled
+// only where paradt_mpi.h is implemented. Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
 
 typedef struct paradt__known {
     paradt__insertion build;
-    paradt_index *order; // of the insertion of the first points
+    paradt_index *order; // in which the first points are inserted
     paradt__list fringe; // see >>fringe
 } paradt__known;
 
@@ -11744,9 +11744,10 @@ static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     memset(known, 0, sizeof *known);
 }
 
-// Inserts all points of the set, of which the first `own`, at least one, are in the order of a curve. It is measured
-// with all points that are to come and spans them; if it has sagittas, theirs are known too. low, high: the own points'
-// box, as ordered bits
+// Inserts all points of the set. It was measured with all points that are to come and spans them; if it has sagittas,
+// they have sagittas as well.
+//   own        number of own points, at least 1. They are in the order of a curve
+//   low, high  the own points' box, as ordered bits
 static paradt_status paradt__known_begin(paradt__known *known, const paradt__set *set, size_t own, const int64_t *low,
                                          const int64_t *high, paradt__memory *memory,
                                          const paradt__progress *progress) {
@@ -11770,13 +11771,13 @@ PARADT__INLINE void paradt__known_wait_no_more(paradt__known *known, size_t plac
     paradt__mesh_unmark(&known->build.scene.mesh, place, PARADT__WAITING);
 }
 
-// Forgets the list of the fringe, to make it anew.
+// Empties the fringe's list, to make it anew.
 static void paradt__known_relist(paradt__known *known) {
     paradt__fringe_forget(&known->fringe, &known->build.scene.mesh);
 }
 
-// Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
-// positions are the own points'.
+// Lists the first place of the fringe from *place on, and sets *place to it, or to the number of all places if there is
+// none. own: number of own points
 PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
     paradt__mesh *mesh = &known->build.scene.mesh;
     size_t corners = (size_t)mesh->corners;
@@ -11784,13 +11785,13 @@ PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_ind
     return paradt__fringe_add_next(&known->fringe, mesh, corners, own, place, known->build.memory);
 }
 
-// Lists all of it.
+// Lists the whole fringe.
 static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
     return paradt__fringe_list(&known->fringe, &known->build.scene.mesh, own, known->build.memory);
 }
 
-// Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
-// where such cells were.
+// Inserts one more point of the set, whose records may have moved. All cells that this makes are listed as fringe,
+// though not all of them have other ranks' points.
 static paradt_status paradt__known_insert(paradt__known *known, const paradt__set *set, paradt_index position) {
     paradt__insertion *build = &known->build;
     size_t i;
@@ -11805,21 +11806,20 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
     return status;
 }
 
-// No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
+// Ends the insertion: gives back all memory but that of the mesh and the fringe.
 static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
     paradt__insertion_rest(&known->build);
     paradt__release(memory, known->order);
     known->order = NULL;
 }
 
-// What the cells make of a point, by bits: whether it is a vertex of any; of an own one; of none that is dropped, so
-// that, if it is a vertex at all, it is one of own cells alone. And whether a later rank has it.
+// What is known of a point when cells are dropped, as bits
 enum {
     PARADT__NO_VERTEX = 0,
-    PARADT__VERTEX = 1,
-    PARADT__OF_OWN_CELL = 2,
-    PARADT__OF_NONE_DROPPED = 4,
-    PARADT__OF_LATER_RANK = 8
+    PARADT__VERTEX = 1,          // it is a vertex of a cell
+    PARADT__OF_OWN_CELL = 2,     // ... of an own cell
+    PARADT__OF_NONE_DROPPED = 4, // no cell that is dropped has it: if it is a vertex, then of own cells alone
+    PARADT__OF_LATER_RANK = 8    // a rank with a higher number has it
 };
 
 PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index *vertices, size_t corners,
@@ -11834,8 +11834,8 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
     return paradt__owns(vertices, corners, own, mark, PARADT__OF_LATER_RANK);
 }
 
-// Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
-// marked as dropped. Returns how many are cells.
+// Takes the own cells off the fringe's list: ghosts and other ranks' cells are left, which are marked as dropped.
+// Returns the number of other ranks' cells.
 PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
                                             paradt_index *mark) {
     const paradt__mesh *cells = &known->build.scene.mesh;
@@ -11862,7 +11862,7 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
     return others;
 }
 
-// Is a vertex of the cell an own point that was not found to be one of an own cell?
+// Has a dropped cell an own point that no own cell is known to have?
 PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t corners, paradt_index own,
                                         const paradt_index *mark) {
     int leaves = 0;
@@ -11872,9 +11872,10 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
     return leaves;
 }
 
-// Drops what is in the list: behind its facets nothing is then. The cells around a vertex are connected through facets,
-// so where some of them are dropped and some are not, two such share one; of those that are not dropped, the ones with
-// others' points have had their vertices marked already.
+// Drops what is listed, and opens the facets of the cells beside it. An own point of a dropped cell may be a vertex of
+// own cells too. The cells around a vertex are connected through facets, so then one that is dropped and one that is
+// not share a facet: that is where such points are found and marked. Of the cells that are not dropped, those with
+// other ranks' points have their vertices marked already, so only cells of own points alone are looked at.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
     size_t i, j, count = known->fringe.count;
@@ -11901,17 +11902,18 @@ PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_i
     return others;
 }
 
-// Ends an insertion that rests and whose fringe is listed: the own cells, all facets without one on the other side
-// open; neighbours are still handles, places * corners + facet. set: of the own points, the first; mark: [positions],
-// gets what all cells make of each point; of others' points it says before which are a later rank's. Returns how many
-// cells are dropped since others own them.
+// Hands the own cells over in *cells, after paradt__known_rest and with the fringe listed. Facets without an own cell
+// on the other side are open. Returns how many cells are dropped because other ranks own them.
+//   set   of the own points
+//   mark  [positions] filled with what is known of each point; of other ranks' points it says before whether a later
+//         rank has them
 static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, paradt__memory *memory,
                                   paradt__mesh *cells, paradt_index *mark) {
     paradt__insertion *build = &known->build;
     paradt_index own = (paradt_index)set->count;
     size_t corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
-    // of points without weights none is hidden
+    // without weights no point is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)

@@ -386,8 +386,9 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 // point has there.
 //
 // Of paradt.h this file uses the ground (memory, numbers, tasks), points from reading to the reference sphere, mesh and
-// scene, grid, search and questions, the order of late points, methods and triangulate; and known points, which exists
-// for this file. It reads the fields of a set and of its space, and writes those that all ranks must have alike.
+// scene, grid, search and questions, the order of late points, the fringe, methods and triangulate; and known points,
+// which exists for this file. It reads the fields of a set and of its space, and writes those that all ranks must have
+// alike.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
