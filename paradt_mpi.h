@@ -3794,7 +3794,10 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
     status = w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
                                                       : paradt_mpi__distributed(w, rows);
     if (!status && w->options.local.flags & PARADT_FULL_DIM && w->out->dim < w->dim) status = PARADT_ERROR_FLAT;
-    return status;
+    if (status) return status;
+    w->progress_begin = 1.0;
+    w->progress_length = 0.0;
+    return paradt_mpi__agree(w, paradt_mpi__check_cancel(w, 1.0));
 }
 
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
