@@ -46,7 +46,7 @@ run: $(BUILD)/paradt ## Triangulate and certify a star cluster of 100,000 points
 T        := $(BUILD)/tests
 QUICK    := # 1: the core of the tests alone
 PROVIDED := $(T)/have.mk
--include $(if $(filter test-programs test-list,$(MAKECMDGOALS)),$(PROVIDED))
+-include $(if $(filter test-programs test-list $(T)/%,$(MAKECMDGOALS)),$(PROVIDED))
 
 C_TESTS      := $(sort $(wildcard tests/*.c))
 # Without tests/structure.sh in this list the test of the headers' structure runs like the others.

@@ -745,8 +745,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
 //             |                                   |                                     |
 //             +-----------------+-----------------+                                     |
-//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>patches and
-//                               |  >>regions of insertion
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or
+//                               |  >>fields and patches and >>regions of insertion
 //                               |
 //                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
 //                               |  handles become numbers
@@ -780,6 +780,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     update          what a change did: cells killed, cells made
 //     region, owner   a box of space; the region that delivers a cell which several make
 //     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
+//     fringe, suspect a region's or rank's cells with others' points, and ghosts; those of them that could be wrong
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
@@ -792,8 +793,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>patches and the sections behind it,
-//                       >>regions of insertion; then paradt_mpi.h
+//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>fringe, >>fields and patches and the
+//                       sections behind it, >>regions of insertion; then paradt_mpi.h
 //
 // CONTENTS, with the lines of each section
 //
@@ -802,26 +803,26 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        182   progress, teams, pauses, the clock
 //   predicates
-//     space                        233   what the predicates know of a set
+//     space                        234   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        584   signs in integers
+//     exact                        608   signs in integers
 //     signs                        250   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        324   Hilbert's curve, sorting along it
+//     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
-//     sorting                      372   along the curve, box after box
+//     sorting                      373   along the curve, box after box
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         669   cells, links, ghosts, free places; closing
+//     mesh                         683   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
-//     grid                         320   a hierarchy of boxes over a set
+//     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       444   the spheres through a facet
 //     search                       353   the apex of a facet, a point in a sphere
@@ -834,19 +835,21 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
-//     kept spheres                 507   conflict tests by one product, in space
-//     insertion in space           651   dig and star with kept spheres
-//     insertion in space by AVX2   463   its inner functions for four lanes
-//     inserting                    169   insertions from begin to end
+//     kept spheres                 508   conflict tests by one product, in space
+//     insertion in space           656   dig and star with kept spheres
+//     insertion in space by AVX2   465   its inner functions for four lanes
+//     inserting                    183   insertions from begin to end
 //   division
-//     regions                      112   @@
-//     patches                      560   @@
-//     telling                      272   @@
-//     seam                         263   @@
-//     known points                 246   what a rank builds
-//     call                         180   what one call works with; steps
-//     fronts                        97   InCoDe and DeWall from set to mesh
-//     regions of insertion         546   the steps of a divided insertion
+//     regions of fronts            117   owners of cells, joining
+//     fringe                        94   suspects, owners by insertion
+//     fields and patches           335   a region's points and what it builds
+//     questions between regions    364   is a cell right, for all points
+//     seam                         226   which cells of the first region are right
+//     results of patches           157   owned cells, open facets
+//     known points                 202   what a rank builds
+//     call                         178   what one call works with; steps
+//     fronts                        96   InCoDe and DeWall from set to mesh
+//     regions of insertion         522   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
 //     triangulate                  343   the entry
@@ -1560,10 +1563,11 @@ static double paradt__now(void) {
 //   general  for any exponents and any dimension, with as many digits as it takes
 // No stage allocates. The general stage takes 16 KB of stack, which suffices for all determinants in 2 and 3
 // dimensions, or 63 KB: in 4 dimensions if exponents are more than 1100 apart, in 6 dimensions 250, in 8 dimensions in
-// most in-sphere tests that get there. With its callers it takes less than 26 KB in 2 and 3 dimensions and 73 KB in
-// more; the other stages take 9 KB.
-// The filters' idea is Shewchuk's (Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-// DCG 18, 1997). The exact stages compute with integers instead of his expansions.
+// most in-sphere tests that get there. A predicate, compiled with optimisation, takes less than 26 KB in all in 2 and 3
+// dimensions and 73 KB in more. The other stages take 9 KB.
+// Filters with bounds for a whole set come from Fortune and Van Wyk (Efficient exact arithmetic for computational
+// geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
+// fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
 // paradt__space_end, paradt__compare, paradt__rounding.
 
@@ -1647,7 +1651,7 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
 
 // Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
-    PARADT_ASSERT(dim >= 0 && dim <= ambient && ambient <= PARADT_MAX_DIM);
+    PARADT_ASSERT(dim >= -1 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
     s->dim = dim;
     s->ambient = ambient;
@@ -2106,11 +2110,11 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>exact
 //
-// The exact stages: signs of determinants in integers, for what the filters left undecided. Which stage takes a
-// determinant depends on the bits of its numbers alone (paradt__exact_inline). The small stage expands it by minors in
+// The exact stages: signs of determinants in integers, for what the filters left undecided. The columns and the bits of
+// their numbers decide which stage takes a determinant (paradt__exact_inline). The small stage expands it by minors in
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
-// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples; the lifts' unit
-// is its square, or less if the weights ask for it. The sphere need not be that of a cell: p[0..k] may lie flat.
+// numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
+// is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
@@ -2176,8 +2180,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__INLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                       const paradt__range *weights) {
+PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                         const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -2510,7 +2514,7 @@ PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const p
 //   w = 2  differences of 117 bits, with all digits balanced
 
 // Computes p[2 w], the determinant of the rows a and b in the first two columns.
-PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+PARADT__INLINE void paradt__pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
     paradt__wide sum[4];
     paradt__clear(sum, 2 * w);
     paradt__multiply_add(sum, 1, a, w, b + w, w);
@@ -2518,17 +2522,41 @@ PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a,
     paradt__store(p, sum, 2 * w);
 }
 
+PARADT__NOINLINE void paradt__pair_two(paradt__digit *p, const paradt__digit *a, const paradt__digit *b) {
+    paradt__pair(p, a, b, 2);
+}
+
+// Does the same. The code for two digits is long and there only once.
+PARADT__INLINE void paradt__fixed_pair(paradt__digit *p, const paradt__digit *a, const paradt__digit *b, int w) {
+    if (w == 1) paradt__pair(p, a, b, 1);
+    else paradt__pair_two(p, a, b);
+}
+
 // Computes t[2 w + third], the determinant of the rows a, b and c in three columns, from those of two: bc, ac and ab.
 // third: digits of an entry in the third column
-PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
-                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
-                                         const paradt__digit *ab, int w) {
+PARADT__INLINE void paradt__triple(paradt__digit *t, int third, const paradt__digit *a, const paradt__digit *bc,
+                                   const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                   const paradt__digit *ab, int w) {
     paradt__wide sum[8];
     paradt__clear(sum, 2 * w + third);
     paradt__multiply_add(sum, 1, a + 2 * w, third, bc, 2 * w);
     paradt__multiply_add(sum, -1, b + 2 * w, third, ac, 2 * w);
     paradt__multiply_add(sum, 1, c + 2 * w, third, ab, 2 * w);
     paradt__store(t, sum, 2 * w + third);
+}
+
+PARADT__NOINLINE void paradt__triple_two(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab) {
+    paradt__triple(t, 2, a, bc, b, ac, c, ab, 2);
+}
+
+// Does the same for third entries of w digits.
+PARADT__INLINE void paradt__fixed_triple(paradt__digit *t, const paradt__digit *a, const paradt__digit *bc,
+                                         const paradt__digit *b, const paradt__digit *ac, const paradt__digit *c,
+                                         const paradt__digit *ab, int w) {
+    if (w == 1) paradt__triple(t, 1, a, bc, b, ac, c, ab, 1);
+    else paradt__triple_two(t, a, bc, b, ac, c, ab);
 }
 
 // The sign of the determinant. w: a constant, 1 or 2
@@ -2542,17 +2570,17 @@ PARADT__INLINE int paradt__fixed_sign(const paradt__digit *rows, int n, int k, i
     paradt__fixed_pair(p02, x0, x2, w);
     paradt__fixed_pair(p12, x1, x2, w);
     if (n == 3 && k == 2) {
-        paradt__fixed_triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
+        paradt__triple(t012, 2 * w, x0, p12, x1, p02, x2, p01, w);
         return paradt__sign(t012, 4 * w);
     }
-    paradt__fixed_triple(t012, w, x0, p12, x1, p02, x2, p01, w);
+    paradt__fixed_triple(t012, x0, p12, x1, p02, x2, p01, w);
     if (n == 3) return paradt__sign(t012, 3 * w);
     paradt__fixed_pair(p03, x0, x3, w);
     paradt__fixed_pair(p13, x1, x3, w);
     paradt__fixed_pair(p23, x2, x3, w);
-    paradt__fixed_triple(t123, w, x1, p23, x2, p13, x3, p12, w);
-    paradt__fixed_triple(t023, w, x0, p23, x2, p03, x3, p02, w);
-    paradt__fixed_triple(t013, w, x0, p13, x1, p03, x3, p01, w);
+    paradt__fixed_triple(t123, x1, p23, x2, p13, x3, p12, w);
+    paradt__fixed_triple(t023, x0, p23, x2, p03, x3, p02, w);
+    paradt__fixed_triple(t013, x0, p13, x1, p03, x3, p01, w);
     paradt__clear(sum, 5 * w);
     paradt__multiply_add(sum, -1, x0 + 3 * w, 2 * w, t123, 3 * w);
     paradt__multiply_add(sum, 1, x1 + 3 * w, 2 * w, t023, 3 * w);
@@ -2945,8 +2973,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // equal points have equal keys, and are found by them. So keys are made from the bits of the coordinates in integer
 // arithmetic, and no compiler flag changes them. The curve is D. Hilbert's (Math. Annalen 38, 1891), its step in any
 // dimension is C. Hamilton's ("Compact Hilbert indices", Dalhousie University, CS-2006-07).
-// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for those
-// who make keys in a way of their own paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
+// Doors: paradt__curve_begin, paradt__curve_limit, paradt__curve_key, paradt__curve_sort, paradt__levels_for; for
+// callers that make keys in their own way paradt__whole_steps, paradt__lattice_begin, paradt__hilbert_begin,
 // paradt__hilbert_key, paradt__keyed_sort.
 
 typedef struct paradt__keyed {
@@ -2959,7 +2987,7 @@ enum {
     PARADT__FEW_KEYS = 32,        // so many are sorted by insertion
     PARADT__MOST_DIGIT_BITS = 11, // bits of a key that one pass of the sort looks at, at most
     PARADT__STEP_BITS = 6,        // bits of a key that one look into the table for many points gives
-    PARADT__MANY_KEYS = 2048,     // make the table for many points worth its time
+    PARADT__MANY_KEYS = 2048,     // from so many keys on the table for many points pays
     PARADT__FLAT = 1 << 14,       // an exponent that makes every coordinate 0
     // of the curve in two or three dimensions, at most: dim << dim
     PARADT__ORIENTATIONS = PARADT_MAX_DIM > 2 ? 3 << 3 : 2 << 2
@@ -2967,8 +2995,8 @@ enum {
 
 // --- sorting by keys
 
-// Returns the bits of a key that the next pass sorts by, of those that are left. Enough to give each of `count` keys
-// a value of its own, if they are spread evenly; where that takes too large a table, half as many, for two passes.
+// Returns how many bits of a key the next pass sorts by, of the `bits` that are left: enough that each of `count`
+// evenly spread keys has a value of its own. Where the table would be too large, half as many, for two passes.
 static int paradt__digit_bits(size_t count, int bits) {
     int wanted = paradt__bit_length(count) - 1;
     if (wanted > PARADT__MOST_DIGIT_BITS) wanted = (wanted + 1) / 2;
@@ -3067,8 +3095,7 @@ PARADT__INLINE uint64_t paradt__lattice_place(const paradt__lattice *lattice, in
     return (uint64_t)place - (uint64_t)lattice->low[axis];
 }
 
-// Chooses the units along each axis: such that all of the box fits into 62 bits. On axes without extent all places
-// are 0.
+// Chooses the unit of each axis, so that the box fits into 62 bits. On an axis without extent all places are 0.
 static void paradt__lattice_units(paradt__lattice *lattice, const int64_t *low, const int64_t *high) {
     int axis, largest = -1074, own;
     for (axis = 0; axis < lattice->dim; axis++) {
@@ -3119,7 +3146,7 @@ PARADT__INLINE unsigned paradt__hilbert_step(int dim, unsigned bits, unsigned *e
     start = (place - (place != 0)) & ~1u;
     start ^= start >> 1;
     *entry ^= (start << rotation | start >> (n - rotation)) & all;
-    // by the ones at the end of an odd place and those of the place before an even one
+    // counts the trailing ones of an odd place, or of the place before an even one
     *direction = (rotation + (unsigned)paradt__trailing_zeros(((place + 1) & ~1u) | 1u << n)) % n;
     return place;
 }
@@ -3370,7 +3397,7 @@ PARADT__INLINE void paradt__fetch_point(const paradt_points *points, size_t inde
     PARADT__FETCH((const char *)points->data, begin + size - 1);
 }
 
-// Makes a double of its bits, 0.0 of those of -0.0.
+// The double with these bits; 0.0 for the bits of -0.0
 PARADT__INLINE double paradt__signless_zero(uint64_t bits) {
     return paradt__from_bits(bits << 1 ? bits : 0);
 }
@@ -3536,8 +3563,8 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //   order     positions, in the order in which points are tried; NULL: the order of the set, from basis[0] on
 //   given     number of points that are already in the basis: none, one, or two different ones
 //   basis     positions of the points; [dim + 1], with axes [ambient + 1]
-//   axes      NULL: only the set's first `dim` axes count, those that orient. Else [ambient], and all axes count: on
-//             return the axes in which the points are independent come first, one less than points, then the others
+//   axes      NULL: only the set's first `dim` axes count, which orient. Else [ambient], and all axes count: on return
+//             the axes in which the points are independent come first, one fewer than points, then the others
 //   counters  of predicates
 //   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
 static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
@@ -3607,8 +3634,8 @@ PARADT__INLINE size_t paradt__cuts_find(const paradt__cuts *cuts, const double *
     return first;
 }
 
-// Returns the cut nearest to x of those that bound its box, the first of several; NULL: no cut does. Distances are
-// rounded: all that matters is that they never get smaller as a point moves away from the cut.
+// Returns the cut nearest to x among the cuts that bound its box, the first of several; NULL: no cut does. Distances
+// are rounded: all that matters is that they never get smaller as a point moves away from the cut.
 PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cuts, const double *x) {
     const paradt__cut *nearest = NULL;
     size_t first = 0, boxes = cuts->boxes;
@@ -3623,7 +3650,7 @@ PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cut
     return nearest;
 }
 
-// Writes the bounds of a box into low and high; those that it does not have stay as they are.
+// Writes the bounds of a box into low and high. Where the box has no bound, the value there stays.
 static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
     size_t first = 0, boxes = cuts->boxes;
     PARADT_ASSERT(box < boxes);
@@ -3792,10 +3819,9 @@ static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, c
 //
 // The first pass over the caller's points, shared between the tasks of a team: finds the first point that is not
 // finite, measures the set for the predicates, takes a sample, and makes the pages of the memory that is filled from
-// then on. The loader is what this pass and those of >>sorting work on. Each pass looks in on the caller every few
-// thousand points, so that a call can be cancelled meanwhile.
-// Doors: paradt__loader_begin, paradt__loader_allocate, paradt__loader_free, paradt__loader_range,
-// paradt__loader_cancels, paradt__loader_survey.
+// then on. The loader is the state that this pass shares with the passes of >>sorting. Each pass asks every few
+// thousand points whether the call is cancelled. Doors: paradt__loader_begin, paradt__loader_allocate,
+// paradt__loader_free, paradt__loader_range, paradt__loader_cancels, paradt__loader_survey.
 
 enum {
     PARADT__MOST_FIRST_BITS = 8,  // bits of a key that all points are scattered by first, at most
@@ -3930,7 +3956,8 @@ static void paradt__sample(paradt__loader *loader, size_t i, size_t end) {
     }
 }
 
-// Number of the sample's intervals that end up to a point. In integers: where a task ends the next one begins.
+// Number of the sample's intervals that end at or before a point. Computed in integers, so that a task's intervals
+// begin where the previous task's end.
 static size_t paradt__intervals_until(const paradt__loader *loader, size_t index) {
     return (size_t)((uint64_t)index * loader->sampled / loader->source->points.count);
 }
@@ -4158,9 +4185,10 @@ static void paradt__loader_cut(paradt__loader *loader) {
     paradt__cutter_divide(&cutter, 0, cutter.count, low, high, 0, loader->cuts->boxes);
 }
 
-// Would many points share places of a lattice with so many levels? Then keys of more levels take less time than sorting
-// those points anew. Few points of the sample tell, on a lattice with fewer levels: so many fewer that, on surfaces, as
-// large a part of them share places. Where points fill space a larger part does, but still a small one.
+// Would many points share places of a lattice with so many levels? If so, keys of more levels take less time than
+// sorting these points anew. A few points of the sample tell, on a lattice with fewer levels: the number is such that,
+// on a surface, the few share places as often as all points do on the finer lattice. In space the few share places more
+// often than that, but still rarely.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
@@ -4362,9 +4390,9 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
 // >>scale and axes
 //
 // The last steps that make a set: its coordinates are scaled by a power of two where that loses no bit, and permuted so
-// that the first `dim` of them orient. The axes are taken greedily from the first to the last, so the lexicographic
-// order over those taken is the one over all coordinates: a coordinate passed over is an affine function of those taken
-// before it.
+// that the first `dim` of them orient. The axes are taken greedily, from the first to the last. So the lexicographic
+// order over the axes taken is the order over all coordinates: a coordinate passed over is an affine function of the
+// coordinates taken before it.
 // Doors: paradt__set_load; paradt__set_scale, paradt__set_permute, paradt__set_measure, paradt__set_measured for sets
 // that are parts of one.
 
@@ -4685,10 +4713,10 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
-// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__ghost_place,
-// paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room, paradt__list_append,
-// paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull, paradt__fetch_row,
-// PARADT__VERIFY, PARADT__VERIFY_SMALL.
+// Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
+// paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
+// paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
+// paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
 
 #define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
@@ -4811,6 +4839,13 @@ static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
     mesh->marks = NULL;
     mesh->spare = NULL;
     mesh->spare_count = mesh->spare_capacity = 0;
+}
+
+// Frees the marks, which are not needed any more.
+static void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__release(memory, mesh->marks);
+    mesh->marks = NULL;
+    mesh->marked = 0;
 }
 
 static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
@@ -5158,6 +5193,16 @@ static void paradt__mesh_fill_gaps(const paradt__mesh *mesh, const paradt_index 
     const paradt__mesh copy = *mesh; // which nothing that is written can change
     if (copy.corners == 4) *end = paradt__mesh_fill_listed(&copy, places, count, *end, 4);
     else *end = paradt__mesh_fill_listed(&copy, places, count, *end, (size_t)copy.corners);
+}
+
+// Closes the gaps that free places and `dropped` cells leave. lists: [list_count] these name all dropped cells, and may
+// name others, free places, and places more than once
+static void paradt__mesh_compact(paradt__mesh *mesh, size_t dropped, const paradt__list *lists, size_t list_count) {
+    size_t end = mesh->count, i;
+    mesh->count -= mesh->spare_count + dropped;
+    paradt__mesh_fill_gaps(mesh, mesh->spare, mesh->spare_count, &end);
+    for (i = 0; i < list_count; i++) paradt__mesh_fill_gaps(mesh, lists[i].items, lists[i].count, &end);
+    mesh->spare_count = 0;
 }
 
 // Where the rows of emitted cells go, and in what form
@@ -5707,8 +5752,8 @@ static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const 
 // cut separates the vertices on its two sides in the sense that DeWall needs.
 // Each level keeps the bounding boxes of its cells in lanes of eight, so that one group is tested at a time: the loops
 // over lanes have constant bounds and straight bodies, and compilers turn them into vector code.
-// Doors: paradt__grid_build, paradt__grid_lay, paradt__grid_free, paradt__grid_lanes; for DeWall paradt__grid_cut,
-// paradt__grid_axis, paradt__before; paradt__exchange.
+// Doors: paradt__grid_build, paradt__grid_lay, paradt__grid_free, paradt__grid_lanes, paradt__grid_list_within; for
+// DeWall paradt__grid_cut, paradt__grid_axis, paradt__before; paradt__exchange.
 
 enum {
     PARADT__LANES = 8,       // points a grid cell, grid cells a group
@@ -6011,6 +6056,61 @@ PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__se
 static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
     paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
     if (!status) paradt__grid_fill(grid, set);
+    return status;
+}
+
+// --- the points in a box
+
+// Is the point in the closed box?
+static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
+    }
+    return 1;
+}
+
+// What paradt__grid_list_within looks for
+typedef struct paradt__within {
+    const double *low, *high;
+    size_t offset;
+    paradt__list *list;
+    paradt__memory *memory;
+} paradt__within;
+
+// Appends what is in one of the grid's boxes.
+static paradt_status paradt__grid_list_box(const paradt__grid *grid, const paradt__set *set, int level, size_t box,
+                                           const paradt__within *within) {
+    int dim = set->space.dim, axis;
+    size_t first = box * PARADT__LANES, i;
+    const double *bounds = grid->boxes[level] + box / PARADT__LANES * grid->group_width + box % PARADT__LANES;
+    paradt_status status = PARADT_OK;
+    for (axis = 0; axis < dim; axis++, bounds += 2 * PARADT__LANES) {
+        if (bounds[0] > within->high[axis] || bounds[PARADT__LANES] < within->low[axis]) return PARADT_OK;
+    }
+    for (i = first; i < first + PARADT__LANES && !status; i++) {
+        if (level) {
+            if (i >= grid->box_count[level - 1]) break;
+            status = paradt__grid_list_box(grid, set, level - 1, i, within);
+        } else if (i < set->count &&
+                   paradt__is_within(paradt__record(set, (paradt_index)i), within->low, within->high, dim)) {
+            status = paradt__list_append(within->list, (paradt_index)(within->offset + i), within->memory);
+        }
+    }
+    return status;
+}
+
+// Appends the positions of the set's points in the closed box [low, high], each plus `offset`. A grid without points
+// need not have been laid.
+static paradt_status paradt__grid_list_within(const paradt__grid *grid, const paradt__set *set, const double *low,
+                                              const double *high, size_t offset, paradt__list *list,
+                                              paradt__memory *memory) {
+    const paradt__within within = {low, high, offset, list, memory};
+    int top = grid->levels - 1;
+    paradt_status status = PARADT_OK;
+    size_t box;
+    for (box = 0; top >= 0 && box < grid->box_count[top] && !status; box++)
+        status = paradt__grid_list_box(grid, set, top, box, &within);
     return status;
 }
 
@@ -7417,7 +7517,7 @@ static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const doubl
 // >>reach
 //
 // Which cells a region of InCoDe or DeWall makes, and which of these cells it owns. (Regions of insertion have another
-// rule, see the section of patches.)
+// rule, see >>fringe.)
 //
 // Reach. The edge from v to w leads away if w is farther than v from the cut nearest to v (farther along the cut's
 // axis; where both are equally far, if w is lexicographically larger). A region reaches a cell if an edge of the cell
@@ -7891,8 +7991,8 @@ static int paradt__front_seed(paradt__front *front, paradt_index *cell) {
 }
 
 enum {
-    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with, and
-    PARADT__FIRST_PATIENCE = 2000 // so many more, as the first cells take more
+    PARADT__PATIENCE = 4,         // predicates a cell that an impatient front puts up with,
+    PARADT__FIRST_PATIENCE = 2000 // and predicates in addition, as the first cells take more
 };
 
 // Number of predicates that the searches have evaluated so far
@@ -8281,12 +8381,12 @@ PARADT__INLINE paradt_index paradt__insertion_point(const paradt__insertion *bui
 
 enum {
     PARADT__GROW_PART = 16,       // a mesh grows by at least a sixteenth
-    PARADT__FEW_POINTS = 1 << 15, // up to so many points get room for all their cells in the beginning
-    PARADT__JUDGED_PART = 32      // a 32nd of more points than that tells how many cells the others will have
+    PARADT__FEW_POINTS = 1 << 15, // fewer points get room for all their cells in the beginning
+    PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for so many times the cells that are extrapolated,
-#define PARADT__RATE_MORE   1.06 // or for so many times those at the present rate, where uniform points have fewer
+#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
+#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8572,8 +8672,8 @@ enum {
                                                  // and for the cell's own, of which four are stored together
     PARADT__DIG_BATCH = 512,                     // cells dug before numbers are limited again
     PARADT__FIRST_DIG = 512,                     // the capacity that the lists of the cavity and the rim begin with
-    PARADT__PLACES_AHEAD = 16,                   // the slot is fetched that the cell of so many places later has
-    PARADT__INSERTIONS_AHEAD = 4                 // the record is fetched of the point that is inserted so much later
+    PARADT__PLACES_AHEAD = 16,                   // from a new place to the place whose slot is prefetched
+    PARADT__INSERTIONS_AHEAD = 4                 // from an insertion to the insertion whose point is prefetched
 };
 
 #define PARADT__LAST_NUMBER 0xfffe0000 // the largest that a cavity may begin with; it takes less than 2^17
@@ -8697,6 +8797,7 @@ PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const doubl
     return spoke;
 }
 
+// Returns the largest of the sizes of three numbers.
 PARADT__INLINE double paradt__largest_of_three(double a, double b, double c) {
     return paradt__larger(paradt__larger(paradt__abs(a), paradt__abs(b)), paradt__abs(c));
 }
@@ -8909,7 +9010,7 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // cells still to be made: those of uniform points
+    double to_come = 28.0 * (double)(build->count - build->inserted); // new cells, as many as uniform points make
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
@@ -8967,7 +9068,7 @@ static void paradt__kept_measure(paradt__insertion *build) {
 }
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error, too, paradt__kept_free frees.
+// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
@@ -9169,6 +9270,7 @@ typedef struct paradt__kept_kernels {
     paradt__links_kernel store_links;
 } paradt__kept_kernels;
 
+// The kernel `remake`
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
     for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
@@ -9202,7 +9304,8 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__dig dig = *work;
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
-    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]); // nobody came from there
+    // the first cell was entered across no facet, so all four are looked at
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]);
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
@@ -9281,6 +9384,7 @@ PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     s->large_units = units;
 }
 
+// The kernel `fill_row`
 static void paradt__kept_row_plain(paradt_index *row, const paradt_index *cell, int without, paradt_index point) {
     const unsigned char *order = paradt__facet_order[without];
     paradt_index a = cell[order[0]], b = cell[order[1]], c = cell[order[2]];
@@ -9330,6 +9434,7 @@ PARADT__INLINE void paradt__kept_enter_edges(paradt__insertion *build, paradt_in
     }
 }
 
+// The kernel `store_links`
 static void paradt__kept_links_plain(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                      paradt_index d) {
     links[0] = a;
@@ -9489,6 +9594,7 @@ PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, p
     paradt__kept_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
 }
 
+// The kernel `make`
 static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                     const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10020,6 +10126,7 @@ PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__in
     paradt__kept_make_four(1, build, star, x, centred);
 }
 
+// The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
@@ -10088,6 +10195,7 @@ static const unsigned char paradt__facet_shuffle[4][16] = {
 #undef PARADT__FACET_SHUFFLE
 #undef PARADT__LANE
 
+// The kernel `fill_row`
 PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_index *cell, int without,
                                                paradt_index point) {
     __m128i vertices = _mm_loadu_si128((const __m128i *)(const void *)cell);
@@ -10096,7 +10204,7 @@ PARADT__AVX2 static void paradt__kept_row_avx2(paradt_index *row, const paradt_i
     _mm_storeu_si128((__m128i *)(void *)row, _mm_or_si128(facet, _mm_setr_epi32(0, 0, 0, point)));
 }
 
-// One store, so that a load of all four soon after need not wait until they are in the cache.
+// The kernel `store_links`: one store, so that a load of all four soon after need not wait until they are in the cache.
 PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_index a, paradt_index b, paradt_index c,
                                                  paradt_index d) {
     _mm_storeu_si128((__m128i *)(void *)links, _mm_setr_epi32(a, b, c, d));
@@ -10116,13 +10224,13 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Insertions from beginning to end: of points in their order, with pauses, and of one more point at a time. Chooses
 // between the insertion in any dimension and the one in space, so that nobody else has to know which it is.
 //
-// An insertion begins with paradt__insertion_begin or with a struct filled by hand, zero else, and
-// paradt__insertion_layout; paradt__insertion_run inserts its points, paradt__insertion_go goes on after a pause. More
-// points follow after paradt__insertion_go_on, or one at a time by paradt__insert_one_more. paradt__insertion_rest
-// leaves the mesh alone, paradt__insertion_end nothing. Doors: paradt__insertion_begin, paradt__insertion_layout,
-// paradt__insertion_span_first, paradt__insertion_run, paradt__insertion_go, paradt__insertion_go_on,
-// paradt__insert_one_more, paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end,
-// paradt__bowyer_watson.
+// An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
+// by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
+// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. paradt__insertion_rest
+// frees all but the mesh, paradt__insertion_end everything.
+// Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
+// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__insertion_start,
+// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
@@ -10217,6 +10325,20 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     return PARADT_OK;
 }
 
+// Inserts the points from number `inserted` on of `order`, which have been counted in build->count since the points
+// before were inserted, until it pauses.
+static paradt_status paradt__insertion_more(paradt__insertion *build, const paradt_index *order, size_t inserted,
+                                            const paradt__progress *progress) {
+    paradt_status status;
+    build->order = order;
+    build->inserted = inserted;
+    build->later = 0;
+    if (inserted == build->count) return PARADT_OK;
+    status = paradt__insertion_go_on(build, paradt__insertion_point(build, inserted), build->count,
+                                     paradt__insertion_start(build));
+    return status ? status : paradt__insertion_go(build, progress);
+}
+
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
 // is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
 static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
@@ -10280,12 +10402,12 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
 
 #ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
-// >>regions
+// >>regions of fronts
 //
-// Each box of space is a region. A cell belongs to the box with most of its vertices, as told in >>incode; by insertion
-// to the last box that holds any. Each region is built alone and keeps the cells it owns; the facets between cells of
-// different regions are matched when all have ended. Doors: paradt__regions_assign, paradt__regions_deal,
-// paradt__region_compact, paradt__regions_join.
+// Each box of space is a region. Regions of InCoDe and DeWall build their cells alone, and keep the cells that they own
+// by the rule of >>reach. When all regions have ended, the facets between cells of different regions are matched.
+// Vertices are positions in the set; owners are numbers of regions, or PARADT__OPEN. Doors: paradt__regions_assign,
+// paradt__regions_deal, paradt__region_compact, paradt__regions_join.
 
 // Fills owner[set->count] with the region of each point.
 static void paradt__regions_assign(const paradt__set *set, const paradt__cuts *cuts, uint32_t *owner) {
@@ -10293,8 +10415,8 @@ static void paradt__regions_assign(const paradt__set *set, const paradt__cuts *c
     for (i = 0; i < set->count; i++) owner[i] = (uint32_t)paradt__cuts_find(cuts, paradt__record(set, (paradt_index)i));
 }
 
-// Puts the points that were in the order of the boxes into that order again, where a grid has changed it: those from
-// `begin` on, of the boxes from `first` on.
+// Restores the order of the boxes among points that were in that order until a grid moved them: the points from `begin`
+// to `end`, of `boxes` boxes from `first` on.
 static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, size_t begin, size_t end, size_t first,
                                  size_t boxes) {
     const paradt__cut *cut = cuts->cut + first + boxes / 2;
@@ -10303,74 +10425,78 @@ static void paradt__regions_deal(paradt__set *set, const paradt__cuts *cuts, siz
     for (i = begin, lower = cut->begin; i < cut->begin; i++) {
         if (!paradt__cut_is_above(cut, paradt__record(set, (paradt_index)i))) continue;
         while (paradt__cut_is_above(cut, paradt__record(set, (paradt_index)lower))) lower++;
+        PARADT_ASSERT(lower < end);
         paradt__exchange(set, set->width, i, lower++);
     }
     paradt__regions_deal(set, cuts, begin, cut->begin, first, boxes / 2);
     paradt__regions_deal(set, cuts, cut->begin, end, first + boxes / 2, boxes - boxes / 2);
 }
 
-// Gives the cluster of a cell that nobody reaches to its owner, see >>incode. owners: [cells->count], PARADT__OPEN for
-// such cells; cluster: room for all of them.
-static void paradt__cluster_give(const paradt__mesh *cells, const uint32_t *owner, paradt_index *owners,
+// Gives the cluster of a cell that no region reaches to its owner: the first of the regions that own a cell next to the
+// cluster, or, if there is none, the first that has a vertex of it. owners: [mesh->count]; cluster: room for all cells
+// that are PARADT__OPEN
+static void paradt__cluster_give(const paradt__mesh *mesh, const uint32_t *owner, paradt_index *owners,
                                  paradt_index *cluster, paradt_index first) {
-    enum { MET = -3 };
-    paradt_index beside = PARADT__NOWHERE, within = PARADT__NOWHERE, corners = cells->corners, i, j, count = 1;
+    enum { IN_CLUSTER = -3 };
+    paradt_index beside = PARADT__NOWHERE, within = PARADT__NOWHERE, corners = mesh->corners, i, j, count = 1;
     cluster[0] = first;
-    owners[first] = MET;
+    owners[first] = IN_CLUSTER;
     for (i = 0; i < count; i++) {
         for (j = cluster[i] * corners; j < (cluster[i] + 1) * corners; j++) {
-            paradt_index neighbor = cells->links[j] / corners, region = (paradt_index)owner[cells->vertices[j]];
+            paradt_index neighbor = mesh->links[j] / corners, region = (paradt_index)owner[mesh->vertices[j]];
             if (region < within) within = region;
-            if (cells->links[j] < 0) continue;
-            if (owners[neighbor] == PARADT__OPEN) owners[neighbor] = MET, cluster[count++] = neighbor;
-            else if (owners[neighbor] != MET && owners[neighbor] < beside) beside = owners[neighbor];
+            if (mesh->links[j] < 0) continue;
+            if (owners[neighbor] == PARADT__OPEN) owners[neighbor] = IN_CLUSTER, cluster[count++] = neighbor;
+            else if (owners[neighbor] != IN_CLUSTER && owners[neighbor] < beside) beside = owners[neighbor];
         }
     }
     for (i = 0; i < count; i++) owners[cluster[i]] = beside < PARADT__NOWHERE ? beside : within;
 }
 
-// Fills owners[cells->count].
-static paradt_status paradt__find_owners(const paradt__mesh *cells, const paradt__set *set,
+// Fills owners[mesh->count] with the region that owns each cell.
+static paradt_status paradt__find_owners(const paradt__mesh *mesh, const paradt__set *set,
                                          const paradt__region_view *view, paradt__memory *memory,
                                          paradt_index *owners) {
-    size_t corners = (size_t)cells->corners, unreached = 0, i;
+    size_t corners = (size_t)mesh->corners, unreached = 0, i;
     paradt_index *cluster;
-    for (i = 0; i < cells->count; i++) {
-        owners[i] = paradt__cell_owner(view, set, cells->vertices + i * corners, cells->corners);
+    for (i = 0; i < mesh->count; i++) {
+        owners[i] = paradt__cell_owner(view, set, mesh->vertices + i * corners, mesh->corners);
         unreached += owners[i] < 0;
     }
     if (!unreached) return PARADT_OK;
     cluster = (paradt_index *)paradt__alloc(memory, unreached, sizeof *cluster);
     if (!cluster) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < cells->count; i++) {
-        if (owners[i] < 0) paradt__cluster_give(cells, view->owner, owners, cluster, (paradt_index)i);
+    for (i = 0; i < mesh->count; i++) {
+        if (owners[i] < 0) paradt__cluster_give(mesh, view->owner, owners, cluster, (paradt_index)i);
     }
     paradt__release(memory, cluster);
     return PARADT_OK;
 }
 
-// Leaves only the cells that the region owns; facets that they share with others' cells become open. *foreign: the
-// number of cells dropped.
+// Leaves only the cells that the region owns. Their facets in common with other regions' cells become open. *foreign:
+// number of the cells dropped
 static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__set *set, const paradt__region_view *view,
                                             paradt__memory *memory, uint64_t *foreign) {
-    size_t end = mesh->count, gaps = 0, i;
-    paradt_index *place = (paradt_index *)paradt__alloc(memory, end, sizeof *place); // owners, then gaps
-    paradt_status status = place ? paradt__find_owners(mesh, set, view, memory, place) : PARADT_ERROR_MEMORY;
-    for (i = 0; i < end && !status; i++) {
-        if (place[i] == (paradt_index)view->region) continue;
+    paradt__list dropped = {NULL, 0, 0};
+    size_t i;
+    paradt_index *owners = (paradt_index *)paradt__alloc(memory, mesh->count, sizeof *owners);
+    paradt_status status = owners ? paradt__find_owners(mesh, set, view, memory, owners) : PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count && !status; i++) {
+        if (owners[i] == (paradt_index)view->region) continue;
         paradt__mesh_drop(mesh, i, (size_t)mesh->corners, PARADT__OPEN);
-        place[gaps++] = (paradt_index)i;
+        status = paradt__list_append(&dropped, (paradt_index)i, memory);
     }
     if (!status) {
-        mesh->count -= gaps;
-        paradt__mesh_fill_gaps(mesh, place, gaps, &end);
-        *foreign = gaps;
+        paradt__mesh_compact(mesh, dropped.count, &dropped, 1);
+        *foreign = dropped.count;
+        PARADT__VERIFY(mesh, 0, 0);
     }
-    paradt__release(memory, place);
+    paradt__release(memory, owners);
+    paradt__list_free(&dropped, memory);
     return status;
 }
 
-// Links the open facets of all regions to each other. What finds no partner is the hull.
+// Ties the open facets of all regions to their mirrors. Facets without a mirror become the hull's.
 static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *memory, uint64_t *hull_facets) {
     paradt__facets table;
     size_t facets = all->count * (size_t)all->corners, count = 0, i;
@@ -10386,53 +10512,133 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
         *hull_facets += all->links[i] == PARADT__HULL;
     }
+    if (!status) PARADT__VERIFY(all, 0, 0);
     paradt__facets_free(&table, memory);
     return status;
 }
 #endif // PARADT_NO_FRONTS
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>patches
+// >>fringe
 //
-// A region by insertion. A cell or ghost is owned by the last region that has a vertex of it. The region inserts its
-// own points and those of the others in a margin around its box, and then asks for every cell that could be wrong
-// whether a point that it has not got is in conflict with the cell. Such a point is inserted, until the answers are no.
-// The answers are exact, so nothing depends on the width of the margin.
+// What regions by insertion and ranks have in common: which of their cells could be wrong, and which they own. Either
+// is called a part here.
 //
-// Which cells could be wrong? Let K be the box with its margin (or the box alone, where there is none), S the points
-// inserted, q a point that is missing. K is convex, and S has all points in it, so q is outside K. The cells of T(S) in
-// conflict with q are connected through facets, and one of them contains q (or, q being outside of the hull, is a ghost
-// that q is strictly beyond): a ghost, or a cell with a vertex outside K. Let such a path lead there from a cell with a
-// vertex of the region. If all cells on the path have one, so has the last. Else there is a first one that has none,
-// and the facet through which it is reached is of a cell with just one. So where none of these cells with vertices of
-// the region is in conflict with a point that is missing, none at all is:
+// A part inserts S: its own points and some points of other parts. The own points are the first vertices of its mesh,
+// [0, own). Which cells of T(S) could be in conflict with a point of P that is missing? Let K be a convex set, a box
+// here, such that S has all points of P in K. So a missing point q is outside K. The cells and ghosts of T(S) in
+// conflict with q are connected through facets, and one of them contains q, or is a ghost that has q strictly beyond
+// its facet. A cell that contains q has a vertex outside K, since K is convex.
 //
-//     ghosts; cells with a vertex that may be outside K; cells with just one vertex of the region
+// Let a cell with an own vertex be in conflict with q, and follow a path of such cells from it to the one that contains
+// q. If all of them have own vertices, so has the last, which is a ghost or has a vertex outside K. Otherwise some cell
+// on the path is the first without an own vertex. The facet that it has in common with the cell before it has none
+// either, so that cell has just one. In both cases a *suspect* is in conflict with q. The suspects are, of the cells
+// and ghosts with an own vertex:
 //
-// Then the region's vertices have all their cells of T(P), and those without a vertex of a later region are its own.
-// Of the cells without a vertex of the region it does not matter whether they are right. Nor need those be asked about
-// whose sphere is inside K, or, near a sphere, of ghosts the cap that their facet cuts off.
+//     ghosts; cells with a vertex that may be outside K; cells with just one own vertex
 //
-// The first region owns the cells with its points alone. It inserts no others' and asks about nothing: it keeps those
-// cells that the others' list of the seam leaves it (see there).
+// So if no suspect is in conflict with a missing point, no cell with an own vertex is: then the own points have all
+// their cells of T(P). Whether cells without an own vertex are right does not matter.
 //
-// The questions are those of >>questions; near a sphere they are asked with sagittas.
+// A cell or ghost is owned by the last part that has a vertex of it. A part whose points have all their cells has all
+// the cells that it owns.
 //
-// Where these points don't span the set, others that do are inserted too: a region may have flat sets of points, or
-// none.
-// A region takes time and memory for its own points and the seam: it reads others' points through their grids, and what
-// they tell of their neighbours.
-// Doors: paradt__field_begin, paradt__patch_begin, paradt__patch_points, paradt__patch_build, paradt__patch_complete,
-// paradt__patch_publish, paradt__patch_learn_all, paradt__patch_list_seam, paradt__patch_has_cells,
-// paradt__patch_apply_seam, paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all, paradt__patch_end.
+// The fringe consists of all ghosts, and of all cells with a vertex that is not own. All suspects are in the fringe,
+// and so is everything that the part does not own. Its list may name a place more than once, and places whose cells
+// have been in the fringe. PARADT__LISTED marks only places that the list names.
+// Doors: paradt__fringe_add, paradt__fringe_add_next, paradt__fringe_list, paradt__fringe_forget, paradt__is_suspect,
+// paradt__owns.
 
-// The points of one region, as it and the others see them: positions [begin, begin + set.count) of the whole set, along
-// a curve, under a grid. Behind them, up to begin + capacity, there is place for others' points that only the region
-// sees.
+// Adds a place to the list of the fringe, unless it is marked as listed.
+PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__mesh *mesh, paradt_index place,
+                                                paradt__memory *memory) {
+    return paradt__mesh_mark(mesh, (size_t)place, PARADT__LISTED) ? paradt__list_append(fringe, place, memory)
+                                                                  : PARADT_OK;
+}
+
+// Finds the first place of the fringe from *place on and adds it. On return *place is that place, or mesh->count if
+// there is none. corners: the mesh's; inlined with a constant
+PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, paradt__mesh *mesh, size_t corners,
+                                                     paradt_index own, size_t *place, paradt__memory *memory) {
+    *place = paradt__mesh_fringe_from(mesh, corners, own, *place);
+    return *place < mesh->count ? paradt__fringe_add(fringe, mesh, (paradt_index)*place, memory) : PARADT_OK;
+}
+
+// Empties the list of the fringe.
+static void paradt__fringe_forget(paradt__list *fringe, paradt__mesh *mesh) {
+    size_t i;
+    for (i = 0; i < fringe->count; i++) paradt__mesh_unmark(mesh, (size_t)fringe->items[i], PARADT__LISTED);
+    fringe->count = 0;
+}
+
+// Lists the fringe anew.
+static paradt_status paradt__fringe_list(paradt__list *fringe, paradt__mesh *mesh, paradt_index own,
+                                         paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (paradt__fringe_forget(fringe, mesh); place < mesh->count && !status; place++) {
+        status = mesh->corners == 4 ? paradt__fringe_add_next(fringe, mesh, 4, own, &place, memory)
+                                    : paradt__fringe_add_next(fringe, mesh, (size_t)mesh->corners, own, &place, memory);
+    }
+    return status;
+}
+
+// Is the cell or ghost a suspect? outer: vertices from this one on may be outside K; marks: NULL, or 1 for those of the
+// vertices [own, outer) that may be, from `own` on. Without branches, which could not be predicted.
+PARADT__INLINE int paradt__is_suspect(const paradt_index *vertices, size_t corners, paradt_index own,
+                                      paradt_index outer, const unsigned char *marks) {
+    int own_vertices = paradt__vertices_below(vertices, corners, own), outside = own_vertices == 1;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        paradt_index vertex = vertices[i];
+        outside |= (vertex < 0) | (vertex >= outer);
+        if (marks) outside |= (vertex >= own) & (vertex < outer) & marks[vertex >= own ? vertex - own : 0];
+    }
+    return (own_vertices > 0) & outside;
+}
+
+// Does the part own the cell or ghost: does it have a vertex of it, and no later part? bits: [vertices] has the bit
+// `later` for points of later parts
+PARADT__INLINE int paradt__owns(const paradt_index *vertices, size_t corners, paradt_index own,
+                                const paradt_index *bits, paradt_index later) {
+    paradt_index all = 0;
+    int has_own = 0;
+    size_t i;
+    for (i = 0; i < corners; i++) {
+        has_own |= (paradt__tag)vertices[i] < (paradt__tag)own;
+        all |= vertices[i] < 0 ? 0 : bits[vertices[i]];
+    }
+    return has_own && !(all & later);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>fields and patches
+//
+// A region by insertion is a patch. It inserts its own points, and those of other regions in a margin around its box,
+// and then asks for every suspect (see >>fringe) whether another region has a point in conflict with it. Such a point
+// is inserted, until all answers are no. The answers are exact, so the width of the margin does not matter for the
+// result. K is the box with its margin, or the box alone where there is no margin.
+//
+// The first region owns the cells with its points alone. So if its points span the space, it inserts no others and asks
+// nothing: what the other regions say of the seam (see there) decides which of its cells are right. If the points of a
+// patch do not span the space, it inserts others that do: a region may have flat sets of points, or none.
+//
+// A region takes time and memory for its own points and the seam: of other regions it reads the points, through their
+// grids, and the neighbours of points (see >>questions between regions).
+//
+// Positions are those of the whole set, in which each region has a *field*: its points along a curve, and behind them
+// room for copies of others' points that only the region sees. Vertices of a patch are numbered on their own: the
+// region's points in their order, then others' points in the order in which they came. paradt__patch_position
+// translates.
+// Doors: paradt__field_begin, paradt__spans, paradt__patch_begin, paradt__patch_use_memory, paradt__patch_points,
+// paradt__patch_sort, paradt__patch_reserve, paradt__patch_add, paradt__patch_position, paradt__patch_is_own,
+// paradt__patch_own_vertices, paradt__patch_rest, paradt__patch_end.
+
 typedef struct paradt__field {
     paradt__set set; // owns nothing
     paradt__grid grid;
-    size_t begin, capacity;
+    size_t begin, capacity; // positions [begin, begin + set.count) are the points', up to begin + capacity the field's
     double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM]; // the region's box, unbounded at +-PARADT__FAR
     const struct paradt__patch *published;            // what the region has built, where others may look at it; or NULL
     paradt__mesh seam; // the seam as the region sees it, see there; vertices are positions in the set
@@ -10440,59 +10646,56 @@ typedef struct paradt__field {
 } paradt__field;
 
 typedef struct paradt__patch {
-    // what it is of
+    // the region among others
     const paradt__set *set;
     const paradt__field *fields; // [field_count]
     size_t field_count;
     const paradt__field *own; // the region's
-    int own_points_only;      // it is the first region, begins with its own points alone, and asks about nothing
+    int own_points_only;      // it is the first region, begins with its own points alone, and asks nothing
     paradt__memory *memory;
 
-    // the insertion and its points: vertices are the region's points, in their order, then others'
+    // the insertion and its points
     paradt__insertion build;
     paradt_index *order;               // of the insertion of the first points
     size_t capacity;                   // points that the arrays below have room for
     double *records;                   // [capacity][build.scene.width]
     int records_lent;                  // these are those of the field
     paradt_index *others;              // [capacity - own points] positions of others' points in the set
-    paradt__list margin;               // while the points are collected, positions of others' points in K
+    paradt__list margin;               // while points are collected, positions of others' points in K
     double bounds[2 * PARADT_MAX_DIM]; // K: low and high of each axis
-    int has_margin;                    // all points in K are in the set, with those on its border
-    size_t outer;                      // vertices from this one on may be outside of K
+    int has_margin;                    // S has all points in K, with those on its border
+    size_t outer;                      // vertices from this one on may be outside K
 
     // the questions about cells
     paradt__search search;     // is put to the fields one by one
     paradt__set unbounded_set; // the set without a bound on positions: fields have gaps between them
+    paradt__list fringe;       // see >>fringe; of the first region, the ghosts
     paradt__list waiting;      // cells to be asked about
     paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
     int is_asking;             // the points that it begins with are inserted
     size_t questions;          // cells taken from `waiting`
-    size_t answer_cells;       // made by the insertion of answers
+    size_t answer_cells;       // cells made by the insertion of answers
 
     // neighbours learned from other regions
-    paradt_index *a_cell;       // [own points] one of the cells at each, for others to look at; or NULL
-    paradt__list neighbor_ends; // for each of the first of others' points, where its neighbours end
-    paradt__list neighbors;     // as positions in the set; none where there are too many
-    uint64_t neighbor_effort;   // groups of them that have been looked at
+    paradt_index *a_cell;       // [own points] one of the cells at each point, for others to look at; or NULL
+    paradt__list neighbor_ends; // for the first of others' points, where in `neighbors` each one's neighbours end
+    paradt__list neighbors;     // as positions in the set; no neighbours of a point that has too many
+    uint64_t neighbor_effort;   // groups of neighbours that have been looked at
 
     // the seam
     paradt__list seam_cells; // cells that were on the seam when they were asked about
-    paradt__mesh seam;       // see paradt__field
-    paradt__list wrong;      // the first region's cells that are not of T(P)
+    paradt__list wrong;      // cells and ghosts of the first region that are not of T(P)
 
-    // what it delivers
-    paradt__list fringe;        // places of all cells and ghosts that have not only vertices of the region; some more
-                                // than once, and some where such ones have been
-    size_t dropped;             // cells and ghosts
-    paradt_index *origin;       // the caller's indices of all points:
-    paradt_index *origin_block; // in this, or, if it is NULL, in the field's part of set.origin
-    int facets;                 // links are delivered as half-facets
+    // the result
+    paradt_index *origin;       // the caller's indices of all points, or -1 for the points of later regions:
+    paradt_index *origin_block; // in this block, or, if it is NULL, in the field's part of set.origin
+    size_t dropped;             // cells and ghosts that are not delivered
     paradt__list open;          // facets delivered without a mirror, numbered as in the result
-    size_t cells_built;         // cells of the triangulation, of which build.scene.mesh are owned
+    size_t cells_built;         // cells of the triangulation, of which the mesh has the owned ones in the end
     uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
 
-// A field of `count` points of the set, without a grid.
+// Begins the field of `count` points of the set, without a grid. field->begin is set.
 static void paradt__field_begin(paradt__field *field, const paradt__set *set, size_t count) {
     int axis;
     field->set = *set;
@@ -10505,12 +10708,89 @@ static void paradt__field_begin(paradt__field *field, const paradt__set *set, si
     }
 }
 
-// --- points
+// Has the patch take memory from this account, and return to it what it has.
+static void paradt__patch_use_memory(paradt__patch *patch, paradt__memory *memory) {
+    patch->memory = patch->build.memory = memory;
+}
 
-// Room for `capacity` points. Others read what the field lent, so that stays as it is.
+// Begins the patch of region number `own`. first_alone: the first region's points span the space
+static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
+                                size_t field_count, size_t own, int first_alone, paradt__memory *memory) {
+    paradt__scene *scene = &patch->build.scene;
+    size_t i;
+    PARADT_ASSERT(own < field_count);
+    memset(patch, 0, sizeof *patch);
+    patch->set = set;
+    patch->unbounded_set = *set;
+    patch->unbounded_set.count = (size_t)PARADT__NOWHERE;
+    patch->fields = fields;
+    patch->field_count = field_count;
+    patch->own = fields + own;
+    patch->own_points_only = first_alone && own == 0;
+    paradt__patch_use_memory(patch, memory);
+    paradt__mesh_begin(&scene->mesh, set->space.dim + 1, 1);
+    scene->space = set->space;
+    memset(&scene->space.counters, 0, sizeof scene->space.counters);
+    paradt__insertion_layout(&patch->build, set);
+    paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
+    for (i = 0; i < field_count; i++) paradt__search_admit(&patch->search, &fields[i].grid);
+}
+
+// Frees what only building needs: all patches wait together for the last step.
+static void paradt__patch_rest(paradt__patch *patch) {
+    paradt__insertion_rest(&patch->build);
+    paradt__mesh_free_marks(&patch->build.scene.mesh, patch->memory);
+    paradt__release(patch->memory, patch->order);
+    if (!patch->records_lent) paradt__release(patch->memory, patch->records);
+    paradt__release(patch->memory, patch->a_cell);
+    paradt__list_free(&patch->waiting, patch->memory);
+    paradt__list_free(&patch->deferred, patch->memory);
+    paradt__list_free(&patch->neighbor_ends, patch->memory);
+    paradt__list_free(&patch->neighbors, patch->memory);
+    paradt__list_free(&patch->seam_cells, patch->memory);
+    patch->build.order = patch->order = NULL;
+    patch->records = NULL;
+    patch->a_cell = NULL;
+}
+
+// Frees all that the patch has, its mesh included.
+static void paradt__patch_end(paradt__patch *patch) {
+    paradt__patch_rest(patch);
+    paradt__list_free(&patch->margin, patch->memory);
+    paradt__list_free(&patch->wrong, patch->memory);
+    paradt__list_free(&patch->fringe, patch->memory);
+    paradt__list_free(&patch->open, patch->memory);
+    paradt__insertion_end(&patch->build);
+    paradt__release(patch->memory, patch->others);
+    paradt__release(patch->memory, patch->origin_block);
+}
+
+// --- vertices
+
+// Is the vertex a point of the region? The infinite vertex is not.
+PARADT__INLINE int paradt__patch_is_own(const paradt__patch *patch, paradt_index vertex) {
+    return (size_t)vertex < patch->own->set.count;
+}
+
+// The position of a vertex in the set
+PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
+    size_t own = patch->own->set.count;
+    PARADT_ASSERT(vertex >= 0 && (size_t)vertex < patch->build.count);
+    return (size_t)vertex < own ? (paradt_index)patch->own->begin + vertex : patch->others[(size_t)vertex - own];
+}
+
+// Number of the vertices of a cell or ghost that are the region's; 0: the cell does not matter to the region.
+static int paradt__patch_own_vertices(const paradt__patch *patch, paradt_index cell) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    return paradt__vertices_below(paradt__mesh_row(mesh, cell), (size_t)mesh->corners,
+                                  (paradt_index)patch->own->set.count);
+}
+
+// Makes room for `capacity` points. Records in the field are copied, since other regions read the field.
 static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity) {
     size_t used = patch->build.count, width = patch->build.scene.width, own = patch->own->set.count;
     void *records = patch->records_lent ? NULL : patch->records, *others = patch->others;
+    PARADT_ASSERT(capacity > patch->capacity);
     if (!paradt__grow(patch->memory, &records, patch->records_lent ? 0 : used * width, capacity * width,
                       sizeof(double)))
         return PARADT_ERROR_MEMORY;
@@ -10525,7 +10805,7 @@ static paradt_status paradt__patch_reserve(paradt__patch *patch, size_t capacity
     return PARADT_OK;
 }
 
-// Begins with the region's own points, in the field: the insertion uses its records.
+// Takes the field's records for those of the insertion.
 static paradt_status paradt__patch_lend(paradt__patch *patch) {
     const paradt__field *own = patch->own;
     patch->others = (paradt_index *)paradt__alloc(patch->memory, own->capacity - own->set.count, sizeof *patch->others);
@@ -10534,16 +10814,6 @@ static paradt_status paradt__patch_lend(paradt__patch *patch) {
     patch->build.scene.records = patch->records;
     patch->capacity = own->capacity;
     patch->records_lent = 1;
-    return PARADT_OK;
-}
-
-static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
-    size_t at = patch->build.count, width = patch->build.scene.width;
-    paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
-    if (status) return status;
-    paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
-    patch->others[at - patch->own->set.count] = (paradt_index)position;
-    patch->build.count++;
     return PARADT_OK;
 }
 
@@ -10556,12 +10826,728 @@ static void paradt__patch_add_own(paradt__patch *patch) {
     patch->build.count = own->set.count;
 }
 
-// The position of a vertex in the set
-PARADT__INLINE paradt_index paradt__patch_position(const paradt__patch *patch, paradt_index vertex) {
-    const paradt__field *own = patch->own;
-    if ((size_t)vertex < own->set.count) return (paradt_index)own->begin + vertex;
-    return patch->others[(size_t)vertex - own->set.count];
+// Adds another region's point.
+static paradt_status paradt__patch_add(paradt__patch *patch, size_t position) {
+    size_t at = patch->build.count, width = patch->build.scene.width;
+    paradt_status status = at < patch->capacity ? PARADT_OK : paradt__patch_reserve(patch, at + at / 8 + 256);
+    PARADT_ASSERT(at >= patch->own->set.count && position - patch->own->begin >= patch->own->set.count);
+    if (status) return status;
+    paradt__copy_record(patch->records + at * width, patch->set->records + position * patch->set->width, width);
+    patch->others[at - patch->own->set.count] = (paradt_index)position;
+    patch->build.count++;
+    return PARADT_OK;
 }
+
+// --- the points to begin with
+
+// Returns the width of the margin: about one and a half distances between neighbours. 0: there is none, since
+// differences of coordinates may overflow, or the box is cut across an axis that orient does not use.
+static double paradt__field_margin(const paradt__field *field) {
+    const paradt__set *set = &field->set;
+    int axis, open = 1;
+    for (axis = set->space.dim; axis < set->space.ambient; axis++)
+        open &= field->low[axis] == -PARADT__FAR && field->high[axis] == PARADT__FAR;
+    if (!set->space.filtered || !open) return 0.0;
+    return paradt__margin_for(paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count));
+}
+
+// Sets K, and lists the points of other regions in it.
+static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
+    const paradt__field *own = patch->own, *field;
+    double margin = paradt__field_margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    paradt_status status = PARADT_OK;
+    int axis;
+    for (axis = 0; axis < patch->set->space.dim; axis++) {
+        patch->bounds[2 * axis] = low[axis] = own->low[axis] - margin;
+        patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
+    }
+    patch->has_margin = margin > 0.0;
+    for (field = patch->fields; field < patch->fields + patch->field_count && patch->has_margin && !status; field++) {
+        if (field != own)
+            status = paradt__grid_list_within(&field->grid, &field->set, low, high, field->begin, &patch->margin,
+                                              patch->memory);
+    }
+    return status;
+}
+
+// The points that the patch has so far, as a set
+static paradt__set paradt__patch_as_set(const paradt__patch *patch) {
+    paradt__set known = *patch->set;
+    known.records = patch->records;
+    known.width = patch->build.scene.width;
+    known.count = patch->build.count;
+    memset(&known.space.counters, 0, sizeof known.space.counters);
+    return known;
+}
+
+// Do the points of a set span the space?
+static int paradt__spans(const paradt__set *set) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__counters counters;
+    memset(&counters, 0, sizeof counters);
+    return set->count > (size_t)set->space.dim &&
+           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
+}
+
+// If the patch's points do not span the space, adds those of `basis` that it has not got; basis: positions of points
+// that span. Only then, because of points far away cells at the hull get so large that floating point cannot decide
+// about their spheres.
+static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_index *basis) {
+    paradt__set known = paradt__patch_as_set(patch);
+    int i;
+    size_t j;
+    paradt_status status = PARADT_OK;
+    patch->outer = patch->has_margin ? known.count : patch->own->set.count;
+    if (paradt__spans(&known)) return PARADT_OK;
+    for (i = 0; i <= known.space.dim && !status; i++) {
+        for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != basis[i];) j++;
+        if (j == known.count) status = paradt__patch_add(patch, (size_t)basis[i]);
+    }
+    return status;
+}
+
+// Makes the order of insertion: points in the margin along with the region's.
+static paradt_status paradt__patch_sort(paradt__patch *patch) {
+    const paradt__field *own = patch->own;
+    paradt__set known = paradt__patch_as_set(patch);
+    const paradt__space *space = &patch->set->space;
+    paradt__curve curve;
+    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
+    int axis;
+    paradt__curve_begin(&curve, space->ambient, paradt__levels_for(patch->set->count, space->ambient), space->low,
+                        space->high, known.count / 8);
+    for (axis = 0; axis < space->ambient; axis++) {
+        low[axis] = paradt__ordered_bits(own->low[axis]);
+        high[axis] = paradt__ordered_bits(own->high[axis]);
+    }
+    paradt__curve_limit(&curve, low, high);
+    patch->order = paradt__merged_order(&known, own->set.count, &curve, patch->memory);
+    if (!patch->order) return PARADT_ERROR_MEMORY;
+    patch->build.order = patch->order;
+    paradt__insertion_span_first(&known, patch->order, &patch->build.scene.space.counters);
+    return PARADT_OK;
+}
+
+// Collects the points to begin with. The first region, if it begins with its own points alone, sorts them now, while
+// the others look for points in their margins; the others sort when they build. basis: positions of points that span
+// the space
+static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *basis) {
+    const paradt__field *own = patch->own;
+    size_t needed, i;
+    paradt_status status = patch->own_points_only ? PARADT_OK : paradt__patch_find_margin(patch);
+    if (!status) status = paradt__patch_lend(patch);
+    needed = own->set.count + (patch->own_points_only ? 0 : patch->margin.count + (size_t)patch->set->space.dim + 1);
+    if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
+    if (status) return status;
+    paradt__patch_add_own(patch);
+    for (i = 0; i < patch->margin.count && !status; i++)
+        status = paradt__patch_add(patch, (size_t)patch->margin.items[i]);
+    paradt__list_free(&patch->margin, patch->memory);
+    if (!status) status = paradt__patch_add_span(patch, basis);
+    return status || !patch->own_points_only ? status : paradt__patch_sort(patch);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>questions between regions
+//
+// How a patch gets from the triangulation of its first points to all cells of T(P) with a vertex of the region. It
+// inserts, then asks about the cells that wait, first the suspects (see >>fringe), and inserts the answers; the new
+// cells have to wait in turn. A cell need not be asked about if its sphere is inside K, nor, near a sphere, a ghost
+// whose facet cuts a cap off that sphere which is inside K.
+//
+// A question about a cell is put to the other fields one by one, in one of two ways. Through the field's grid, by
+// the doors of >>questions, near a sphere with sagittas. Or through the neighbours of a vertex:
+//
+// Let v be a vertex of the cell, or of the ghost's facet, and a point of a set Q. If any point of Q is in conflict with
+// the cell, so is one of v's neighbours in T(Q). For, lifted, Q is in the convex cone that the edges at v and the
+// upward vertical span; and the hyperplane of the cell passes through v, so if none of the edges leads below it,
+// nothing in the cone is below it. What a region has built is at any time a triangulation of a set Q of all its own
+// points and some more. So v's neighbours there, learned at any time, decide for all points of that region. They are
+// few, also near surfaces, where large spheres touch many boxes of the grid and the grid rules out little.
+//
+// So when a region finds that learning is faster than searching, it waits until all regions have built. Then each
+// publishes its mesh; the waiting regions learn the neighbours of those points that they have from other regions, while
+// no mesh changes; and they go on. A cell whose vertices came only after that is deferred until the next such round.
+//
+// Marks: PARADT__WAITING where a cell waits, or is deferred; PARADT__ASKED where it has been asked about. Neither where
+// the cell was made after that.
+// Doors: paradt__patch_build, paradt__patch_complete, paradt__patch_pauses, paradt__patch_publish,
+// paradt__patch_learn_all, paradt__patch_on_seam, paradt__patch_done, paradt__patch_left.
+
+// Is the cell or ghost on the seam: has it one vertex of the region, and no others but the first region's?
+static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    paradt_index end = (paradt_index)patch->fields[0].set.count;
+    int i, own_vertices = 0;
+    for (i = 0; i < mesh->corners; i++) {
+        if (vertices[i] < 0) continue;
+        if (paradt__patch_is_own(patch, vertices[i])) own_vertices++;
+        else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
+    }
+    return own_vertices == 1 && patch->own != patch->fields;
+}
+
+// Adds a cell to those that wait, unless it waits or has been asked about.
+static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    if (mesh->marks[cell] & PARADT__ASKED || !paradt__mesh_mark(mesh, (size_t)cell, PARADT__WAITING)) return PARADT_OK;
+    return paradt__list_append(&patch->waiting, cell, patch->memory);
+}
+
+// Lists the fringe, and has its suspects wait. corners: the mesh's; inlined with a constant
+PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_index own = (paradt_index)patch->own->set.count, outer = (paradt_index)patch->outer;
+    paradt_status status = PARADT_OK;
+    size_t place = 0;
+    for (; !status; place++) {
+        status = paradt__fringe_add_next(&patch->fringe, mesh, corners, own, &place, patch->memory);
+        if (status || place == mesh->count) break;
+        if (paradt__is_suspect(mesh->vertices + place * corners, corners, own, outer, NULL))
+            status = paradt__patch_add_waiting(patch, (paradt_index)place);
+    }
+    return status;
+}
+
+// Begins asking. Listing the suspects takes as long as inserting some points, while the other regions go on.
+static paradt_status paradt__patch_begin_asking(paradt__patch *patch) {
+    enum { CELLS_A_POINT = 400 };
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
+    patch->is_asking = 1;
+    if (patch->own_points_only) return PARADT_OK;
+    paradt__relay_waits(patch->build.relay, mesh->count / CELLS_A_POINT);
+    if (mesh->corners == 4) return paradt__patch_list_suspects(patch, 4);
+    return paradt__patch_list_suspects(patch, (size_t)mesh->corners);
+}
+
+// --- asking
+
+// States the question about a cell: is any point in its sphere, or, for a ghost, strictly beyond its facet? ghost: the
+// place of the infinite vertex; -1: none
+static void paradt__patch_state_question(paradt__patch *patch, paradt_index cell, int ghost) {
+    const paradt__scene *scene = &patch->build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    const double *corners[PARADT_MAX_DIM + 1];
+    paradt_index nowhere[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < mesh->corners; i++) {
+        nowhere[i] = PARADT__NOWHERE;
+        if (i != ghost) corners[i] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
+    }
+    if (ghost < 0) {
+        paradt__question_cell(&patch->search, corners, nowhere);
+    } else { // the vertex behind the facet, which is on the other side, takes the infinite vertex's place
+        paradt_index inner = mesh->vertices[mesh->links[cell * mesh->corners + ghost]];
+        corners[ghost] = paradt__scene_record(scene, inner);
+        paradt__question_facet(&patch->search, corners, nowhere, ghost, -1);
+    }
+}
+
+// Puts the question to a field's grid. Returns a point of the field that is an answer, or -1. positions: of the cell's
+// vertices
+static paradt_index paradt__patch_ask_grid(paradt__patch *patch, const paradt__field *field,
+                                           const paradt_index *positions) {
+    paradt_index places[PARADT_MAX_DIM + 1], found;
+    int i;
+    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
+        size_t place = (size_t)positions[i] - field->begin;
+        places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
+    }
+    paradt__question_redirect(&patch->search, &field->set, &field->grid, places);
+    found = paradt__question_answer(&patch->search);
+    return found >= 0 ? found + (paradt_index)field->begin : (paradt_index)-1;
+}
+
+// Where the neighbours of others' point number `other` begin; its end is where the next one's begin.
+static size_t paradt__patch_neighbors_from(const paradt__patch *patch, size_t other) {
+    return other ? (size_t)patch->neighbor_ends.items[other - 1] : 0;
+}
+
+// Puts the question to the learned neighbours of a vertex. Returns one that is an answer, or -1. other: the vertex, as
+// the number of others' point
+static paradt_index paradt__patch_ask_neighbors(paradt__patch *patch, size_t other, const paradt_index *positions) {
+    size_t i = paradt__patch_neighbors_from(patch, other), end = paradt__patch_neighbors_from(patch, other + 1);
+    patch->neighbor_effort += 1 + (end - i) / PARADT__LANES;
+    paradt__question_redirect(&patch->search, &patch->unbounded_set, NULL, positions);
+    for (; i < end; i++) {
+        paradt_index neighbor = patch->neighbors.items[i];
+        if (paradt__question_fits(&patch->search, (size_t)neighbor)) return neighbor;
+    }
+    return -1;
+}
+
+// Returns a vertex of the cell that is the field's, as the number of others' point: one whose neighbours have been
+// learned and are not too many; otherwise one whose neighbours have not been learned yet; otherwise SIZE_MAX.
+static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    size_t own = patch->own->set.count, unlearned = SIZE_MAX;
+    int i;
+    for (i = 0; i < mesh->corners; i++) {
+        size_t other = (size_t)vertices[i] - own;
+        if (vertices[i] < 0) continue;
+        if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
+        if (other >= patch->neighbor_ends.count) unlearned = other;
+        else if (paradt__patch_neighbors_from(patch, other + 1) > paradt__patch_neighbors_from(patch, other))
+            return other;
+    }
+    return unlearned;
+}
+
+// Does the question about the cell take neighbours that have not been learned yet?
+static int paradt__patch_must_defer(const paradt__patch *patch, paradt_index cell) {
+    const paradt__field *field = patch->fields, *end = field + patch->field_count;
+    for (; field < end; field++) {
+        size_t witness;
+        if (field == patch->own || !field->published) continue;
+        witness = paradt__patch_witness(patch, field, cell);
+        if (witness != SIZE_MAX && witness >= patch->neighbor_ends.count) return 1;
+    }
+    return 0;
+}
+
+// Puts the stated question about a cell to another region's field. Returns a point of the field that is an answer, or
+// -1.
+static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    paradt_index positions[PARADT_MAX_DIM + 1];
+    size_t witness = field->published ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
+    int i;
+    for (i = 0; i < mesh->corners; i++)
+        positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
+    return witness == SIZE_MAX ? paradt__patch_ask_grid(patch, field, positions)
+                               : paradt__patch_ask_neighbors(patch, witness, positions);
+}
+
+// Notes the cell as one of those at its own vertices.
+PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index cell) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    int i;
+    for (i = 0; i < mesh->corners; i++) {
+        if (paradt__patch_is_own(patch, vertices[i])) patch->a_cell[vertices[i]] = cell;
+    }
+}
+
+// Inserts a point in conflict with the cell. Nothing is known about the new cells: those with own vertices have to
+// wait.
+static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
+    paradt__insertion *build = &patch->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    const paradt__update *update = &build->update;
+    size_t i;
+    paradt_status status = paradt__patch_add(patch, position);
+    if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
+    patch->answer_cells += update->made_count;
+    for (i = 0; i < update->killed_count && !status; i++)
+        paradt__mesh_unmark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[i]), PARADT__WAITING | PARADT__ASKED);
+    for (i = 0; i < update->made_count && !status; i++) {
+        paradt_index made = paradt__mesh_cell(mesh, update->made[i]);
+        PARADT_ASSERT(!(mesh->marks[made] & (PARADT__WAITING | PARADT__ASKED)));
+        if (patch->a_cell) paradt__patch_note_cell(patch, made);
+        status = paradt__fringe_add(&patch->fringe, mesh, made, patch->memory);
+        if (!status && paradt__patch_own_vertices(patch, made)) status = paradt__patch_add_waiting(patch, made);
+    }
+    return status;
+}
+
+// Asks about a cell and inserts the answer, if there is one; or defers the cell.
+static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt__field *field = patch->fields, *end = field + patch->field_count;
+    int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), mesh->corners);
+    paradt_index answer = -1;
+    if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
+    paradt__mesh_unmark(mesh, (size_t)cell, PARADT__WAITING);
+    paradt__mesh_mark(mesh, (size_t)cell, PARADT__ASKED);
+    if (paradt__patch_on_seam(patch, cell)) {
+        paradt_status status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
+        if (status) return status;
+    }
+    paradt__patch_state_question(patch, cell, ghost);
+    if (patch->has_margin && paradt__question_is_confined(&patch->search, patch->bounds)) return PARADT_OK;
+    for (; field < end && answer < 0; field++) {
+        if (field != patch->own && field->set.count) answer = paradt__patch_ask(patch, field, cell, ghost);
+    }
+    if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
+    if (ghost < 0) return PARADT_OK;
+    // A point in the plane of the ghost's facet is in conflict with the ghost if it is with the cell behind the facet.
+    return paradt__patch_add_waiting(patch, paradt__mesh_cell(mesh, mesh->links[cell * mesh->corners + ghost]));
+}
+
+// --- neighbours learned from other regions
+
+// Makes the mesh ready to be looked at by other regions.
+static paradt_status paradt__patch_publish(paradt__patch *patch) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    size_t cell;
+    patch->a_cell = (paradt_index *)paradt__alloc(patch->memory, patch->own->set.count, sizeof *patch->a_cell);
+    if (!patch->a_cell) return PARADT_ERROR_MEMORY;
+    for (cell = 0; cell < mesh->count; cell++) {
+        if (mesh->vertices[cell * (size_t)mesh->corners] != PARADT__DEAD)
+            paradt__patch_note_cell(patch, (paradt_index)cell);
+    }
+    return PARADT_OK;
+}
+
+// Appends the neighbours of another region's own point in its mesh, each at least once; none if they are too many.
+static paradt_status paradt__patch_learn(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
+    const paradt__mesh *mesh = &other->build.scene.mesh;
+    paradt_index first = other->a_cell[vertex], base = first * (paradt_index)mesh->corners, i;
+    paradt__star star;
+    size_t next;
+    paradt_status status = PARADT_OK;
+    PARADT_ASSERT(paradt__patch_is_own(other, vertex));
+    paradt__star_of(mesh, first, vertex, &star);
+    patch->neighbor_effort += PARADT__LANES + star.count / 4;
+    if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
+    for (i = base; i < base + mesh->corners && !status; i++) {
+        if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
+            status =
+                paradt__list_append(&patch->neighbors, paradt__patch_position(other, mesh->vertices[i]), patch->memory);
+    }
+    for (next = 1; next < star.count && !status; next++) {
+        paradt_index neighbor = mesh->vertices[star.handles[next]];
+        if (neighbor >= 0)
+            status = paradt__list_append(&patch->neighbors, paradt__patch_position(other, neighbor), patch->memory);
+    }
+    return status;
+}
+
+// Learns the neighbours of all points that the patch has from regions that have published. Deferred cells wait again.
+static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
+    size_t own = patch->own->set.count, i;
+    paradt_status status = PARADT_OK;
+    while (own + patch->neighbor_ends.count < patch->build.count && !status) {
+        paradt_index position = patch->others[patch->neighbor_ends.count];
+        const paradt__field *field = patch->fields;
+        while ((size_t)position - field->begin >= field->set.count) field++;
+        PARADT_ASSERT(field != patch->own && field < patch->fields + patch->field_count);
+        if (field->published)
+            status = paradt__patch_learn(patch, field->published, position - (paradt_index)field->begin);
+        if (!status)
+            status = paradt__list_append(&patch->neighbor_ends, (paradt_index)patch->neighbors.count, patch->memory);
+    }
+    for (i = 0; i < patch->deferred.count && !status; i++)
+        status = paradt__list_append(&patch->waiting, patch->deferred.items[i], patch->memory);
+    patch->deferred.count = 0;
+    return status;
+}
+
+// --- building
+
+// Number of groups of boxes and of neighbours that have been looked at for answers
+static uint64_t paradt__patch_effort(const paradt__patch *patch) {
+    return paradt__search_effort(&patch->search) + patch->neighbor_effort;
+}
+
+// Is it faster to learn neighbours now than to go on searching? Learning a point's neighbours takes as long as some
+// looks.
+static int paradt__patch_learning_pays(const paradt__patch *patch) {
+    size_t others = patch->build.count - patch->own->set.count;
+    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+}
+
+// Should the region give up? It should when the questions and the insertion of their answers take longer than to insert
+// all points of another region, or of two where there are more. Making a cell takes as long as two looks or more, in
+// high dimension many. Everything may be the seam, as on exactly cospherical points.
+static int paradt__patch_gives_up(const paradt__patch *patch) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    uint64_t effort = paradt__patch_effort(patch) / (mesh->corners <= 4 ? 2 : 4);
+    return effort + patch->answer_cells > mesh->count * (patch->field_count > 2 ? 2 : 1) + 5000;
+}
+
+// Inserts the points to begin with, until it pauses or begins asking.
+static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
+    paradt__insertion *build = &patch->build;
+    paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
+    PARADT_ASSERT(!patch->is_asking);
+    if (!status)
+        status = build->inserted ? paradt__insertion_go(build, progress) : paradt__insertion_run(build, progress);
+    if (!status && build->inserted < build->count) return PARADT_OK;
+    paradt__release(patch->memory, patch->order);
+    build->order = patch->order = NULL;
+    if (!status) status = paradt__patch_begin_asking(patch);
+    return status;
+}
+
+// So many questions, with the insertion of their answers, take as long as the insertion of a point.
+enum { PARADT__QUESTIONS_A_POINT = 2 };
+
+// Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, deferred ones
+// excepted; or until it pauses. can_learn: it stops, with cells waiting, when learning is faster than searching
+static paradt_status paradt__patch_complete(paradt__patch *patch, int can_learn, const paradt__progress *progress) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    PARADT_ASSERT(patch->is_asking);
+    while (!status && patch->waiting.count && !(can_learn && paradt__patch_learning_pays(patch))) {
+        paradt_index cell = patch->waiting.items[--patch->waiting.count];
+        if (mesh->marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
+        if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
+        if (++patch->questions % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
+        if (paradt__relay_pauses(patch->build.relay, patch->questions, 64 / PARADT__QUESTIONS_A_POINT)) break;
+    }
+    return status;
+}
+
+// Has it paused, inserting or asking?
+static int paradt__patch_pauses(const paradt__patch *patch, int can_learn) {
+    return !patch->is_asking || (patch->waiting.count && !(can_learn && paradt__patch_learning_pays(patch)));
+}
+
+// What has been done, in points inserted
+static size_t paradt__patch_done(const paradt__patch *patch) {
+    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
+}
+
+// What is still to be done, in points inserted. The questions to come take as long as the insertion of the margin.
+static size_t paradt__patch_left(const paradt__patch *patch) {
+    const paradt__insertion *build = &patch->build;
+    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
+    return build->count - build->inserted + build->count - patch->own->set.count;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>seam
+//
+// Which cells of the first region are right, if it has its own points alone. It has built T(S) of its points S. As it
+// owns the cells with its points alone, it has all of them: a cell of T(P) with vertices in S alone is one of T(S). But
+// some cells of T(S) are wrong, in conflict with points of other regions.
+//
+// The other regions list the *seam*: cells and ghosts of T(P) with one vertex that is not in S, the apex. A facet of
+// the seam is the facet of such a cell opposite the apex, with vertices in S alone. A facet that is listed twice has
+// other regions' cells on both sides. Behind a facet that is listed once is a cell of T(P) with vertices in S alone; it
+// is right. On the apex's side of this facet T(S) has a wrong cell: if the apex q were inserted into T(S) alone, the
+// facet would get a cell with q, as it has in T(P). The cells of T(S) in conflict with q, all wrong, are connected
+// through facets. So from the one that contains q all wrong cells around can be reached without crossing a facet that
+// is listed once. And no right cell can: a facet between a right and a wrong cell is a facet of T(P), where the cell on
+// its wrong side has a vertex that is not in S, just one, so the facet is listed, once.
+//
+// Each wrong cell is reached from some facet in this way, as the cells of T(S) are connected through facets, unless no
+// facet is listed once. In that case all cells are wrong if any cell of T(P) has a vertex that is not in S; otherwise
+// all are right.
+//
+// The seam is a mesh with positions for vertices, which for points of the first region are its own vertices too. Links
+// of a cell's facets that do not belong to the seam are PARADT__HULL. Marks in the first region's mesh: PARADT__WRONG.
+// Doors: paradt__patch_list_seam, paradt__patch_apply_seam.
+
+// Adds a cell or ghost to the seam, with its facet opposite the apex open.
+static paradt_status paradt__patch_add_to_seam(const paradt__patch *patch, paradt__mesh *seam, paradt_index cell) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    paradt_index handle, i;
+    paradt_status status = paradt__mesh_room(seam, patch->memory);
+    if (status) return status;
+    handle = paradt__mesh_take(seam) * mesh->corners;
+    for (i = 0; i < mesh->corners; i++, handle++) {
+        seam->vertices[handle] = vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
+        seam->links[handle] = paradt__patch_is_own(patch, vertices[i]) ? PARADT__OPEN : PARADT__HULL;
+    }
+    return PARADT_OK;
+}
+
+// Has any cell or ghost a vertex of the region?
+static int paradt__patch_has_cells(const paradt__patch *patch) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_index cell;
+    for (cell = 0; (size_t)cell < mesh->count; cell++) {
+        if (*paradt__mesh_row(mesh, cell) != PARADT__DEAD && paradt__patch_own_vertices(patch, cell)) return 1;
+    }
+    return 0;
+}
+
+// Lists the seam in the region's field, when all cells of T(P) with a vertex of the region are there.
+static paradt_status paradt__patch_list_seam(paradt__patch *patch, paradt__field *field) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    size_t i;
+    paradt_status status = PARADT_OK;
+    PARADT_ASSERT(field == patch->own && !patch->own_points_only && !patch->waiting.count && !patch->deferred.count);
+    PARADT__VERIFY(mesh, 1, PARADT__CONFLICT | PARADT__WAITING);
+    paradt__mesh_begin(&field->seam, mesh->corners, 0);
+    for (i = 0; i < patch->seam_cells.count && !status; i++) {
+        paradt_index cell = patch->seam_cells.items[i];
+        if (!(mesh->marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue; // another one by now
+        paradt__mesh_unmark(mesh, (size_t)cell, PARADT__ASKED); // it may be listed twice
+        status = paradt__patch_add_to_seam(patch, &field->seam, cell);
+    }
+    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
+    return status;
+}
+
+// --- what the other regions list, put together
+
+// The links of facets that have been listed twice are handles. The link of a facet that has been listed once is
+// PARADT__OPEN, and becomes PARADT__HULL when the wrong cell on its side has been reached.
+typedef struct paradt__seam {
+    paradt__mesh mesh;
+    paradt__facets once; // facets that have been listed once, by keys
+} paradt__seam;
+
+static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
+    paradt__mesh_free(&seam->mesh, memory);
+    paradt__facets_free(&seam->once, memory);
+}
+
+// Puts together what the other regions have listed.
+static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
+    const paradt__field *end = patch->fields + patch->field_count, *field;
+    int corners = patch->build.scene.mesh.corners;
+    paradt_index facets, facet;
+    size_t count = 0;
+    paradt_status status;
+    memset(seam, 0, sizeof *seam);
+    paradt__mesh_begin(&seam->mesh, corners, 0);
+    for (field = patch->fields + 1; field < end; field++) count += field->seam.count;
+    status = paradt__mesh_reserve(&seam->mesh, count, count, patch->memory);
+    if (!status) status = paradt__facets_begin(&seam->once, 0, 1, patch->memory);
+    if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
+    if (status) return status;
+    for (field = patch->fields + 1; field < end; field++) {
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
+    }
+    facets = (paradt_index)count * corners;
+    for (facet = 0; facet < facets; facet++) {
+        if (seam->mesh.links[facet] == PARADT__OPEN)
+            paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
+                               corners);
+    }
+    PARADT__VERIFY(&seam->mesh, 0, 0);
+    return PARADT_OK;
+}
+
+// Is the facet of a wrong cell listed once, so that the cell on the other side is right? The wrong cell has been
+// reached then. sum: paradt__cell_sum of the cell; corners: the mesh's; inlined with a constant
+PARADT__INLINE int paradt__seam_stops(const paradt__seam *seam, const paradt__mesh *mesh, paradt_index handle,
+                                      uint64_t sum, int corners) {
+    paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
+    paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
+    if (facet < 0) return 0;
+    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN); // a facet has one wrong side
+    seam->mesh.links[facet] = PARADT__HULL;
+    return 1;
+}
+
+// --- wrong cells
+
+// Lists a wrong cell, unless it is listed.
+static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
+    if (!paradt__mesh_mark(&patch->build.scene.mesh, (size_t)cell, PARADT__WRONG)) return PARADT_OK;
+    return paradt__list_append(&patch->wrong, cell, patch->memory);
+}
+
+// Flood fill from wrong.items[next] on: appends every cell that is reached without crossing the seam.
+PARADT__INLINE paradt_status paradt__patch_flood_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
+                                                       int corners) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    int i;
+    for (; next < patch->wrong.count && !status; next++) {
+        paradt_index base = patch->wrong.items[next] * corners;
+        uint64_t sum = paradt__cell_sum(mesh->vertices + base, corners);
+        paradt__mesh_fetch_listed(mesh, patch->wrong.items, patch->wrong.count, next);
+        for (i = 0; i < corners && !status; i++) {
+            paradt_index other = mesh->links[base + i] / corners;
+            if (!(mesh->marks[other] & PARADT__WRONG) && !paradt__seam_stops(seam, mesh, base + i, sum, corners))
+                status = paradt__patch_add_wrong(patch, other);
+        }
+    }
+    return status;
+}
+
+// Lists a wrong cell and all that are reached from it.
+static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
+    size_t next = patch->wrong.count;
+    int corners = seam->mesh.corners;
+    paradt_status status = paradt__patch_add_wrong(patch, first);
+    if (status) return status;
+    return corners == 4 ? paradt__patch_flood_wrong(patch, seam, next, 4)
+                        : paradt__patch_flood_wrong(patch, seam, next, corners);
+}
+
+// Lists all cells and ghosts as wrong.
+static paradt_status paradt__patch_list_all_wrong(paradt__patch *patch) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_index cell;
+    paradt_status status = PARADT_OK;
+    for (cell = 0; (size_t)cell < mesh->count && !status; cell++) {
+        if (*paradt__mesh_row(mesh, cell) != PARADT__DEAD) status = paradt__patch_add_wrong(patch, cell);
+    }
+    return status;
+}
+
+// Lists the wrong cells and ghosts of the first region.
+static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
+    paradt__scene *scene = &patch->build.scene;
+    paradt_index cell = paradt__insertion_start(&patch->build);
+    size_t facets = seam->mesh.count * (size_t)seam->mesh.corners, i;
+    int others_have_cells = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 1; i < patch->field_count; i++) others_have_cells |= patch->fields[i].has_cells;
+    if (others_have_cells && !seam->once.count) return paradt__patch_list_all_wrong(patch);
+    for (i = 0; i < facets && !status; i++) {
+        if (seam->mesh.links[i] != PARADT__OPEN) continue;
+        cell = paradt__walk(scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
+        status = paradt__patch_list_wrong(patch, seam, cell);
+    }
+    return status;
+}
+
+// --- ghosts
+
+// Lists the ghosts that are reached from those in the fringe's list through facets.
+static paradt_status paradt__patch_flood_ghosts(paradt__patch *patch) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_index corners = (paradt_index)mesh->corners, i;
+    size_t next;
+    paradt_status status = PARADT_OK;
+    for (next = 0; next < patch->fringe.count && !status; next++) {
+        paradt_index base = patch->fringe.items[next] * corners;
+        paradt__mesh_fetch_listed(mesh, patch->fringe.items, patch->fringe.count, next);
+        for (i = base; i < base + corners && !status; i++) {
+            if (mesh->vertices[i] != PARADT__INFINITE)
+                status = paradt__fringe_add(&patch->fringe, mesh, mesh->links[i] / corners, patch->memory);
+        }
+    }
+    return status;
+}
+
+// Lists the first region's fringe, which are its ghosts. If any ghost is wrong, so is the first cell that was listed.
+static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt_status status;
+    if (!patch->wrong.count || paradt__is_finite_cell(paradt__mesh_row(mesh, patch->wrong.items[0]), mesh->corners))
+        return paradt__fringe_list(&patch->fringe, mesh, PARADT__NOWHERE, patch->memory);
+    status = paradt__fringe_add(&patch->fringe, mesh, patch->wrong.items[0], patch->memory);
+    return status ? status : paradt__patch_flood_ghosts(patch);
+}
+
+// Lists the wrong cells and the ghosts of the first region, when all other regions have listed the seam.
+static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
+    paradt__seam seam;
+    paradt_status status;
+    PARADT_ASSERT(patch->own_points_only && patch->own == patch->fields && !patch->own->begin);
+    status = paradt__seam_begin(&seam, patch);
+    if (!status) status = paradt__patch_find_wrong(patch, &seam);
+    if (!status) status = paradt__patch_list_ghosts(patch);
+    paradt__seam_free(&seam, patch->memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>results of patches
+//
+// What a patch delivers: the cells that the region owns, with the caller's indices, and a list of their open facets,
+// behind which other regions' cells are. Or, if regions are given up, the triangulation of the whole set.
+//
+// All that the region does not own is in the fringe, and of the first region in the list of wrong cells; the mesh is
+// compacted by these lists. Points of later regions get -1 for an index meanwhile: a cell with such a vertex is not the
+// region's. Doors: paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all.
+
+#define PARADT__LATER_REGION ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MIN : INT64_MIN)) // a bit of -1
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
@@ -10582,540 +11568,60 @@ static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index 
     return PARADT_OK;
 }
 
-// Is the point in K?
-static int paradt__is_within(const double *x, const double *low, const double *high, int dim) {
-    int axis;
-    for (axis = 0; axis < dim; axis++) {
-        if (x[axis] < low[axis] || x[axis] > high[axis]) return 0;
-    }
-    return 1;
+// Does the region own the cell or ghost? corners: the mesh's
+PARADT__INLINE int paradt__patch_owns(const paradt__patch *patch, const paradt_index *vertices, size_t corners) {
+    return paradt__owns(vertices, corners, (paradt_index)patch->own->set.count, patch->origin, PARADT__LATER_REGION);
 }
 
-// Lists the points of a field's box that are in K.
-static paradt_status paradt__patch_gather(paradt__patch *patch, const paradt__field *field, int level, size_t box,
-                                          const double *low, const double *high) {
-    int dim = patch->set->space.dim, axis;
-    size_t first = box * PARADT__LANES, i;
-    const double *bounds =
-        field->grid.boxes[level] + box / PARADT__LANES * field->grid.group_width + box % PARADT__LANES;
-    paradt_status status = PARADT_OK;
-    for (axis = 0; axis < dim; axis++, bounds += 2 * PARADT__LANES) {
-        if (bounds[0] > high[axis] || bounds[PARADT__LANES] < low[axis]) return PARADT_OK;
-    }
-    for (i = first; i < first + PARADT__LANES && !status; i++) {
-        if (level) {
-            if (i >= field->grid.box_count[level - 1]) break;
-            status = paradt__patch_gather(patch, field, level - 1, i, low, high);
-        } else if (i < field->set.count &&
-                   paradt__is_within(field->set.records + i * field->set.width, low, high, dim)) {
-            status = paradt__list_append(&patch->margin, (paradt_index)(field->begin + i), patch->memory);
-        }
-    }
-    return status;
-}
-
-// The margin: about one and a half distances between neighbours. Where differences of coordinates may overflow there is
-// none, nor where the box is cut across an axis that is not among those that orient.
-static double paradt__margin(const paradt__field *field) {
-    const paradt__set *set = &field->set;
-    int axis, open = 1;
-    for (axis = set->space.dim; axis < set->space.ambient; axis++)
-        open &= field->low[axis] == -PARADT__FAR && field->high[axis] == PARADT__FAR;
-    if (!set->space.filtered || !open) return 0.0;
-    return paradt__margin_for(paradt__spacing(set->records, set->width, set->space.dim, NULL, set->count));
-}
-
-// Lists the points of the others in the margin, which K has then.
-static paradt_status paradt__patch_find_margin(paradt__patch *patch) {
-    const paradt__field *own = patch->own;
-    double margin = paradt__margin(own), low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    paradt_status status = PARADT_OK;
-    size_t i;
-    int axis;
-    for (axis = 0; axis < patch->set->space.dim; axis++) {
-        patch->bounds[2 * axis] = low[axis] = own->low[axis] - margin;
-        patch->bounds[2 * axis + 1] = high[axis] = own->high[axis] + margin;
-    }
-    patch->has_margin = margin > 0.0;
-    for (i = 0; i < patch->field_count && patch->has_margin && !status; i++) {
-        const paradt__field *field = patch->fields + i;
-        int level = field->grid.levels - 1;
-        size_t box;
-        for (box = 0; patch->fields + i != patch->own && level >= 0 && box < field->grid.box_count[level] && !status;
-             box++) {
-            status = paradt__patch_gather(patch, field, level, box, low, high);
-        }
-    }
-    return status;
-}
-
-// The points that the patch has so far, as a set
-static paradt__set paradt__patch_known(const paradt__patch *patch) {
-    paradt__set known = *patch->set;
-    known.records = patch->records;
-    known.width = patch->build.scene.width;
-    known.count = patch->build.count;
-    memset(&known.space.counters, 0, sizeof known.space.counters);
-    return known;
-}
-
-// Does a set of points span the space?
-static int paradt__spans(const paradt__set *set) {
-    paradt_index basis[PARADT_MAX_DIM + 1];
-    paradt__counters counters;
-    memset(&counters, 0, sizeof counters);
-    return set->count > (size_t)set->space.dim &&
-           paradt__set_basis(set, NULL, 0, basis, NULL, &counters, NULL) == set->space.dim + 1;
-}
-
-// Adds those of `whole`, which span the set, that the patch has not got, if its own points don't span. Only then:
-// points far away give the hull cells so large that their spheres can't be told without exact arithmetic.
-static paradt_status paradt__patch_add_span(paradt__patch *patch, const paradt_index *whole) {
-    paradt__set known = paradt__patch_known(patch);
-    int i;
-    size_t j;
-    paradt_status status = PARADT_OK;
-    patch->outer = patch->has_margin ? known.count : patch->own->set.count;
-    if (paradt__spans(&known)) return PARADT_OK;
-    for (i = 0; i <= known.space.dim && !status; i++) {
-        for (j = 0; j < known.count && paradt__patch_position(patch, (paradt_index)j) != whole[i];) j++;
-        if (j == known.count) status = paradt__patch_add(patch, (size_t)whole[i]);
-    }
-    return status;
-}
-
-// The order of insertion: points in the margin along with the region's
-static paradt_status paradt__patch_sort(paradt__patch *patch) {
-    const paradt__field *own = patch->own;
-    paradt__set known = paradt__patch_known(patch);
-    const paradt__space *space = &patch->set->space;
-    paradt__curve curve;
-    int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int axis;
-    paradt__curve_begin(&curve, space->ambient, paradt__levels_for(patch->set->count, space->ambient), space->low,
-                        space->high, known.count / 8);
-    for (axis = 0; axis < space->ambient; axis++) {
-        low[axis] = paradt__ordered_bits(own->low[axis]);
-        high[axis] = paradt__ordered_bits(own->high[axis]);
-    }
-    paradt__curve_limit(&curve, low, high);
-    patch->order = paradt__merged_order(&known, own->set.count, &curve, patch->memory);
-    if (!patch->order) return PARADT_ERROR_MEMORY;
-    patch->build.order = patch->order;
-    paradt__insertion_span_first(&known, patch->order, &patch->build.scene.space.counters);
-    return PARADT_OK;
-}
-
-// The points to begin with. Vertices are the region's first, in their order, then those in the margin. The region that
-// has no margin sorts its points at once, while the others look for theirs; these do it when they build.
-static paradt_status paradt__patch_points(paradt__patch *patch, const paradt_index *whole) {
-    const paradt__field *own = patch->own;
-    size_t needed, i;
-    paradt_status status;
-    status = patch->own_points_only ? PARADT_OK : paradt__patch_find_margin(patch);
-    if (!status) status = paradt__patch_lend(patch);
-    needed = own->set.count + (patch->own_points_only ? 0 : patch->margin.count + (size_t)patch->set->space.dim + 1);
-    if (!status && patch->capacity < needed) status = paradt__patch_reserve(patch, needed + needed / 64 + 256);
-    if (status) return status;
-    paradt__patch_add_own(patch);
-    for (i = 0; i < patch->margin.count && !status; i++)
-        status = paradt__patch_add(patch, (size_t)patch->margin.items[i]);
-    paradt__list_free(&patch->margin, patch->memory);
-    if (!status) status = paradt__patch_add_span(patch, whole);
-    return status || !patch->own_points_only ? status : paradt__patch_sort(patch);
-}
-
-// --- cells
-
-PARADT__INLINE const paradt_index *paradt__patch_cell(const paradt__patch *patch, paradt_index cell) {
-    return patch->build.scene.mesh.vertices + (size_t)cell * (size_t)patch->build.scene.mesh.corners;
-}
-
-// Is the vertex a point of the region? These are the first.
-PARADT__INLINE int paradt__patch_is_own(const paradt__patch *patch, paradt_index vertex) {
-    return (size_t)vertex < patch->own->set.count;
-}
-
-// How many vertices of the cell are the region's? If none, the cell does not matter to it.
-static int paradt__patch_own_vertices(const paradt__patch *patch, paradt_index cell) {
-    paradt_index own = (paradt_index)patch->own->set.count;
-    return paradt__vertices_below(paradt__patch_cell(patch, cell), (size_t)patch->build.scene.mesh.corners, own);
-}
-
-// Does the region own a cell or ghost that has a vertex of it? Once patch->origin has the caller's indices, or -1.
-static int paradt__patch_owns(const paradt__patch *patch, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    int i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] >= 0 && patch->origin[vertices[i]] < 0) return 0;
-    }
-    return 1;
-}
-
-// Has a cell or ghost one vertex of the region, and else the first region's?
-static int paradt__patch_on_seam(const paradt__patch *patch, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    paradt_index end = (paradt_index)patch->fields[0].set.count;
-    int i, share = 0;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] < 0) continue;
-        if (paradt__patch_is_own(patch, vertices[i])) share++;
-        else if (paradt__patch_position(patch, vertices[i]) >= end) return 0;
-    }
-    return share == 1 && patch->own != patch->fields;
-}
-
-// Puts a cell into the list of those to be asked about, if nothing is known of it.
-static paradt_status paradt__patch_add_waiting(paradt__patch *patch, paradt_index cell) {
-    if (patch->build.scene.mesh.marks[cell] & (PARADT__WAITING | PARADT__ASKED)) return PARADT_OK;
-    patch->build.scene.mesh.marks[cell] |= PARADT__WAITING;
-    return paradt__list_append(&patch->waiting, cell, patch->memory);
-}
-
-// Puts a cell into the list of wrong ones, unless it is there.
-static paradt_status paradt__patch_add_wrong(paradt__patch *patch, paradt_index cell) {
-    if (patch->build.scene.mesh.marks[cell] & PARADT__WRONG) return PARADT_OK;
-    patch->build.scene.mesh.marks[cell] |= PARADT__WRONG;
-    return paradt__list_append(&patch->wrong, cell, patch->memory);
-}
-
-// Could a cell or ghost be wrong that has not only vertices of the region?
-static int paradt__patch_is_suspect(const paradt__patch *patch, const paradt_index *vertices) {
-    int share = 0, outer = 0, i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        share += vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
-        outer |= vertices[i] < 0 || (size_t)vertices[i] >= patch->outer;
-    }
-    return share == 1 || (share && outer);
-}
-
-// Lists the fringe, and of it the cells that could be wrong.
-PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, size_t corners) {
-    const paradt__mesh *cells = &patch->build.scene.mesh;
-    paradt_index own = (paradt_index)patch->own->set.count;
-    size_t cell = paradt__mesh_fringe_from(cells, corners, own, 0);
-    paradt_status status = PARADT_OK;
-    for (; cell < cells->count && !status; cell = paradt__mesh_fringe_from(cells, corners, own, cell + 1)) {
-        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
-        if (!status && paradt__patch_is_suspect(patch, cells->vertices + cell * corners))
-            status = paradt__patch_add_waiting(patch, (paradt_index)cell);
-    }
-    return status;
-}
-
-// To look for them takes as long as the insertion of a few points, in which the other regions go on.
-static paradt_status paradt__patch_suspects(paradt__patch *patch) {
-    enum { CELLS_A_POINT = 400 };
-    paradt__relay_waits(patch->build.relay, patch->build.scene.mesh.count / CELLS_A_POINT);
-    if (patch->build.scene.mesh.corners == 4) return paradt__patch_list_suspects(patch, 4);
-    return paradt__patch_list_suspects(patch, (size_t)patch->build.scene.mesh.corners);
-}
-
-// States the question about a cell: are there points in its sphere, or, for a ghost, strictly beyond its facet?
-static void paradt__patch_state_question(paradt__patch *patch, paradt_index cell, int ghost) {
-    const paradt__insertion *build = &patch->build;
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    const double *corners[PARADT_MAX_DIM + 1];
-    paradt_index nowhere[PARADT_MAX_DIM + 1];
-    int i;
-    for (i = 0; i < build->scene.mesh.corners; i++) {
-        nowhere[i] = PARADT__NOWHERE;
-        if (i != ghost) corners[i] = paradt__record(patch->set, paradt__patch_position(patch, vertices[i]));
-    }
-    if (ghost < 0) {
-        paradt__question_cell(&patch->search, corners, nowhere);
-    } else { // the vertex behind the facet takes the ghost's place, on the other side
-        paradt_index handle = build->scene.mesh.links[cell * build->scene.mesh.corners + ghost];
-        const paradt_index *inner = paradt__patch_cell(patch, paradt__mesh_cell(&build->scene.mesh, handle));
-        corners[ghost] = paradt__scene_record(&build->scene, inner[handle % build->scene.mesh.corners]);
-        paradt__question_facet(&patch->search, corners, nowhere, ghost, -1);
-    }
-}
-
-// Returns a point of the field that answers the question, or -1. positions: of the cell's vertices
-static paradt_index paradt__patch_ask_grid(paradt__patch *patch, const paradt__field *field,
-                                           const paradt_index *positions) {
-    paradt_index places[PARADT_MAX_DIM + 1], found;
-    int i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        size_t place = (size_t)positions[i] - field->begin;
-        places[i] = place < field->set.count ? (paradt_index)place : PARADT__NOWHERE;
-    }
-    paradt__question_redirect(&patch->search, &field->set, &field->grid, places);
-    found = paradt__question_answer(&patch->search);
-    return found >= 0 ? found + (paradt_index)field->begin : (paradt_index)-1;
-}
-
-// The cell has one of others' points, of which the neighbours are told. Returns one of these neighbours that answers
-// the question, or -1.
-static paradt_index paradt__patch_ask_neighbors(paradt__patch *patch, size_t told, const paradt_index *positions) {
-    size_t i = told ? (size_t)patch->neighbor_ends.items[told - 1] : 0, end = (size_t)patch->neighbor_ends.items[told];
-    patch->neighbor_effort += 1 + (end - i) / PARADT__LANES;
-    paradt__question_redirect(&patch->search, &patch->unbounded_set, NULL, positions);
-    for (; i < end; i++) {
-        if (paradt__question_fits(&patch->search, (size_t)patch->neighbors.items[i])) return patch->neighbors.items[i];
-    }
-    return -1;
-}
-
-// A vertex of the cell that is the field's, as the number of others' points that the patch has: one of which the
-// neighbours are told, or else one of which they are not told yet, or SIZE_MAX.
-static size_t paradt__patch_witness(const paradt__patch *patch, const paradt__field *field, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    size_t own = patch->own->set.count, untold = SIZE_MAX;
-    int i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        size_t other = (size_t)vertices[i] - own;
-        if (vertices[i] < 0) continue;
-        if ((size_t)paradt__patch_position(patch, vertices[i]) - field->begin >= field->set.count) continue;
-        if (other >= patch->neighbor_ends.count) untold = other;
-        else if (patch->neighbor_ends.items[other] > (other ? patch->neighbor_ends.items[other - 1] : 0)) return other;
-    }
-    return untold;
-}
-
-// Is there a region of which the patch is not told yet what the cell needs?
-static int paradt__patch_must_defer(const paradt__patch *patch, paradt_index cell) {
-    size_t i, witness;
-    for (i = 0; i < patch->field_count; i++) {
-        if (patch->fields + i == patch->own || !patch->fields[i].published) continue;
-        witness = paradt__patch_witness(patch, patch->fields + i, cell);
-        if (witness != SIZE_MAX && witness >= patch->neighbor_ends.count) return 1;
-    }
-    return 0;
-}
-
-// Returns a point of another region that answers the question, or -1.
-static paradt_index paradt__patch_ask(paradt__patch *patch, const paradt__field *field, paradt_index cell, int ghost) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    paradt_index positions[PARADT_MAX_DIM + 1];
-    size_t witness = field->published ? paradt__patch_witness(patch, field, cell) : SIZE_MAX;
-    int i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++)
-        positions[i] = i == ghost ? PARADT__NOWHERE : paradt__patch_position(patch, vertices[i]);
-    return witness == SIZE_MAX ? paradt__patch_ask_grid(patch, field, positions)
-                               : paradt__patch_ask_neighbors(patch, witness, positions);
-}
-
-// Notes of a cell that it is around its vertices, for those that are the region's.
-PARADT__INLINE void paradt__patch_note_cell(paradt__patch *patch, paradt_index cell) {
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    int i;
-    for (i = 0; i < patch->build.scene.mesh.corners; i++) {
-        if (vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i])) patch->a_cell[vertices[i]] = cell;
-    }
-}
-
-// Inserts a point in conflict with the cell. What it replaced is forgotten, what it made has to wait.
-static paradt_status paradt__patch_insert(paradt__patch *patch, size_t position, paradt_index cell) {
-    paradt__insertion *build = &patch->build;
-    size_t i;
-    paradt_status status = paradt__patch_add(patch, position);
-    if (!status) status = paradt__insert_one_more(build, (paradt_index)(build->count - 1), cell);
-    patch->answer_cells += build->update.made_count;
-    for (i = 0; i < build->update.killed_count && !status; i++)
-        build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
-    for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        build->scene.mesh.marks[made] = 0;
-        if (patch->a_cell) paradt__patch_note_cell(patch, made);
-        status = paradt__list_append(&patch->fringe, made, patch->memory);
-        if (!status && paradt__patch_own_vertices(patch, made)) status = paradt__patch_add_waiting(patch, made);
-    }
-    return status;
-}
-
-// Asks about a cell, and does what follows from the answer. No point that is missing is in a sphere inside K, nor
-// beyond a ghost's facet or in its plane where these have no more of the reference sphere than a cap inside K.
-static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cell) {
-    paradt__insertion *build = &patch->build;
-    int ghost = paradt__ghost_place(paradt__patch_cell(patch, cell), build->scene.mesh.corners);
-    paradt_index answer = -1;
-    size_t i;
-    paradt_status status = PARADT_OK;
-    if (paradt__patch_must_defer(patch, cell)) return paradt__list_append(&patch->deferred, cell, patch->memory);
-    build->scene.mesh.marks[cell] = PARADT__ASKED;
-    if (paradt__patch_on_seam(patch, cell)) status = paradt__list_append(&patch->seam_cells, cell, patch->memory);
-    if (status) return status;
-    paradt__patch_state_question(patch, cell, ghost);
-    if (patch->has_margin && paradt__question_is_confined(&patch->search, patch->bounds)) return PARADT_OK;
-    for (i = 0; i < patch->field_count && answer < 0; i++) {
-        if (patch->fields + i != patch->own && patch->fields[i].set.count)
-            answer = paradt__patch_ask(patch, patch->fields + i, cell, ghost);
-    }
-    if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
-    if (ghost < 0) return PARADT_OK;
-    // Points in the plane of its facet are in conflict with the ghost if they are with the cell behind it.
-    return paradt__patch_add_waiting(
-        patch,
-        paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[cell * build->scene.mesh.corners + ghost]));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>telling
-//
-// Doors: to be listed.
-
-// --- what regions tell each other
-//
-// Let v be a vertex of a cell, or of the facet of a ghost, and a point of a set Q. If any point of Q is in conflict
-// with the cell, so is one of v's neighbours in T(Q): lifted, Q is in the convex cone that v's edges and the upward
-// vertical span; the cell's hyperplane passes through v, and no way up leads below it. A region's triangulation is at
-// any time one of all its own points and some more, so v's neighbours there, at whatever time, decide for all of its
-// points. They are few also near surfaces, which large spheres touch so that boxes rule out little. Regions tell each
-// other the neighbours of the points that they have from each other; while one looks at another's cells, none changes.
-
-// Makes ready to be looked at by others.
-static paradt_status paradt__patch_publish(paradt__patch *patch) {
-    size_t own = patch->own->set.count, corners = (size_t)patch->build.scene.mesh.corners, cell;
-    patch->a_cell = (paradt_index *)paradt__alloc(patch->memory, own, sizeof *patch->a_cell);
-    if (!patch->a_cell) return PARADT_ERROR_MEMORY;
-    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
-        if (patch->build.scene.mesh.vertices[cell * corners] != PARADT__DEAD)
-            paradt__patch_note_cell(patch, (paradt_index)cell);
-    }
-    return PARADT_OK;
-}
-
-// Lists the neighbours of another region's own point in its triangulation, each at least once.
-static paradt_status paradt__patch_learn(paradt__patch *patch, const paradt__patch *other, paradt_index vertex) {
-    const paradt__mesh *mesh = &other->build.scene.mesh;
-    paradt_index first = other->a_cell[vertex], base = first * (paradt_index)mesh->corners, i;
-    paradt__star star;
-    size_t next;
-    paradt_status status = PARADT_OK;
-    paradt__star_of(mesh, first, vertex, &star);
-    patch->neighbor_effort += PARADT__LANES + star.count / 4;
-    if (star.count > PARADT__STAR_CELLS) return PARADT_OK;
-    for (i = base; i < base + mesh->corners && !status; i++) {
-        if (mesh->vertices[i] != vertex && mesh->vertices[i] >= 0)
-            status =
-                paradt__list_append(&patch->neighbors, paradt__patch_position(other, mesh->vertices[i]), patch->memory);
-    }
-    for (next = 1; next < star.count && !status; next++) {
-        paradt_index neighbor = mesh->vertices[star.handles[next]];
-        if (neighbor >= 0)
-            status = paradt__list_append(&patch->neighbors, paradt__patch_position(other, neighbor), patch->memory);
-    }
-    return status;
-}
-
-// Gives back what only the building needs: all patches wait together for the last step.
-static void paradt__patch_rest(paradt__patch *patch) {
-    paradt__kept_free(patch->build.kept, patch->memory);
-    paradt__release(patch->memory, patch->order);
-    if (!patch->records_lent) paradt__release(patch->memory, patch->records);
-    paradt__release(patch->memory, patch->build.scene.mesh.marks);
-    paradt__release(patch->memory, patch->a_cell);
-    paradt__list_free(&patch->waiting, patch->memory);
-    paradt__list_free(&patch->deferred, patch->memory);
-    paradt__list_free(&patch->neighbor_ends, patch->memory);
-    paradt__list_free(&patch->neighbors, patch->memory);
-    paradt__list_free(&patch->seam_cells, patch->memory);
-    patch->build.kept = NULL;
-    patch->build.order = patch->order = NULL;
-    patch->records = NULL;
-    patch->a_cell = NULL;
-    patch->build.scene.mesh.marks = NULL;
-}
-
-static void paradt__patch_end(paradt__patch *patch) {
-    paradt__patch_rest(patch);
-    paradt__list_free(&patch->margin, patch->memory);
-    paradt__list_free(&patch->wrong, patch->memory);
-    paradt__list_free(&patch->fringe, patch->memory);
-    paradt__list_free(&patch->open, patch->memory);
-    paradt__mesh_free(&patch->seam, patch->memory);
-    paradt__insertion_end(&patch->build);
-    paradt__release(patch->memory, patch->others);
-    paradt__release(patch->memory, patch->origin_block);
-    paradt__mesh_free(&patch->build.scene.mesh, patch->memory);
-}
-
-static void paradt__patch_begin(paradt__patch *patch, const paradt__set *set, const paradt__field *fields,
-                                size_t field_count, size_t own, paradt__memory *memory) {
-    size_t i;
-    memset(patch, 0, sizeof *patch);
-    patch->set = set;
-    patch->unbounded_set = *set;
-    patch->unbounded_set.count = (size_t)PARADT__NOWHERE;
-    patch->fields = fields;
-    patch->field_count = field_count;
-    patch->own = fields + own;
-    patch->memory = patch->build.memory = memory;
-    paradt__mesh_begin(&patch->build.scene.mesh, set->space.dim + 1, 1);
-    paradt__mesh_begin(&patch->seam, set->space.dim + 1, 0);
-    patch->build.scene.space = set->space;
-    memset(&patch->build.scene.space.counters, 0, sizeof patch->build.scene.space.counters);
-    paradt__insertion_layout(&patch->build, set);
-    paradt__search_begin(&patch->search, &fields[own].set, &fields[own].grid);
-    for (i = 0; i < field_count; i++) paradt__search_admit(&patch->search, &fields[i].grid);
-}
-
-// What is on the other side of a facet is dropped.
-PARADT__INLINE void paradt__patch_cut(paradt__patch *patch, paradt_index handle, paradt_index becomes) {
-    if (handle >= 0) patch->build.scene.mesh.links[handle] = becomes; // else its cell was dropped before
-}
-
-// Drops a ghost, or a cell of another region. share: how many vertices are the region's; 0 too if it is wrong. The
-// links to what is dropped: a facet of S's hull that has a vertex of the region is one of T(P)'s hull; the others are
-// open.
-static void paradt__patch_drop(paradt__patch *patch, size_t cell, int share) {
-    int corners = patch->build.scene.mesh.corners, ghost, j;
-    paradt_index *vertices = patch->build.scene.mesh.vertices + cell * (size_t)corners;
-    const paradt_index *links = patch->build.scene.mesh.links + cell * (size_t)corners;
-    ghost = paradt__ghost_place(vertices, corners);
-    if (ghost >= 0) {
-        patch->hull_facets += (uint64_t)(share && paradt__patch_owns(patch, (paradt_index)cell));
-        paradt__patch_cut(patch, links[ghost], share ? PARADT__HULL : PARADT__OPEN);
-    } else {
-        patch->cells_built++;
-        for (j = 0; j < corners; j++) paradt__patch_cut(patch, links[j], PARADT__OPEN);
-    }
-    vertices[0] = PARADT__DEAD;
+// Drops a ghost, or a cell that the region does not own. is_right: 0 where nothing says that it is one of T(P). The
+// facet of a right ghost is on the hull of T(P); other facets become open.
+PARADT__INLINE void paradt__patch_drop(paradt__patch *patch, size_t place, size_t corners, int is_right) {
+    const paradt__mesh *mesh = &patch->build.scene.mesh;
+    const paradt_index *vertices = mesh->vertices + place * corners;
+    int is_ghost = !paradt__is_finite_cell(vertices, (int)corners);
+    patch->cells_built += (size_t)!is_ghost;
+    patch->hull_facets += (uint64_t)(is_ghost && is_right && paradt__patch_owns(patch, vertices, corners));
+    paradt__mesh_drop(mesh, place, corners, is_ghost && is_right ? PARADT__HULL : PARADT__OPEN);
     patch->dropped++;
 }
 
-// Drops what the region does not own, all of it in the fringe.
-PARADT__INLINE void paradt__patch_drop_fringe(paradt__patch *patch, size_t corners) {
-    const paradt__mesh cells = patch->build.scene.mesh; // a copy, which nothing that is written can change
+// Drops the wrong cells, and all ghosts and cells in the fringe that the region does not own. A cell or ghost with an
+// own vertex is right.
+PARADT__INLINE void paradt__patch_drop_others(paradt__patch *patch, size_t corners) {
+    const paradt__mesh mesh = patch->build.scene.mesh; // a copy, which nothing that is written can change
     const paradt_index *fringe = patch->fringe.items, own = (paradt_index)patch->own->set.count;
     size_t count = patch->fringe.count, i;
+    for (i = 0; i < patch->wrong.count; i++) paradt__patch_drop(patch, (size_t)patch->wrong.items[i], corners, 0);
     for (i = 0; i < count; i++) {
-        const paradt_index *vertices = cells.vertices + (size_t)fringe[i] * corners;
-        int share;
-        paradt__mesh_fetch_listed(&cells, fringe, count, i);
+        const paradt_index *vertices = mesh.vertices + (size_t)fringe[i] * corners;
+        paradt__mesh_fetch_listed(&mesh, fringe, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
-        share = paradt__vertices_below(vertices, corners, own);
-        if (!share || !paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE) ||
-            !paradt__patch_owns(patch, fringe[i]))
-            paradt__patch_drop(patch, (size_t)fringe[i], share);
+        if (!paradt__is_finite_cell(vertices, (int)corners) || !paradt__patch_owns(patch, vertices, corners))
+            paradt__patch_drop(patch, (size_t)fringe[i], corners, paradt__vertices_below(vertices, corners, own) > 0);
     }
 }
 
-// Leaves only the cells of the region, which are the first then. Points of later regions have no index: a cell with one
-// of them is not the region's.
+// Leaves only the cells that the region owns, at the first places.
 static paradt_status paradt__patch_compact(paradt__patch *patch) {
     const paradt__field *own = patch->own;
-    paradt__insertion *build = &patch->build;
+    paradt__mesh *mesh = &patch->build.scene.mesh;
+    paradt__list dropped[2];
     paradt_status status = paradt__patch_translate(patch, (paradt_index)(own->begin + own->set.count));
-    size_t end = build->scene.mesh.count, i;
     if (status) return status;
-    for (i = 0; i < patch->wrong.count; i++) paradt__patch_drop(patch, (size_t)patch->wrong.items[i], 0);
-    if (build->scene.mesh.corners == 4) paradt__patch_drop_fringe(patch, 4);
-    else paradt__patch_drop_fringe(patch, (size_t)build->scene.mesh.corners);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + patch->dropped;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->wrong.items, patch->wrong.count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, patch->fringe.items, patch->fringe.count, &end);
+    if (mesh->corners == 4) paradt__patch_drop_others(patch, 4);
+    else paradt__patch_drop_others(patch, (size_t)mesh->corners);
+    dropped[0] = patch->wrong;
+    dropped[1] = patch->fringe;
+    paradt__mesh_compact(mesh, patch->dropped, dropped, 2);
     paradt__list_free(&patch->wrong, patch->memory);
     paradt__list_free(&patch->fringe, patch->memory);
-    patch->cells_built += build->scene.mesh.count;
+    patch->cells_built += mesh->count;
+    PARADT__VERIFY(mesh, 0, 0);
     return PARADT_OK;
 }
 
-// Lists the open facets of a cell that has been emitted. first: the number of the region's first cell in the result
-static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
+// Lists the open facets of a cell that has been emitted. first: number of the region's first cell in the result
+static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
     size_t corners = (size_t)patch->build.scene.mesh.corners, j;
     paradt_status status = PARADT_OK;
     for (j = 0; j < corners && !status; j++) {
@@ -11125,21 +11631,22 @@ static paradt_status paradt__patch_open_cell(paradt__patch *patch, const paradt_
     return status;
 }
 
-// Writes the region's cells, which are compact, to where they go: with the caller's vertices and numbered neighbours.
-// That may be where they are, or before it. Lists the facets that are open.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *place, size_t first,
+// Writes the region's cells to `rows`, which may be where they are, or before it, with the caller's vertices, and lists
+// their open facets.
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t first,
                                                       const paradt__progress *progress, size_t corners) {
-    const paradt__mesh cells = patch->build.scene.mesh; // copies, which nothing that is written can change
-    const paradt__rows to = *place;
+    const paradt__mesh mesh = patch->build.scene.mesh; // copies, which nothing that is written can change
+    const paradt__rows to = *rows;
     const paradt_index *origin = patch->origin;
     size_t i;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < cells.count; i++) {
+    for (i = 0; i < mesh.count; i++) {
+        int bare;
         if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
             return PARADT_ERROR_CANCELLED;
-        int bare = paradt__mesh_emit_row(&cells, i, corners, origin, &to);
+        bare = paradt__mesh_emit_row(&mesh, i, corners, origin, &to);
         paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_open_cell(patch, &to, i, first);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i, first);
     }
     return status;
 }
@@ -11150,298 +11657,9 @@ static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows
     return paradt__patch_emit_cells(patch, to, first, progress, (size_t)patch->build.scene.mesh.corners);
 }
 
-// Looks for answers so far
-static uint64_t paradt__patch_effort(const paradt__patch *patch) {
-    return paradt__search_effort(&patch->search) + patch->neighbor_effort;
-}
+// --- the whole set
 
-// Would it be sooner to be told by others? To hear of a point takes as long as some looks.
-static int paradt__patch_learning_pays(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->own->set.count;
-    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
-}
-
-// Do the questions, with what is inserted for them, take longer than to insert another region's points, or two others'
-// where there are more? To make a cell takes as long as two looks or more, with the dimension many. A set may be all
-// seam: exactly cospherical points are.
-static int paradt__patch_gives_up(const paradt__patch *patch) {
-    uint64_t looked = paradt__patch_effort(patch) / (patch->build.scene.mesh.corners <= 4 ? 2 : 4);
-    return looked + patch->answer_cells > patch->build.scene.mesh.count * (patch->field_count > 2 ? 2 : 1) + 5000;
-}
-
-// Builds the triangulation of the points that the region begins with. When it has paused, it goes on.
-static paradt_status paradt__patch_build(paradt__patch *patch, const paradt__progress *progress) {
-    paradt__insertion *build = &patch->build;
-    paradt_status status = patch->order ? PARADT_OK : paradt__patch_sort(patch);
-    if (!status)
-        status = build->inserted ? paradt__insertion_go(build, progress) : paradt__insertion_run(build, progress);
-    if (!status && build->inserted < build->count) return PARADT_OK;
-    paradt__release(patch->memory, patch->order);
-    build->order = patch->order = NULL;
-    patch->is_asking = 1;
-    return status || patch->own_points_only ? status : paradt__patch_suspects(patch);
-}
-
-// So many questions, with what is inserted for them, take as long as to insert a point.
-enum { PARADT__QUESTIONS_A_POINT = 2 };
-
-// Asks about the cells that wait, until all cells of T(P) with a vertex of the region are there, but for those that
-// wait for what others have to tell; or until it pauses. If it is may_wait, no longer than others would take to tell.
-static paradt_status paradt__patch_complete(paradt__patch *patch, int may_wait, const paradt__progress *progress) {
-    paradt_status status = PARADT_OK;
-    while (!status && patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch))) {
-        paradt_index cell = patch->waiting.items[--patch->waiting.count];
-        if (patch->build.scene.mesh.marks[cell] & PARADT__WAITING) status = paradt__patch_settle(patch, cell);
-        if (!status && paradt__patch_gives_up(patch)) status = PARADT__GAVE_UP;
-        if (++patch->questions % 1024 == 0 && paradt__progress_cancels(progress, 1.0)) return PARADT_ERROR_CANCELLED;
-        if (paradt__relay_pauses(patch->build.relay, patch->questions, 64 / PARADT__QUESTIONS_A_POINT)) break;
-    }
-    return status;
-}
-
-// Has it paused, inserting or asking?
-static int paradt__patch_pauses(const paradt__patch *patch, int may_wait) {
-    return !patch->is_asking || (patch->waiting.count && !(may_wait && paradt__patch_learning_pays(patch)));
-}
-
-// Hears of all points that it has from others. The cells that waited for that go on.
-static paradt_status paradt__patch_learn_all(paradt__patch *patch) {
-    size_t own = patch->own->set.count, i;
-    paradt_status status = PARADT_OK;
-    while (own + patch->neighbor_ends.count < patch->build.count && !status) {
-        paradt_index position = patch->others[patch->neighbor_ends.count];
-        const paradt__field *field = patch->fields;
-        while ((size_t)position - field->begin >= field->set.count) field++;
-        if (field->published)
-            status = paradt__patch_learn(patch, field->published, position - (paradt_index)field->begin);
-        if (!status)
-            status = paradt__list_append(&patch->neighbor_ends, (paradt_index)patch->neighbors.count, patch->memory);
-    }
-    for (i = 0; i < patch->deferred.count && !status; i++)
-        status = paradt__list_append(&patch->waiting, patch->deferred.items[i], patch->memory);
-    patch->deferred.count = 0;
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>seam
-//
-// Doors: to be listed.
-
-// --- the seam
-//
-// The first region has built T(S) of its own points S, and lacks nothing: a cell of T(P) with vertices in S alone is
-// one of T(S). But which of T(S)'s cells are of T(P), and which are wrong, in conflict with others' points? The others
-// list the seam: the facets with vertices in S alone of those cells of T(P) that have one vertex more, the apex. Cells
-// are all here that are ghosts too. A facet listed twice has others' cells on both sides. Behind one listed once is a
-// cell of T(P) that has its vertices in S alone; it is right. On the apex's side of the facet T(S) has a wrong cell: if
-// the apex q were inserted into T(S) alone, the facet would get the cell with q, as it has it in T(P). The cells of
-// T(S) in conflict with q, all wrong, are connected through facets. So from the one that contains q all wrong cells
-// around can be reached without passing the facets listed once, and no right one: a facet between a right and a wrong
-// cell is of T(P), where the cell on the wrong side has others' vertices, one of them, so it is listed, once.
-//
-// All wrong cells are reached from some facet so, since the cells of T(S) are connected through facets, unless there
-// is no facet listed once. Then all cells are wrong if any cell of T(P) has a vertex that is not in S, and else all are
-// right.
-
-// Adds a cell or ghost to the seam. Its facet opposite the apex is open, and no other.
-static paradt_status paradt__patch_add_to_seam(paradt__patch *patch, paradt_index cell) {
-    int corners = patch->build.scene.mesh.corners, i;
-    const paradt_index *vertices = paradt__patch_cell(patch, cell);
-    size_t base;
-    paradt_status status = paradt__mesh_room(&patch->seam, patch->memory);
-    if (status) return status;
-    base = (size_t)paradt__mesh_take(&patch->seam) * (size_t)corners;
-    for (i = 0; i < corners; i++) {
-        int own = vertices[i] >= 0 && paradt__patch_is_own(patch, vertices[i]);
-        patch->seam.vertices[base + (size_t)i] =
-            vertices[i] < 0 ? vertices[i] : paradt__patch_position(patch, vertices[i]);
-        patch->seam.links[base + (size_t)i] = own ? PARADT__OPEN : PARADT__HULL;
-    }
-    return PARADT_OK;
-}
-
-// Lists the seam, when all cells have been asked about.
-static paradt_status paradt__patch_list_seam(paradt__patch *patch) {
-    size_t i;
-    paradt_status status = PARADT_OK;
-    for (i = 0; i < patch->seam_cells.count && !status; i++) {
-        paradt_index cell = patch->seam_cells.items[i];
-        if (!(patch->build.scene.mesh.marks[cell] & PARADT__ASKED) || !paradt__patch_on_seam(patch, cell)) continue;
-        patch->build.scene.mesh.marks[cell] = 0; // it may be there twice
-        status = paradt__patch_add_to_seam(patch, cell);
-    }
-    return status;
-}
-
-// Has any cell or ghost a vertex of the region?
-static int paradt__patch_has_cells(paradt__patch *patch) {
-    size_t cell;
-    for (cell = 0; cell < patch->build.scene.mesh.count; cell++) {
-        if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD &&
-            paradt__patch_own_vertices(patch, (paradt_index)cell))
-            return 1;
-    }
-    return 0;
-}
-
-// What the other regions say of the seam. Links of facets that have been listed twice are handles. PARADT__OPEN is the
-// link of a facet that has been listed once and whose wrong cell has not been reached.
-typedef struct paradt__seam {
-    paradt__mesh mesh;
-    paradt__facets once; // by keys
-} paradt__seam;
-
-static void paradt__seam_free(paradt__seam *seam, paradt__memory *memory) {
-    paradt__mesh_free(&seam->mesh, memory);
-    paradt__facets_free(&seam->once, memory);
-}
-
-static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch *patch) {
-    const paradt__field *end = patch->fields + patch->field_count, *field;
-    int corners = patch->build.scene.mesh.corners;
-    size_t count = 0, i;
-    paradt_status status;
-    memset(seam, 0, sizeof *seam);
-    paradt__mesh_begin(&seam->mesh, corners, 0);
-    for (field = patch->fields + 1; field < end; field++) count += field->seam.count;
-    status = paradt__mesh_reserve(&seam->mesh, count, count, patch->memory);
-    if (!status) status = paradt__facets_begin(&seam->once, 0, 1, patch->memory);
-    if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
-    if (status) return status;
-    for (field = patch->fields + 1; field < end; field++) {
-        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
-    }
-    for (i = 0; i < count * (size_t)corners; i++) {
-        paradt_index facet = (paradt_index)i;
-        if (seam->mesh.links[i] != PARADT__OPEN) continue;
-        paradt__facets_tie(&seam->once, &seam->mesh, paradt__facet_key_of(&seam->once, &seam->mesh, facet), facet,
-                           corners);
-    }
-    PARADT__VERIFY(&seam->mesh, 0, 0);
-    return PARADT_OK;
-}
-
-// Has the facet of a wrong cell been listed once, so that the cell on its other side is right? It is reached then. sum:
-// of the cell
-PARADT__INLINE int paradt__seam_has(const paradt__seam *seam, const paradt__mesh *mesh, paradt_index handle,
-                                    uint64_t sum, int corners) {
-    paradt__facet_key key = {0, paradt__facet_hash(sum - paradt__vertex_key(mesh->vertices[handle]))};
-    paradt_index facet = paradt__facets_find(&seam->once, &seam->mesh, key, mesh->vertices, handle, corners);
-    if (facet < 0) return 0;
-    PARADT_ASSERT(seam->mesh.links[facet] == PARADT__OPEN);
-    seam->mesh.links[facet] = PARADT__HULL;
-    return 1;
-}
-
-// Lists those cells that are reached without passing the seam from those in the list, the first `next` apart.
-PARADT__INLINE paradt_status paradt__patch_spread_wrong(paradt__patch *patch, const paradt__seam *seam, size_t next,
-                                                        int corners) {
-    const paradt__mesh *mesh = &patch->build.scene.mesh;
-    paradt_status status = PARADT_OK;
-    int i;
-    for (; next < patch->wrong.count && !status; next++) {
-        paradt_index base = patch->wrong.items[next] * corners;
-        uint64_t sum = paradt__cell_sum(mesh->vertices + base, corners);
-        paradt__mesh_fetch_listed(mesh, patch->wrong.items, patch->wrong.count, next);
-        for (i = 0; i < corners && !status; i++) {
-            paradt_index other = mesh->links[base + i] / corners;
-            if (!(mesh->marks[other] & PARADT__WRONG) && !paradt__seam_has(seam, mesh, base + i, sum, corners))
-                status = paradt__patch_add_wrong(patch, other);
-        }
-    }
-    return status;
-}
-
-// Lists a wrong cell, and those that are reached from it without passing the seam.
-static paradt_status paradt__patch_list_wrong(paradt__patch *patch, const paradt__seam *seam, paradt_index first) {
-    size_t next = patch->wrong.count;
-    paradt_status status = paradt__patch_add_wrong(patch, first);
-    if (status) return status;
-    if (seam->mesh.corners == 4) return paradt__patch_spread_wrong(patch, seam, next, 4);
-    return paradt__patch_spread_wrong(patch, seam, next, seam->mesh.corners);
-}
-
-// Lists all cells and ghosts.
-static paradt_status paradt__patch_list_all(paradt__patch *patch) {
-    size_t cell;
-    paradt_status status = PARADT_OK;
-    for (cell = 0; cell < patch->build.scene.mesh.count && !status; cell++) {
-        if (*paradt__patch_cell(patch, (paradt_index)cell) != PARADT__DEAD)
-            status = paradt__patch_add_wrong(patch, (paradt_index)cell);
-    }
-    return status;
-}
-
-// Lists the cells and ghosts of the first region that are not of T(P).
-static paradt_status paradt__patch_find_wrong(paradt__patch *patch, paradt__seam *seam) {
-    paradt__insertion *build = &patch->build;
-    paradt_index cell = paradt__insertion_start(build);
-    size_t i;
-    int others = 0;
-    paradt_status status = PARADT_OK;
-    for (i = 1; i < patch->field_count; i++) others |= patch->fields[i].has_cells;
-    if (others && !seam->once.count) return paradt__patch_list_all(patch);
-    for (i = 0; i < seam->mesh.count * (size_t)seam->mesh.corners && !status; i++) {
-        if (seam->mesh.links[i] != PARADT__OPEN) continue;
-        cell = paradt__walk(&build->scene, cell, paradt__record(patch->set, seam->mesh.vertices[i]));
-        status = paradt__patch_list_wrong(patch, seam, cell);
-    }
-    return status;
-}
-
-// Lists the ghosts that are reached from those in the fringe, through facets.
-static paradt_status paradt__patch_spread_ghosts(paradt__patch *patch) {
-    paradt_index corners = (paradt_index)patch->build.scene.mesh.corners, i;
-    size_t next;
-    paradt_status status = PARADT_OK;
-    for (next = 0; next < patch->fringe.count && !status; next++) {
-        paradt_index base = patch->fringe.items[next] * corners;
-        paradt__mesh_fetch_listed(&patch->build.scene.mesh, patch->fringe.items, patch->fringe.count, next);
-        for (i = base; i < base + corners && !status; i++) {
-            paradt_index other = patch->build.scene.mesh.links[i] / corners;
-            if (patch->build.scene.mesh.vertices[i] == PARADT__INFINITE ||
-                patch->build.scene.mesh.marks[other] & PARADT__LISTED)
-                continue;
-            patch->build.scene.mesh.marks[other] |= PARADT__LISTED;
-            status = paradt__list_append(&patch->fringe, other, patch->memory);
-        }
-    }
-    return status;
-}
-
-// The fringe of the first region are the ghosts. If any is wrong, so is the first that was listed. Else they are looked
-// for everywhere.
-static paradt_status paradt__patch_list_ghosts(paradt__patch *patch) {
-    const paradt__mesh *cells = &patch->build.scene.mesh;
-    int corners = cells->corners;
-    size_t cell;
-    paradt_status status = PARADT_OK;
-    if (patch->wrong.count && paradt__ghost_place(paradt__patch_cell(patch, patch->wrong.items[0]), corners) >= 0) {
-        patch->build.scene.mesh.marks[patch->wrong.items[0]] |= PARADT__LISTED;
-        status = paradt__list_append(&patch->fringe, patch->wrong.items[0], patch->memory);
-        return status ? status : paradt__patch_spread_ghosts(patch);
-    }
-    cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, 0);
-    for (; cell < cells->count && !status;
-         cell = paradt__mesh_fringe_from(cells, (size_t)corners, PARADT__NOWHERE, cell + 1))
-        status = paradt__list_append(&patch->fringe, (paradt_index)cell, patch->memory);
-    return status;
-}
-
-// Lists what of the first region's cells and ghosts is not of T(P), and its fringe.
-static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
-    paradt__seam seam;
-    paradt_status status = paradt__seam_begin(&seam, patch);
-    if (!status) status = paradt__patch_find_wrong(patch, &seam);
-    if (!status) status = paradt__patch_list_ghosts(patch);
-    paradt__seam_free(&seam, patch->memory);
-    return status;
-}
-
-// --- all points
-
-// Adds all points that the patch has not got, behind those inserted, and their order.
+// Adds all points that the patch has not got, behind those inserted, and makes their order.
 static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     const paradt__field *last = patch->fields + patch->field_count - 1, *field;
     size_t before = patch->build.count, end = last->begin + last->set.count, i;
@@ -11467,22 +11685,17 @@ static paradt_status paradt__patch_add_all(paradt__patch *patch) {
     return status;
 }
 
-// Makes the patch the triangulation of the whole set, with the caller's indices.
-static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__progress *progress) {
+// Makes the patch the triangulation of the whole set, closed, with the caller's indices. facets: links remain
+// half-facets
+static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, const paradt__progress *progress) {
     paradt__insertion *build = &patch->build;
-    paradt_status status;
-    build->inserted = build->count;
-    build->later = 0;
-    status = paradt__patch_add_all(patch);
-    build->order = patch->order;
-    if (!status && build->inserted < build->count)
-        status = paradt__insertion_go_on(build, paradt__insertion_point(build, build->inserted), build->count,
-                                         paradt__insertion_start(build));
-    if (!status) status = paradt__insertion_go(build, progress);
+    size_t before = build->count;
+    paradt_status status = paradt__patch_add_all(patch);
+    if (!status) status = paradt__insertion_more(build, patch->order, before, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
     if (!status)
-        patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, patch->facets, progress->meter);
+        patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets, progress->meter);
     return status;
 }
 
@@ -11492,7 +11705,7 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 // What a rank builds: the triangulation of its own points and of those of others' that it knows, gone on with whenever
 // more become known, until in the end the cells are left that the rank owns. Vertices are positions in a set, in which
 // the own points are the first. It is compiled where paradt_mpi.h is implemented.
-// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_is_suspect, paradt__remote_owns.
+// Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
@@ -11500,16 +11713,13 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, const paradt__
 typedef struct paradt__known {
     paradt__insertion build;
     paradt_index *order; // of the insertion of the first points
-    // [fringe_capacity] once it is listed, the places of all ghosts and of all cells with others' points; some where
-    // such ones have been, and few more than once
-    paradt_index *fringe;
-    size_t fringe_count, fringe_capacity;
+    paradt__list fringe; // see >>fringe
 } paradt__known;
 
 static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     known->build.memory = memory;
     paradt__insertion_end(&known->build);
-    paradt__release(memory, known->fringe);
+    paradt__list_free(&known->fringe, memory);
     paradt__release(memory, known->order);
     memset(known, 0, sizeof *known);
 }
@@ -11531,40 +11741,23 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     return paradt__insertion_run(&known->build, progress);
 }
 
-// Puts a place on the list of the fringe.
-PARADT__INLINE paradt_status paradt__known_add_fringe(paradt__known *known, size_t place) {
-    size_t count = known->fringe_count;
-    paradt_status status =
-        paradt__list_room(&known->fringe, count, &known->fringe_capacity, count + 1, known->build.memory);
-    if (status) return status;
-    known->build.scene.mesh.marks[place] |= PARADT__LISTED;
-    known->fringe[known->fringe_count++] = (paradt_index)place;
-    return PARADT_OK;
-}
-
 // Forgets the list of the fringe, to make it anew.
 static void paradt__known_relist(paradt__known *known) {
-    size_t i;
-    for (i = 0; i < known->fringe_count; i++) known->build.scene.mesh.marks[known->fringe[i]] = 0;
-    known->fringe_count = 0;
+    paradt__fringe_forget(&known->fringe, &known->build.scene.mesh);
 }
 
 // Lists the first place of the fringe from *place on, or else makes *place the number of all places. own: so many
 // positions are the own points'.
 PARADT__INLINE paradt_status paradt__known_list(paradt__known *known, paradt_index own, size_t *place) {
-    const paradt__mesh *cells = &known->build.scene.mesh;
-    *place = cells->corners == 4 ? paradt__mesh_fringe_from(cells, 4, own, *place)
-                                 : paradt__mesh_fringe_from(cells, (size_t)cells->corners, own, *place);
-    return *place < cells->count ? paradt__known_add_fringe(known, *place) : PARADT_OK;
+    paradt__mesh *mesh = &known->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners;
+    if (corners == 4) return paradt__fringe_add_next(&known->fringe, mesh, 4, own, place, known->build.memory);
+    return paradt__fringe_add_next(&known->fringe, mesh, corners, own, place, known->build.memory);
 }
 
 // Lists all of it.
 static paradt_status paradt__known_list_all(paradt__known *known, paradt_index own) {
-    paradt_status status = PARADT_OK;
-    size_t place = 0;
-    for (paradt__known_relist(known); place < known->build.scene.mesh.count && !status; place++)
-        status = paradt__known_list(known, own, &place);
-    return status;
+    return paradt__fringe_list(&known->fringe, &known->build.scene.mesh, own, known->build.memory);
 }
 
 // Inserts one more point of the set, whose records may have moved. All cells that it makes come to the fringe: many
@@ -11578,23 +11771,9 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
     status = paradt__insert_one_more(build, position, -1);
     for (i = 0; i < build->update.made_count && !status; i++) {
         paradt_index made = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
-        if (!(build->scene.mesh.marks[made] & PARADT__LISTED)) status = paradt__known_add_fringe(known, (size_t)made);
+        status = paradt__fringe_add(&known->fringe, &build->scene.mesh, made, build->memory);
     }
     return status;
-}
-
-// May what is at a place of the fringe and has such vertices, `share` of them, be the first in conflict with a point
-// that is missing? See >>patches: a ghost, or a cell that has just one of them, or a vertex that is marked. outer:
-// the marks, [positions - own] and one more. Without branches, which nothing would foretell.
-PARADT__INLINE int paradt__remote_is_suspect(const paradt_index *vertices, size_t corners, paradt_index own, int share,
-                                             const unsigned char *outer) {
-    int suspect = share == 1;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        int other = vertices[j] >= own;
-        suspect |= (vertices[j] < 0) | (other & outer[other ? vertices[j] - own : 0]);
-    }
-    return suspect;
 }
 
 // No more points come: gives all memory back but that of what is at the places, and the marks and lists of these.
@@ -11620,18 +11799,10 @@ PARADT__INLINE void paradt__mark_vertices(paradt_index *mark, const paradt_index
     for (j = 0; j < corners; j++) mark[vertices[j]] |= bits;
 }
 
-// Is a cell an own one? It is owned by the rank of the highest number that has a vertex of it. own: so many positions
-// are the own points'; mark: of all points, says which are a later rank's.
+// Does the rank own the cell? mark: of all points, says which are a later rank's
 PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corners, paradt_index own,
                                        const paradt_index *mark) {
-    paradt_index bits = 0;
-    int share = 0;
-    size_t j;
-    for (j = 0; j < corners; j++) {
-        share |= vertices[j] < own;
-        bits |= mark[vertices[j]];
-    }
-    return share && !(bits & PARADT__OF_LATER_RANK);
+    return paradt__owns(vertices, corners, own, mark, PARADT__OF_LATER_RANK);
 }
 
 // Finds the own cells in the fringe, which becomes the list of what else is there: ghosts and others' cells. These are
@@ -11639,13 +11810,13 @@ PARADT__INLINE int paradt__remote_owns(const paradt_index *vertices, size_t corn
 PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index own, size_t corners,
                                             paradt_index *mark) {
     const paradt__mesh *cells = &known->build.scene.mesh;
-    size_t count = known->fringe_count, i, j, left = 0;
+    size_t count = known->fringe.count, i, j, left = 0;
     uint64_t others = 0;
     for (i = 0; i < count; i++) {
-        paradt_index place = known->fringe[i];
+        paradt_index place = known->fringe.items[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
         int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
-        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
             paradt__mark_vertices(mark, vertices, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
@@ -11656,9 +11827,9 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
             mark[vertices[j]] = (mark[vertices[j]] | PARADT__VERTEX) & ~PARADT__OF_NONE_DROPPED;
         others += (uint64_t)is_cell;
         known->build.scene.mesh.marks[place] |= PARADT__DROPPED;
-        known->fringe[left++] = place;
+        known->fringe.items[left++] = place;
     }
-    known->fringe_count = left;
+    known->fringe.count = left;
     return others;
 }
 
@@ -11677,10 +11848,10 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
 // others' points have had their vertices marked already.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
-    size_t i, j, count = known->fringe_count;
+    size_t i, j, count = known->fringe.count;
     for (i = 0; i < count; i++) {
-        size_t base = (size_t)known->fringe[i] * corners;
-        paradt__mesh_fetch_listed(cells, known->fringe, count, i);
+        size_t base = (size_t)known->fringe.items[i] * corners;
+        paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         for (j = 0; j < corners; j++) {
             paradt_index link = cells->links[base + j];
             const paradt_index *across = cells->vertices + (size_t)link / corners * corners;
@@ -11691,7 +11862,7 @@ PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, s
                 paradt__mark_vertices(mark, across, corners, PARADT__VERTEX | PARADT__OF_OWN_CELL);
         }
     }
-    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe[i] * corners] = PARADT__DEAD;
+    for (i = 0; i < count; i++) cells->vertices[(size_t)known->fringe.items[i] * corners] = PARADT__DEAD;
 }
 
 PARADT__INLINE uint64_t paradt__known_drop_others(paradt__known *known, paradt_index own, size_t corners,
@@ -11709,22 +11880,20 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
                                   paradt__mesh *cells, paradt_index *mark) {
     paradt__insertion *build = &known->build;
     paradt_index own = (paradt_index)set->count;
-    size_t end = build->scene.mesh.count, corners = (size_t)build->scene.mesh.corners, i;
+    size_t corners = (size_t)build->scene.mesh.corners, i;
     uint64_t others;
     // of points without weights none is hidden
     for (i = 0; i < set->count; i++)
         mark[i] = set->space.weighted ? PARADT__NO_VERTEX : PARADT__VERTEX | PARADT__OF_NONE_DROPPED;
     others = corners == 4 ? paradt__known_drop_others(known, own, 4, mark)
                           : paradt__known_drop_others(known, own, corners, mark);
-    build->scene.mesh.count -= build->scene.mesh.spare_count + known->fringe_count;
-    paradt__mesh_fill_gaps(&build->scene.mesh, build->scene.mesh.spare, build->scene.mesh.spare_count, &end);
-    paradt__mesh_fill_gaps(&build->scene.mesh, known->fringe, known->fringe_count, &end);
+    paradt__mesh_compact(&build->scene.mesh, known->fringe.count, &known->fringe, 1);
     for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
         paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
                               PARADT__VERTEX | PARADT__OF_OWN_CELL);
     paradt__release(memory, build->scene.mesh.spare);
     paradt__release(memory, build->scene.mesh.marks);
-    paradt__release(memory, known->fringe);
+    paradt__list_free(&known->fringe, memory);
     *cells = build->scene.mesh;
     memset(known, 0, sizeof *known);
     return others;
@@ -12045,9 +12214,7 @@ static void paradt__grid_task(void *context, size_t index) {
 static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
-    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, memory);
-    patch->facets = work->facets;
-    patch->own_points_only = work->first_alone && index == 0;
+    paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, work->first_alone, memory);
     region->status = paradt__patch_points(patch, work->basis);
 }
 
@@ -12102,17 +12269,11 @@ static void paradt__count_patch(paradt__region *region) {
     paradt__search_add_counts(&patch->search, &region->stats);
 }
 
-// Ends the questions of a region: all cells of T(P) with a vertex of it are there. Its list of the seam becomes the
-// field's.
+// Ends the questions of a region: all cells of T(P) with a vertex of it are there.
 static void paradt__end_questions(paradt__work *work, size_t index) {
     paradt__region *region = work->region + index;
-    paradt__patch *patch = &region->patch;
-    paradt__field *field = work->fields + index;
     region->waits = 0;
-    region->status = paradt__patch_list_seam(patch);
-    field->seam = patch->seam;
-    field->has_cells = field->seam.count || paradt__patch_has_cells(patch);
-    memset(&patch->seam, 0, sizeof patch->seam);
+    region->status = paradt__patch_list_seam(&region->patch, work->fields + index);
 }
 
 // Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
@@ -12237,26 +12398,12 @@ static void paradt__rank(paradt__ranked *list, size_t count) {
     }
 }
 
-// What a region still has to do, in points inserted. The questions take as long as the insertion of the margin.
-static size_t paradt__region_left(const paradt__work *work, size_t index) {
-    const paradt__patch *patch = &work->region[index].patch;
-    const paradt__insertion *build = &patch->build;
-    if (work->region[index].built) return 0;
-    if (patch->is_asking) return patch->waiting.count / PARADT__QUESTIONS_A_POINT;
-    return build->count - build->inserted + build->count - work->fields[index].set.count;
-}
-
-// What a region has done, in points inserted
-static size_t paradt__region_done(const paradt__patch *patch) {
-    return patch->build.inserted + patch->questions / PARADT__QUESTIONS_A_POINT;
-}
-
 static void paradt__leg_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *task = work->region + index, *region = work->region + task->runs;
-    size_t before = paradt__region_done(&region->patch);
+    size_t before = paradt__patch_done(&region->patch);
     if (!region->built) paradt__build_task(work, task->runs);
-    task->ran = paradt__region_done(&region->patch) - before;
+    task->ran = paradt__patch_done(&region->patch) - before;
 }
 
 // Decides which task runs which region in the next leg. Returns how much is left of them all.
@@ -12265,7 +12412,7 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
     for (i = 0; i < work->regions; i++) {
         regions[i].number = tasks[i].number = i;
         tasks[i].amount = work->region[i].ran;
-        regions[i].amount = paradt__region_left(work, i);
+        regions[i].amount = work->region[i].built ? 0 : paradt__patch_left(&work->region[i].patch);
         left += regions[i].amount;
     }
     paradt__rank(regions, work->regions);
@@ -12445,7 +12592,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     paradt__begin_way(work);
     progress = paradt__whole_progress(work);
     for (region = work->region; region < end; region++) {
-        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_use_memory(&region->patch, &work->memory);
         if (region->status == PARADT__GAVE_UP && (!largest || region->patch.build.count > largest->patch.build.count))
             largest = region;
     }
@@ -12457,7 +12604,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     }
     own = &largest->patch.build.scene.mesh;
     if (!own->lent) paradt__mesh_free(&work->slices, &work->memory);
-    status = paradt__patch_take_all(&largest->patch, &progress);
+    status = paradt__patch_take_all(&largest->patch, work->facets, &progress);
     paradt__count_patch(largest);
     largest->hull_facets = largest->patch.hull_facets;
     if (!status && own->lent) {
@@ -12544,7 +12691,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         paradt__region *region = work->region + i;
         paradt__count_region(work->stats, &region->stats);
         work->stats->hull_facets += region->hull_facets;
-        region->patch.memory = region->patch.build.memory = &work->memory;
+        paradt__patch_use_memory(&region->patch, &work->memory);
         paradt__patch_end(&region->patch);
         paradt__grid_free(&work->fields[i].grid, &work->memory);
         paradt__mesh_free(&work->fields[i].seam, &work->memory);

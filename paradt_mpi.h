@@ -2428,7 +2428,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
 // it.
 //
 // While points are inserted, not all cells need be looked at. Let K be the box in which all points are known
-// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>patches of paradt.h, if
+// (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>fringe of paradt.h, if
 // q is in conflict with any cell that has an own vertex, it is in conflict with a suspect: a ghost, a cell with a
 // vertex outside K, or a cell with just one own vertex, all of which are in the fringe. So the search starts at the
 // suspects and goes on through facets from each cell that is exposed: one whose sphere is not inside K.
@@ -2781,7 +2781,7 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
         own_count = paradt__vertices_below(cell, k, own);
         if (!own_count) continue;
         status = paradt_mpi__list_cell_vertices(w, &q->to_send, k, cell);
-        if (!status && paradt__remote_is_suspect(cell, k, own, own_count, outer))
+        if (!status && paradt__is_suspect(cell, k, own, PARADT__NOWHERE, outer))
             status = paradt_mpi__enqueue(w, suspects, at);
     }
     return status;

@@ -1,4 +1,4 @@
-// What a host program relies on: what the result says after errors, arguments, points, flags, progress, cancelling.
+// What host programs rely on: the result after errors, the sentences about errors, arguments, points, flags, progress, cancelling.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -75,7 +75,7 @@ static void the_version_is_that_of_the_header(void **state) {
     assert_int_equal(paradt_version(), PARADT_VERSION);
 }
 
-// Bindings to other languages lay the structure out by themselves: what may grow is last.
+// Bindings to other languages copy the layout of the structure, so fields that may be added come last.
 static void statistics_come_last_in_the_result(void **state) {
     (void)state;
     assert_true(offsetof(paradt_triangulation, stats) + sizeof(paradt_stats) == sizeof(paradt_triangulation));
@@ -116,7 +116,7 @@ static void results_are_empty_after_every_error(void **state) {
     free(x);
 }
 
-// Each limit that is set to what was needed gets further, until it is enough.
+// Each call gets the memory that the call before said was needed, and gets further, until the memory is enough.
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
     double *x = uniform(20000, 3);
     paradt_points points = packed(x, 20000, 3);
@@ -197,7 +197,7 @@ static void one_point_has_no_facets(void **state) {
         assert_null(t.neighbors);
         assert_true(t.stats.hull_facets == 0);
         assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_OK);
-        t.neighbors = none; // of other origin: no cell there is true, too
+        t.neighbors = none; // other programs may say explicitly that there is no neighbour
         assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_OK);
         t.neighbors = NULL;
         paradt_free(&t);
@@ -286,7 +286,7 @@ static void every_argument_error_says_which_and_why(void **state) {
     free(x);
 }
 
-// What is said about the other errors: at least what paradt_status_string says.
+// Errors without a sentence of their own have that of paradt_status_string.
 static void every_other_error_has_a_sentence_too(void **state) {
     static const double places[3][6] = {{1, 1, 1, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, {0}};
     double *x = uniform(5000, 3);
@@ -342,7 +342,7 @@ static void half_facets_lead_there_and_back(void **state) {
                         continue;
                     assert_true((size_t)g < t.cell_count * k && (size_t)g / k != f / k);
                     assert_true(t.neighbors[g] == (paradt_index)f);
-                    for (size_t i = 0; i < k; i++) { // the facet's vertices are those of the neighbour but for one
+                    for (size_t i = 0; i < k; i++) { // the facet's vertices are all but one of the neighbour's
                         const paradt_index *other = t.cells + (size_t)g / k * k;
                         size_t j = 0;
                         while (j < k && (j == (size_t)g % k || other[j] != t.cells[f / k * k + i]))
@@ -355,7 +355,7 @@ static void half_facets_lead_there_and_back(void **state) {
                 for (int change = 0; change < 40; change++) {
                     size_t f = (size_t)change * 37 % (t.cell_count * k);
                     paradt_index right = t.neighbors[f];
-                    // Another facet of the right neighbour, one of another, none, one that does not exist
+                    // Another facet of the right neighbour, a facet of another cell, none, one that does not exist
                     const paradt_index wrong[] = {right < 0 ? 0 : right / (paradt_index)k * (paradt_index)k +
                                                                       (right % (paradt_index)k + 1) % (paradt_index)k,
                                                   (paradt_index)((f + 3 * k) % (t.cell_count * k)), right < 0 ? 1 : -1,
@@ -365,7 +365,7 @@ static void half_facets_lead_there_and_back(void **state) {
                         assert_int_equal(paradt_check(&t, &points, &options, &fault), PARADT_ERROR_INVALID);
                     t.neighbors[f] = right;
                 }
-                assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_ERROR_INVALID); // they are no cells
+                assert_int_equal(paradt_check(&t, &points, NULL, &fault), PARADT_ERROR_INVALID); // facets are not cells
                 paradt_free(&t);
                 free(x);
             }
@@ -385,7 +385,7 @@ static void a_lower_dimension_is_an_error_if_asked_for(void **state) {
             assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
             assert_int_equal(t.dim, 2);
             options.flags = PARADT_FULL_DIM;
-            // A program may hand the same options to both.
+            // paradt_check accepts the same options.
             assert_int_equal(paradt_check(&t, &points, &options, NULL), PARADT_OK);
             paradt_free(&t);
             memset(&t, 0xa5, sizeof t);
@@ -475,7 +475,7 @@ static uint64_t random_bits(void) {
     return random_state >> 24 ^ random_state << 40;
 }
 
-// A coordinate of some kind: any, near 1, small integers (with many ties), huge, subnormal, mixed.
+// Returns a coordinate of a kind: any float, near 1, a small integer (many ties), huge, subnormal, mixed.
 static double coordinate(int kind) {
     double u = (double)(random_bits() >> 11) * 0x1p-53, any;
     uint64_t bits = random_bits();
@@ -552,7 +552,7 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-// Takes no lock: one thread at a time may be in here.
+// Takes no lock, so it notices calls by several threads at a time.
 static int look(void *user, double fraction) {
     watch *w = (watch *)user;
     w->overlapped += w->inside++;
@@ -574,7 +574,7 @@ static watch begin_watch(paradt_options *options) {
     return w;
 }
 
-// Whatever the work is divided into: the sum of what all have done.
+// The fraction is that of the whole call, into however many parts the work is divided.
 static void progress_is_one_fraction_that_never_falls(void **state) {
     static const struct {
         int dim, method;
@@ -594,7 +594,7 @@ static void progress_is_one_fraction_that_never_falls(void **state) {
             paradt_options options = {0};
             paradt_triangulation t;
             for (size_t j = 0; lattice && j < ways[i].count * (size_t)ways[i].dim; j++)
-                x[j] = (double)(int)(x[j] * 16); // some ways give up then
+                x[j] = (double)(int)(x[j] * 16); // a lattice, on which some methods give up
             options.method = (paradt_method)ways[i].method;
             options.regions = ways[i].regions;
             options.flags = ways[i].flags;
@@ -615,7 +615,7 @@ static void progress_is_one_fraction_that_never_falls(void **state) {
         }
 }
 
-// Cancels when the points are read and sorted; until then a cancel must not take long.
+// Cancels after the points are read and sorted. Until then the calls must follow each other quickly.
 static int look_while_reading(void *user, double fraction) {
     watch *w = (watch *)user;
     double now = (double)clock() / CLOCKS_PER_SEC;
@@ -639,7 +639,7 @@ static void points_are_read_in_short_steps(void **state) {
     w.called = (double)clock() / CLOCKS_PER_SEC;
     assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_CANCELLED);
     assert_true(w.calls > 200);
-    assert_true(w.longest < 0.1); // of processor time, which the rest of the machine lengthens too: 0.02 where it is idle
+    assert_true(w.longest < 0.1); // processor time, several times that of an idle machine, because other programs lengthen it
     free(x);
 }
 

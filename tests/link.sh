@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a program that includes the header in several files, or in other ways than the plain one, relies on. Prints TAP.
+# The header in several files of a program, with the macros and compilers of host programs, and as a shared library. Prints TAP.
 work=build/tests/link
 rm -rf "$work"
 mkdir -p "$work"
@@ -21,12 +21,12 @@ skip() {
 }
 has() { command -v "$1" >/dev/null 2>&1; }
 
-# --- the clock: a call in which nearly all time passes asleep
+# --- the clock: the call sleeps for nearly all of its time
 cat >"$work/clock.c" <<'END'
 #define PARADT_IMPLEMENTATION
 #include "paradt.h"
 #include <stdio.h>
-int usleep(unsigned microseconds); /* which a strict standard does not declare */
+int usleep(unsigned microseconds); /* not declared under a strict standard */
 static int doze(void *user, double fraction) {
     int *once = (int *)user;
     if (!(*once)++) usleep(300000);
@@ -101,7 +101,7 @@ int main(void) {
             if (paradt_orient(3, p) < 0) return 2;
         }
     }
-    /* The facets as the manual lists them: the cell is behind them. */
+    /* The facets as the manual lists them, seen from outside of the cell */
     for (i = 0; i < (int)t.cell_count; i++) {
         static const int facets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
         const paradt_index *v = t.cells + 4 * i;
@@ -163,17 +163,17 @@ for macro in PARADT_STATIC PARADT_INDEX64; do
     ! $CC -I. -c "$work/late.c" -o "$work/late.o" 2>"$work/log" && grep -q "error.*$macro is defined after" "$work/log"
     report $? "${macro}_after_the_first_include_is_an_error" "$work/log"
     printf '#define %s\n#include "paradt.h"\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' $macro >"$work/early.c"
-    $CC -I. -c "$work/early.c" -o "$work/early.o" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
+    $CC -I. -fsyntax-only "$work/early.c" >"$work/log" 2>&1 && [ ! -s "$work/log" ]
     report $? "${macro}_before_the_first_include_is_none" "$work/log"
 done
 
-# --- warnings of C++ that C code gives
+# --- warnings of C++ about C code
 
 for compiler in g++ clang++; do
     if has $compiler; then
         $compiler -std=c++11 -Wall -Wextra -Wold-style-cast -Wzero-as-null-pointer-constant -Werror -fsyntax-only -I. \
             -x c++ "$work/all.c" >"$work/log" 2>&1
-        # The pragmas end with the implementation.
+        # The pragmas end with the implementation, so the compiler still warns after it.
         ! echo 'int old(double x); int old(double x) { return (int)x; }' | $compiler -std=c++11 -Wold-style-cast -Werror \
             -fsyntax-only -I. -DPARADT_IMPLEMENTATION -include paradt.h -x c++ - >>"$work/log.after" 2>&1 &&
             [ ! -s "$work/log" ]

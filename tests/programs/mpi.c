@@ -270,7 +270,7 @@ static void same_cells_on_families(void) {
     static const int counts[] = {0, 0, 250, 200, 60, 25};
     for (int dim = 2; dim <= 5; dim++) {
         for (int f = 0; f < FAMILY_COUNT; f++) {
-            same_cells_on_family(&families[f], NULL, dim, counts[dim], (uint64_t)f, 1);
+            same_cells_on_family(&families[f], NULL, dim, counts[dim], (uint64_t)f, 2);
             finish_test("same cells: %s, d = %d", families[f].name, dim);
         }
     }
