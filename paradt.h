@@ -617,10 +617,17 @@ typedef struct paradt_fault {
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
 
+// These functions only take an array's address: it may be filled later.
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 11
+#define PARADT__ADDRESS_ONLY __attribute__((access(none, 1)))
+#else
+#define PARADT__ADDRESS_ONLY
+#endif
+
 // Return points without weights that are tightly packed in an array: [count][dim]. The compiler checks that their type
 // is the right one. Thread-safe.
-PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
-PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) PARADT__ADDRESS_ONLY;
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) PARADT__ADDRESS_ONLY;
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
@@ -745,8 +752,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
 //             |                                   |                                     |
 //             +-----------------+-----------------+                                     |
-//                               |  regions do all that for a part of space each: >>reach and >>fronts, or
-//                               |  >>fields and patches and >>regions of insertion
+//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>fields and
+//                               |  patches and >>regions of insertion
 //                               |
 //                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
 //                               |  handles become numbers
@@ -780,7 +787,6 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     update          what a change did: cells killed, cells made
 //     region, owner   a box of space; the region that delivers a cell which several make
 //     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
-//     fringe, suspect a region's or rank's cells with others' points, and ghosts; those of them that could be wrong
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
@@ -793,8 +799,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach and >>fronts; >>questions, >>fringe, >>fields and patches and the
-//                       sections behind it, >>regions of insertion; then paradt_mpi.h
+//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to >>results of
+//     patches,
+//                       >>regions of insertion; then paradt_mpi.h
 //
 // CONTENTS, with the lines of each section
 //
@@ -803,7 +810,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        182   progress, teams, pauses, the clock
 //   predicates
-//     space                        234   what the predicates know of a set
+//     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        608   signs in integers
@@ -818,7 +825,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         683   cells, links, ghosts, free places; closing
+//     mesh                         686   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
@@ -840,23 +847,23 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    183   insertions from begin to end
 //   division
-//     regions of fronts            117   owners of cells, joining
-//     fringe                        94   suspects, owners by insertion
-//     fields and patches           335   a region's points and what it builds
-//     questions between regions    364   is a cell right, for all points
-//     seam                         226   which cells of the first region are right
-//     results of patches           157   owned cells, open facets
-//     known points                 202   what a rank builds
-//     call                         178   what one call works with; steps
-//     fronts                        96   InCoDe and DeWall from set to mesh
-//     regions of insertion         522   the steps of a divided insertion
+//     regions of fronts            117   owners, joining
+//     fringe                        94   cells that are not a region's own alone
+//     fields and patches           335   a region's points, its insertion
+//     questions between regions    364   is a cell one of T(P)?
+//     seam                         226   what of the first region's cells is right
+//     results of patches           161   dropping, emitting, taking over
+//     known points                 231   what a rank builds
+//     call                         180   what one call works with; steps
+//     fronts                        97   InCoDe and DeWall from set to mesh
+//     regions of insertion         524   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
 //     triangulate                  343   the entry
 //   check
 //     check                        498   the certificate
 //   division
-//     check of the hull            285   @@
+//     check of the hull            285   ... and of hidden points
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -1649,7 +1656,8 @@ static void paradt__range_join(paradt__range *range, const paradt__range *other)
     range->top = paradt__max(range->top, other->top);
 }
 
-// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end.
+// Begins to measure a set, of any number of points: paradt__space_add follows for each, then paradt__space_end. dim: -1
+// where there are no points
 static void paradt__space_begin(paradt__space *s, int dim, int ambient, int weighted) {
     PARADT_ASSERT(dim >= -1 && dim <= ambient && ambient <= PARADT_MAX_DIM);
     memset(s, 0, sizeof *s);
@@ -11694,8 +11702,7 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
     if (!status) status = paradt__insertion_more(build, patch->order, before, progress);
     if (status) return status;
     status = paradt__patch_translate(patch, PARADT__NOWHERE);
-    if (!status)
-        patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets, progress->meter);
+    if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets, progress->meter);
     return status;
 }
 
@@ -11715,6 +11722,26 @@ typedef struct paradt__known {
     paradt_index *order; // of the insertion of the first points
     paradt__list fringe; // see >>fringe
 } paradt__known;
+
+// The cells and ghosts, whose vertices are positions.
+PARADT__INLINE const paradt__mesh *paradt__known_mesh(const paradt__known *known) {
+    return &known->build.scene.mesh;
+}
+
+// The mesh with the records of its vertices.
+PARADT__INLINE const paradt__scene *paradt__known_scene(const paradt__known *known) {
+    return &known->build.scene;
+}
+
+// Number of points inserted: those at the first positions.
+PARADT__INLINE size_t paradt__known_count(const paradt__known *known) {
+    return known->build.count;
+}
+
+// The set's records have moved.
+static void paradt__known_move_records(paradt__known *known, const double *records) {
+    known->build.scene.records = records;
+}
 
 static void paradt__known_free(paradt__known *known, paradt__memory *memory) {
     known->build.memory = memory;
@@ -11739,6 +11766,15 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     paradt__insertion_begin(&known->build, set, known->order, memory);
     known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
     return paradt__insertion_run(&known->build, progress);
+}
+
+// Marks a place as waiting in a queue. Returns 0 if it is marked.
+PARADT__INLINE int paradt__known_wait(paradt__known *known, size_t place) {
+    return paradt__mesh_mark(&known->build.scene.mesh, place, PARADT__WAITING);
+}
+
+PARADT__INLINE void paradt__known_wait_no_more(paradt__known *known, size_t place) {
+    paradt__mesh_unmark(&known->build.scene.mesh, place, PARADT__WAITING);
 }
 
 // Forgets the list of the fringe, to make it anew.
@@ -12918,7 +12954,7 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions, paradt__check_arguments; paradt__triangulate_region for ranks.
+// Doors: the public functions; for ranks paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -13217,7 +13253,7 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
     return paradt__end_call(&work, out, status, begun, built);
 }
 
-#ifdef PARADT_MPI_IMPLEMENTATION
+#if defined(PARADT_MPI_IMPLEMENTATION) && !defined(PARADT_NO_FRONTS)
 // paradt_triangulate for one region of options->regions alone, by InCoDe where the method is neither that nor DeWall:
 // `out` gets just the cells that the region owns. Facets that they share with other regions' cells are PARADT__OPEN.
 // Hidden points are not found: that takes the cells of all regions.

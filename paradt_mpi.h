@@ -18,7 +18,7 @@
 //
 //     int main(int argc, char **argv) {
 //         static double x[1000][3];
-//         paradt_points points = paradt_points_f64(x, 1000, 3);
+//         paradt_points points = paradt_points_f64(x[0], 1000, 3);
 //         paradt_mpi_triangulation t;
 //         int rank, i, j;
 //         MPI_Init(&argc, &argv);
@@ -73,12 +73,20 @@
 //
 //     paradt_mpi_neighbor(&t, i * k + j)
 //
+// With PARADT_FACETS in options.local.flags, neighbors hold half-facets, as in paradt.h: the position in `neighbors` of
+// the same facet as its other cell sees it. Through all ranks, the facet of cell number c opposite its vertex j is the
+// half-facet c * k + j. A neighbour n < cell_count * k is a half-facet of this rank, so t.neighbors[n] leads back. A
+// neighbour n >= cell_count * k is another rank's half-facet, whose number is t.others[n - cell_count * k], and
+// paradt_mpi_neighbor returns the number of the half-facet. t.facets says in which form the neighbours are.
+//
+// In dimension 0 the only cell is a single vertex and has no facets: neighbors is NULL and hull_facets is 0.
+//
 // Which rank gets a cell depends on the number of ranks; the union of all ranks' cells does not. The rules for
 // duplicates, hidden points, lower dimensions and orientation are those of paradt.h, with global ids in the place of
 // indices.
 //
 // There are three sets of statistics: of this rank, summed over all ranks, and the largest of all ranks. The last two
-// are the same on every rank.
+// are the same on every rank. They are filled also when the call fails.
 //
 //
 // HOW IT IS DIVIDED
@@ -147,18 +155,26 @@
 // With PARADT_MPI_REPLICATED every rank hands in all points, the same on each rank. No points are sent. Each rank makes
 // the cells of its box by InCoDe (by DeWall if that is the method; all others are replaced by InCoDe), like a region of
 // paradt.h. The ranks communicate only to agree on errors and to number and link the cells. That is the thesis'
-// ParaInCoDe. Global ids are the indices, and representative is the same on all ranks.
+// ParaInCoDe. Global ids are the indices, and representative is the same on all ranks. A build with PARADT_NO_FRONTS
+// has no InCoDe, and refuses the flag.
 //
 //
 // ERRORS
 //
-// All ranks return the same status, that of the first rank that failed. error_rank says which rank that was, and
-// error_point, after PARADT_ERROR_NOT_FINITE, the index of the point there. The statuses are those of paradt.h, and
-// also:
+// All ranks return the same status, that of the first rank that failed. error_rank says which rank that was, error_text
+// what went wrong there, and error_point, after PARADT_ERROR_NOT_FINITE, the index of the point there. The statuses are
+// those of paradt.h, and also:
 //
 //     PARADT_ERROR_ARGUMENT    ranks differ in dim, in having weights, in options.flags, or in the flags or the
 //                              partition of options.local; or replicated points are not the same
 //     PARADT_ERROR_CANCELLED   the progress callback of some rank returned nonzero
+//     PARADT_ERROR_FLAT        with PARADT_FULL_DIM in options.local.flags: the points of all ranks together lie in a
+//                              flat of lower dimension; the points that one rank hands in may
+//
+// After an error the result is empty: dim is -1, the arrays are NULL, and there is nothing to free (paradt_mpi_free
+// does no harm). error_rank, error_point, error_text and the statistics are filled. After PARADT_ERROR_MEMORY
+// stats.needed_bytes is the memory_limit that would have admitted the block that was refused, on the rank that failed;
+// largest.needed_bytes tells it to all.
 //
 // Ranks agree on the status at the end of each step, so a rank that fails waits until the others get there.
 //
@@ -175,7 +191,9 @@
 //
 // options.local is for what a rank does alone, which is a paradt_triangulate: method, regions and parallel_for (threads
 // within a rank), progress, memory_limit, allocator. It may differ between ranks except for partition and flags. Where
-// there are several ranks, PARADT_AUTO chooses insertion in four dimensions as well.
+// there are several ranks, PARADT_AUTO chooses insertion in four dimensions as well. A rank's progress callback is told
+// how far that rank is in the whole call: a fraction that never falls and is 1 at the end. It is not called while the
+// rank waits for others.
 //
 //
 // MEMORY
@@ -254,7 +272,8 @@ typedef struct paradt_mpi_options {
     X(hull_facets, "facets with a cell on one side only; 0 with PARADT_NO_NEIGHBORS")                                  \
     X(bytes_sent, "bytes sent to other ranks in messages; reductions and broadcasts are not counted")                  \
     X(messages_sent, "messages sent to other ranks")                                                                   \
-    X(peak_bytes, "largest memory held at one time")
+    X(peak_bytes, "largest memory held at one time")                                                                   \
+    X(needed_bytes, "after PARADT_ERROR_MEMORY a limit that would have admitted the block refused; else 0")
 #define PARADT_MPI_TIMERS(X)                                                                                           \
     X(seconds_partition, "reading the points, cutting space, sending the points to their ranks")                       \
     X(seconds_grid, "sorting the points, sampling, grid, boxes, step 1")                                               \
@@ -278,10 +297,12 @@ typedef struct paradt_mpi_triangulation {
     size_t cell_count;          // cells of this rank
     paradt_index *cells;        // [cell_count][dim + 1] positions in `vertices`; cells are positively oriented
     paradt_index *neighbors;    // [cell_count][dim + 1] the cell opposite each vertex: n < cell_count: cell n;
-                                // n >= cell_count: others[n - cell_count]; -1: hull. NULL with PARADT_NO_NEIGHBORS,
-                                // and perhaps where there are no cells
+                                // n >= cell_count: others[n - cell_count]; -1: hull. With PARADT_FACETS the half-facet
+                                // there: n < cell_count * (dim + 1): n; else others[n - cell_count * (dim + 1)].
+                                // NULL with PARADT_NO_NEIGHBORS, in dimension 0, and perhaps where there are no cells
+    int facets;                 // 1: neighbors and others are half-facets; 0: cells
     size_t other_count;         // facets with another rank's cell on the other side
-    int64_t *others;            // [other_count] the number of that cell
+    int64_t *others;            // [other_count] the number, through all ranks, of that cell or half-facet
     size_t vertex_count;        // vertices of this rank's cells
     size_t vertex_own;          // the first vertex_own vertices lie in this rank's box; 0 with PARADT_MPI_REPLICATED
     int64_t *vertices;          // [vertex_count] global ids
@@ -290,17 +311,19 @@ typedef struct paradt_mpi_triangulation {
     uint64_t first_point;       // global id of this rank's first point
     size_t point_count;         // points handed in by this rank
     int64_t *representative;    // [point_count] global id of the vertex that stands for the point; -1: hidden
-    paradt_mpi_stats stats;     // of this rank
-    paradt_mpi_stats sum;       // over all ranks
-    paradt_mpi_stats largest;   // of all ranks
     int error_rank;             // after an error: the first rank that failed
     size_t error_point;         // after PARADT_ERROR_NOT_FINITE: index of the first such point on that rank; else 0
+    char error_text[128];       // what went wrong on that rank, the same on all ranks; for ARGUMENT which and why;
+                                // empty without an error
     paradt_allocator allocator; // of the arrays
+    paradt_mpi_stats stats;     // of this rank; all three are last, so that new counters move nothing
+    paradt_mpi_stats sum;       // over all ranks
+    paradt_mpi_stats largest;   // of all ranks
 } paradt_mpi_triangulation;
 
 // Triangulates the points of all ranks. Collective over comm.
-//   out      overwritten, whatever it held; freed by paradt_mpi_free. After an error it is empty except for error_rank
-//            and error_point.
+//   out      overwritten, whatever it held; freed by paradt_mpi_free. After an error it is empty: dim is -1, the arrays
+//            are NULL; but error_rank, error_point, error_text and the statistics are filled.
 //   local    this rank's points; read during the call only; see POINTS.
 //   options  NULL: the defaults. flags, local.flags and local.partition must be the same on all ranks.
 // Errors, the same on all ranks: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT.
@@ -309,11 +332,13 @@ typedef struct paradt_mpi_triangulation {
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
                                                 const paradt_points *local, const paradt_mpi_options *options);
 
-// Frees this rank's arrays and zeroes the triangulation. NULL and a zeroed triangulation are allowed. Not collective.
+// Frees this rank's arrays and leaves the triangulation empty: all zero but dim, which is -1. NULL and a zeroed
+// triangulation are allowed. Not collective.
 // Thread safety: concurrent calls for different triangulations, if the allocator allows them.
 PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *triangulation);
 
-// Returns the number, through all ranks, of the cell on the other side of a facet, or -1 on the hull.
+// Returns the number, through all ranks, of the cell on the other side of a facet, with PARADT_FACETS that of the
+// half-facet there; or -1 on the hull.
 //   triangulation  with neighbors
 //   facet          index in neighbors, i * (dim + 1) + j: the facet of cell i opposite its vertex j
 // Not collective. Thread safety: any number of concurrent calls. Cost: constant.
@@ -326,8 +351,10 @@ PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *triangula
 PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *triangulation, MPI_Comm comm);
 
 // Gathers the cells of all ranks on rank `root`, as paradt_triangulate would return them there for all points, in some
-// order of cells and with few statistics. Collective over comm, which has the ranks of paradt_mpi_triangulate.
-//   out            overwritten; freed by paradt_free. Empty on the other ranks and after an error.
+// order of cells and with few statistics. Neighbours are half-facets if they are that in the triangulation. Collective
+// over comm, which has the ranks of paradt_mpi_triangulate.
+//   out            overwritten; freed by paradt_free. Empty on the other ranks and after an error. Then error_text says
+//                  what went wrong, and an argument's fault on the rank that has it.
 //   triangulation  unchanged. Its allocator serves for *out.
 //   root           the same on all ranks
 // Errors, the same on all ranks: ARGUMENT, MEMORY, TOO_LARGE (more points or cells than paradt.h's limits allow).
@@ -358,8 +385,9 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
 // gather stand at the end. What several ranks must decide alike is said at the head of call, and the numbers that a
 // point has there.
 //
-// Of paradt.h this file uses memory, bits, reading points and sets, the reference sphere, the grid, searches, orders
-// and rows of cells, and remote, which exists for this file.
+// Of paradt.h this file uses the ground (memory, numbers, tasks), points from reading to the reference sphere, mesh and
+// scene, grid, search and questions, the order of late points, methods and triangulate; and known points, which exists
+// for this file. It reads the fields of a set and of its space, and writes those that all ranks must have alike.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
 #ifndef PARADT_MPI__IMPLEMENTED
@@ -403,7 +431,8 @@ extern "C" {
 // of a facet is place * (dim + 1) + the number of the opposite vertex. k is the number of vertices a cell, dim + 1;
 // inlined functions are called with the constant 4 in three dimensions, so that loops over vertices are unrolled.
 //
-// Doors: paradt_mpi__progress, paradt_mpi__check_cancel, paradt_mpi__local_options, paradt_mpi__add_peak.
+// Doors: paradt_mpi__begin_step, paradt_mpi__check_cancel, paradt_mpi__local_options, paradt_mpi__add_peak,
+// paradt_mpi__refuse.
 
 typedef struct paradt_mpi__home { // what a point is called in messages
     uint64_t id;
@@ -456,8 +485,11 @@ typedef struct paradt_mpi__work {
     paradt_mpi_triangulation *out;
     paradt_mpi_stats stats;
     size_t error_point;
-    paradt_status failed; // what all ranks agreed on
-    double progress_begin, progress_length;
+    const char *error_text; // of this rank's own error; NULL: what the status says
+    paradt_status failed;   // what all ranks agreed on
+    double progress_begin;  // the step at hand does this part of the whole work: it begins here,
+    double progress_length; // and takes so much
+    double progress_told;   // what the callback was told last
     // an exchange
     size_t *to, *from; // [ranks] elements for each rank, and from each
     size_t *next;      // [ranks] where the next element for each rank goes
@@ -497,10 +529,20 @@ typedef struct paradt_mpi__work {
     uint32_t meter_told;        // all of which is one share
 } paradt_mpi__work;
 
-// The progress callback of a local triangulation: passes the caller's the fraction of the whole call.
+// Begins the next step. end: part of the whole call's work that is done when the step ends, 0..1
+static void paradt_mpi__begin_step(paradt_mpi__work *w, double end) {
+    w->progress_begin += w->progress_length;
+    w->progress_length = end - w->progress_begin;
+    PARADT_ASSERT(w->progress_length >= 0.0);
+}
+
+// The progress callback of a local triangulation: passes the caller's the fraction of the whole call, which never
+// falls, though one step may have several triangulations.
 static int paradt_mpi__progress(void *user, double fraction) {
     paradt_mpi__work *w = (paradt_mpi__work *)user;
-    return w->options.local.progress(w->options.local.user, w->progress_begin + fraction * w->progress_length);
+    fraction = w->progress_begin + fraction * w->progress_length;
+    if (fraction > w->progress_told) w->progress_told = fraction < 1.0 ? fraction : 1.0;
+    return w->options.local.progress(w->options.local.user, w->progress_told);
 }
 
 // Calls the caller's parallel_for with the caller's user pointer: in the options of a local triangulation `user` is the
@@ -511,7 +553,8 @@ static void paradt_mpi__parallel_for(void *user, size_t count, void (*task)(void
     w->options.local.parallel_for(w->options.local.user, count, task, context);
 }
 
-// Reports progress between steps. Returns PARADT_ERROR_CANCELLED if the caller wants to stop. Not collective.
+// Reports that a fraction of the step is done. Returns PARADT_ERROR_CANCELLED if the caller wants to stop. Not
+// collective.
 static paradt_status paradt_mpi__check_cancel(paradt_mpi__work *w, double fraction) {
     return w->options.local.progress && paradt_mpi__progress(w, fraction) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
@@ -530,10 +573,18 @@ static paradt_options paradt_mpi__local_options(paradt_mpi__work *w) {
     return options;
 }
 
-// Raises the rank's peak by that of a triangulation that was made with an account of its own.
+// Raises the rank's peak by that of a triangulation that was made with an account of its own, and adopts what it would
+// have needed.
 static void paradt_mpi__add_peak(paradt_mpi__work *w, const paradt_triangulation *t) {
     uint64_t peak = w->memory.held + t->stats.peak_bytes;
     if (peak > w->memory.peak) w->memory.peak = peak;
+    if (t->stats.needed_bytes) w->memory.needed = w->memory.held + t->stats.needed_bytes;
+}
+
+// Returns an error of this rank's own, of which the result will say why.
+static paradt_status paradt_mpi__refuse(paradt_mpi__work *w, paradt_status status, const char *text) {
+    w->error_text = text;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -548,10 +599,11 @@ static void paradt_mpi__add_peak(paradt_mpi__work *w, const paradt_triangulation
 // Doors: paradt_mpi__agree, paradt_mpi__reduce_min, paradt_mpi__reduce_sum, paradt_mpi__exchange,
 // paradt_mpi__exchange_into, paradt_mpi__set_offsets, paradt_mpi__load_bits, paradt_mpi__store_bits.
 
-// Returns the status of the first rank whose status is an error, on all ranks; PARADT_OK if there is none. status: of
-// this rank.
+// Returns the status of the first rank whose status is an error, on all ranks; PARADT_OK if there is none. After an
+// error the result says which rank that is, and what is wrong there. status: of this rank.
 static paradt_status paradt_mpi__agree(paradt_mpi__work *w, paradt_status status) {
     int mine = status ? w->rank : INT_MAX, first;
+    const char *text = w->error_text ? w->error_text : paradt_status_string(status);
     int64_t error[2];
     PARADT_ASSERT(w->rank >= 0 && w->rank < w->ranks);
     if (w->failed) return w->failed;
@@ -562,6 +614,9 @@ static paradt_status paradt_mpi__agree(paradt_mpi__work *w, paradt_status status
     MPI_Bcast(error, 2, MPI_INT64_T, first, w->comm);
     w->out->error_rank = first;
     w->out->error_point = (size_t)error[1];
+    PARADT_ASSERT(strlen(text) < sizeof w->out->error_text);
+    strncpy(w->out->error_text, text, sizeof w->out->error_text - 1);
+    MPI_Bcast(w->out->error_text, (int)sizeof w->out->error_text, MPI_BYTE, first, w->comm);
     w->failed = (paradt_status)error[0];
     return w->failed;
 }
@@ -793,32 +848,56 @@ static paradt_status paradt_mpi__list_unsent(paradt_mpi__work *w, paradt_mpi__li
 //
 // Doors: paradt_mpi__check_arguments, paradt_mpi__number_points, paradt_mpi__read_points.
 
-// Checks the arguments of all ranks and sets w->dim and w->weighted. Returns the agreed status: ARGUMENT where ranks
-// differ in what must be the same. status: of this rank so far.
-static paradt_status paradt_mpi__check_arguments(paradt_mpi__work *w, const paradt_points *local,
-                                                 paradt_status status) {
-    int64_t facts[5], weights;
+// Checks this rank's arguments. Not collective.
+static paradt_status paradt_mpi__check_own(paradt_mpi__work *w, const paradt_points *local) {
     const char *text;
-    if (!status) status = paradt__check_arguments(local, &w->options.local, &text);
-    if (!status && w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED) status = PARADT_ERROR_ARGUMENT;
-    status = paradt_mpi__agree(w, status);
-    if (status) return status;
+    paradt_status status = paradt__check_arguments(local, &w->options.local, &text);
+    if (status) return paradt_mpi__refuse(w, status, text);
+    if (w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED)
+        return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT, "options.flags has a bit other than PARADT_MPI_REPLICATED");
+#ifdef PARADT_NO_FRONTS
+    if (w->options.flags & PARADT_MPI_REPLICATED)
+        return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT,
+                                  "PARADT_MPI_REPLICATED is left out of this build, by PARADT_NO_FRONTS");
+#endif
+    return PARADT_OK;
+}
+
+// Returns what differs from the arguments of rank 0 and must not; NULL: nothing. Collective.
+static const char *paradt_mpi__difference(paradt_mpi__work *w, const paradt_points *local) {
+    int64_t facts[5];
     facts[0] = local->dim;
     facts[1] = w->options.flags;
     facts[2] = w->options.local.flags;
     facts[3] = w->options.local.partition;
-    facts[4] = w->options.flags & PARADT_MPI_REPLICATED ? (int64_t)local->count : 0;
+    facts[4] = (int64_t)local->count;
     MPI_Bcast(facts, 5, MPI_INT64_T, 0, w->comm);
-    if (facts[0] != local->dim || facts[1] != (int64_t)w->options.flags ||
-        facts[2] != (int64_t)w->options.local.flags || facts[3] != (int64_t)w->options.local.partition ||
-        (w->options.flags & PARADT_MPI_REPLICATED && facts[4] != (int64_t)local->count))
-        status = PARADT_ERROR_ARGUMENT;
+    if (facts[0] != local->dim) return "points.dim is not that of rank 0";
+    if (facts[1] != (int64_t)w->options.flags) return "options.flags are not those of rank 0";
+    if (facts[2] != (int64_t)w->options.local.flags) return "options.local.flags are not those of rank 0";
+    if (facts[3] != (int64_t)w->options.local.partition) return "options.local.partition is not that of rank 0";
+    if (w->options.flags & PARADT_MPI_REPLICATED && facts[4] != (int64_t)local->count)
+        return "points.count is not that of rank 0, but the points are to be replicated";
+    return NULL;
+}
+
+// Checks the arguments of all ranks and sets w->dim and w->weighted. Returns the agreed status: ARGUMENT where ranks
+// differ in what must be the same. status: of this rank so far.
+static paradt_status paradt_mpi__check_arguments(paradt_mpi__work *w, const paradt_points *local,
+                                                 paradt_status status) {
+    int64_t weights;
+    const char *difference;
+    if (!status) status = paradt_mpi__check_own(w, local);
+    status = paradt_mpi__agree(w, status);
+    if (status) return status;
+    difference = paradt_mpi__difference(w, local);
     weights = local->count && local->weights ? -1 : 0;
     paradt_mpi__reduce_min(w, &weights, 1);
     w->dim = local->dim;
     w->weighted = weights < 0;
-    if (w->weighted && local->count && !local->weights) status = PARADT_ERROR_ARGUMENT;
-    return paradt_mpi__agree(w, status);
+    if (!difference && w->weighted && local->count && !local->weights)
+        difference = "points.weights is NULL, but points of other ranks have weights";
+    return paradt_mpi__agree(w, difference ? paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT, difference) : PARADT_OK);
 }
 
 // Sets w->first, [ranks + 1], from the number of points that each rank handed in. Collective.
@@ -843,6 +922,8 @@ static paradt_status paradt_mpi__read_points(paradt_mpi__work *w, const paradt_p
     if (!*rows) return PARADT_ERROR_MEMORY;
     for (i = 0; i < local->count; i++) {
         double *row = *rows + i * (width + 1);
+        if (i % PARADT__PACE == 0 && paradt_mpi__check_cancel(w, (double)i / (double)local->count))
+            return PARADT_ERROR_CANCELLED;
         if (paradt__read_record(&source, i, row) == 2047) {
             w->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
@@ -1342,7 +1423,7 @@ static paradt_status paradt_mpi__reserve_others(paradt_mpi__work *w, size_t more
     if (!paradt__grow(&w->memory, &array, w->known * w->set.width, capacity * w->set.width, sizeof(double)))
         return PARADT_ERROR_MEMORY;
     w->set.records = (double *)array;
-    if (w->inserting) w->engine.build.scene.records = w->set.records;
+    if (w->inserting) paradt__known_move_records(&w->engine, w->set.records);
     array = w->homes;
     if (!paradt__grow(&w->memory, &array, w->known - w->set.count, capacity - w->set.count, sizeof *w->homes))
         return PARADT_ERROR_MEMORY;
@@ -1703,6 +1784,8 @@ static paradt_status paradt_mpi__adopt_rows(paradt_mpi__work *w, const double *r
     w->out->dim = dim;
     w->stats.points = w->set.count;
     w->stats.duplicates = count - w->set.count;
+    if (w->options.local.flags & PARADT_FULL_DIM && dim < w->dim) // on all ranks
+        return paradt_mpi__agree(w, paradt_mpi__refuse(w, PARADT_ERROR_FLAT, paradt__flat_text(dim)));
     if (dim > 0) status = paradt_mpi__grade(w);
     if (!status) status = paradt_mpi__agree(w, paradt_mpi__lay_grid(w));
     return status || dim <= 0 ? status : paradt_mpi__spread_basis(w, origins);
@@ -2268,14 +2351,14 @@ static paradt_status paradt_mpi__guess(paradt_mpi__work *w) {
 // >>local
 //
 // The local triangulation: of all points known to this rank, made by the caller's method. By insertion, undivided, it
-// goes on when more points arrive, and its cells stand in the engine of >>remote, ghosts included, until the result is
-// taken. Any other method makes it from the beginning each time. Cells have places in both: see
+// goes on when more points arrive, and its cells stand in the engine (>>known points), ghosts included, until the
+// result is taken. Any other method makes it from the beginning each time. Cells have places in both: see
 // paradt_mpi__place_count, paradt_mpi__topics and paradt_mpi__cell. Nothing here is collective.
 //
 // Doors: paradt_mpi__triangulate_known, paradt_mpi__place_count, paradt_mpi__topics, paradt_mpi__cell,
 // paradt_mpi__account_local, paradt_mpi__free_local.
 
-// Adds the memory that w->local holds to the rank's account.
+// Adds what the making of w->local held, and what w->local holds, to the rank's account.
 static void paradt_mpi__account_local(paradt_mpi__work *w) {
     paradt_mpi__add_peak(w, &w->local);
     PARADT_ASSERT(!w->local_bytes);
@@ -2319,7 +2402,7 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
     points.weights = weights;
     options = paradt_mpi__local_options(w);
     status = paradt_triangulate(&w->local, &points, &options);
-    if (!status) paradt_mpi__account_local(w);
+    paradt_mpi__account_local(w);
     paradt__release(&w->memory, weights);
     return status;
 }
@@ -2329,7 +2412,7 @@ static paradt_status paradt_mpi__triangulate_anew(paradt_mpi__work *w) {
 // make very large stars.
 static paradt_status paradt_mpi__insert_new(paradt_mpi__work *w) {
     paradt__set all = w->set, added = w->set;
-    size_t first = w->engine.build.count, i;
+    size_t first = paradt__known_count(&w->engine), i;
     paradt_index *order;
     paradt_status status = PARADT_OK;
     PARADT_ASSERT(w->inserting && w->set.count <= first && first <= w->known);
@@ -2338,8 +2421,10 @@ static paradt_status paradt_mpi__insert_new(paradt_mpi__work *w) {
     added.count = w->known - first;
     order = paradt__late_order(&added, &w->memory);
     if (!order) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < added.count && !status; i++)
-        status = paradt__known_insert(&w->engine, &all, (paradt_index)first + order[i]);
+    for (i = 0; i < added.count && !status; i++) {
+        if (i % PARADT__REPORT_STEP == 0) status = paradt_mpi__check_cancel(w, (double)i / (double)added.count);
+        if (!status) status = paradt__known_insert(&w->engine, &all, (paradt_index)first + order[i]);
+    }
     paradt__release(&w->memory, order);
     return status;
 }
@@ -2381,7 +2466,7 @@ static paradt_status paradt_mpi__triangulate_known(paradt_mpi__work *w) {
 
 // Returns the number of places, of which some may be free or have ghosts while points are inserted.
 static size_t paradt_mpi__place_count(const paradt_mpi__work *w) {
-    return w->inserting ? w->engine.build.scene.mesh.count : w->local.cell_count;
+    return w->inserting ? paradt__known_mesh(&w->engine)->count : w->local.cell_count;
 }
 
 enum { PARADT_MPI__SPHERE = 1 << (PARADT_MAX_DIM + 1) }; // beside a bit for each facet
@@ -2395,7 +2480,7 @@ PARADT__INLINE unsigned paradt_mpi__topics(const paradt_mpi__work *w, size_t k, 
     int facet;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && *place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        if (!paradt__mesh_behind_ghost(&w->engine.build.scene.mesh, k, place, &facet)) return 0;
+        if (!paradt__mesh_behind_ghost(paradt__known_mesh(&w->engine), k, place, &facet)) return 0;
         return facet < 0 ? topics : 1u << facet;
     }
     for (j = 0; j < k; j++) topics |= (unsigned)(w->local.neighbors[*place * k + j] < 0) << j;
@@ -2408,7 +2493,7 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
     size_t j;
     PARADT_ASSERT(k == (size_t)w->set.space.dim + 1 && place < paradt_mpi__place_count(w));
     if (w->inserting) {
-        paradt__scene_cell(&w->engine.build.scene, k, place, cell, corners);
+        paradt__scene_cell(paradt__known_scene(&w->engine), k, place, cell, corners);
         return;
     }
     for (j = 0; j < k; j++) {
@@ -2689,7 +2774,7 @@ typedef struct paradt_mpi__queue { // places to be asked about, in this order; p
 static paradt_status paradt_mpi__enqueue(paradt_mpi__work *w, paradt_mpi__queue *list, size_t place) {
     void *items;
     PARADT_ASSERT(w->inserting && place < paradt_mpi__place_count(w));
-    if (!paradt__mesh_mark(&w->engine.build.scene.mesh, place, PARADT__WAITING)) return PARADT_OK;
+    if (!paradt__known_wait(&w->engine, place)) return PARADT_OK;
     items = paradt_mpi__reserve_one(w, list->items, list->count, &list->capacity, sizeof *list->items);
     if (!items) return PARADT_ERROR_MEMORY;
     list->items = (size_t *)items;
@@ -2759,16 +2844,16 @@ static unsigned char *paradt_mpi__mark_outer(paradt_mpi__work *w) {
 PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k, const paradt_mpi__queue *list,
                                             size_t at) {
     enum { SOON = 4, LATER = 8 };
-    const paradt__mesh *cells = &w->engine.build.scene.mesh;
+    const paradt__mesh *cells = paradt__known_mesh(&w->engine);
     if (at + LATER < list->count) paradt__fetch_row(cells->vertices, cells->links, list->items[at + LATER], k);
-    if (at + SOON < list->count) paradt__scene_fetch_around(&w->engine.build.scene, k, list->items[at + SOON]);
+    if (at + SOON < list->count) paradt__scene_fetch_around(paradt__known_scene(&w->engine), k, list->items[at + SOON]);
 }
 
 // Lists the fringe in the engine. Of the cells and ghosts in it that have own vertices, queues the suspects and lists
 // vertices to be sent. k: vertices a cell; outer: see paradt_mpi__mark_outer
 PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
                                                      paradt_mpi__queue *suspects, const unsigned char *outer) {
-    const paradt__mesh *cells = &w->engine.build.scene.mesh;
+    const paradt__mesh *cells = paradt__known_mesh(&w->engine);
     paradt_index own = (paradt_index)w->set.count;
     paradt_status status = PARADT_OK;
     size_t at = 0;
@@ -2800,8 +2885,8 @@ PARADT__INLINE paradt_status paradt_mpi__ask_from_fringe(paradt_mpi__work *w, pa
         status = paradt_mpi__ask_about_place(w, q, k, list->items[at], &exposed);
         paradt_mpi__limit_questions(w, q);
         for (j = 0; j < k && exposed && !status; j++)
-            status =
-                paradt_mpi__enqueue(w, list, paradt__mesh_across(&w->engine.build.scene.mesh, k, list->items[at], j));
+            status = paradt_mpi__enqueue(w, list,
+                                         paradt__mesh_across(paradt__known_mesh(&w->engine), k, list->items[at], j));
     }
     return status;
 }
@@ -2816,8 +2901,7 @@ static paradt_status paradt_mpi__collect_from_fringe(paradt_mpi__work *w, paradt
     if (!outer) status = PARADT_ERROR_MEMORY;
     else if (w->set.space.dim == 3) status = paradt_mpi__ask_from_fringe(w, q, 4, &list, outer);
     else status = paradt_mpi__ask_from_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
-    for (at = 0; at < list.count; at++)
-        paradt__mesh_unmark(&w->engine.build.scene.mesh, list.items[at], PARADT__WAITING);
+    for (at = 0; at < list.count; at++) paradt__known_wait_no_more(&w->engine, list.items[at]);
     paradt__release(&w->memory, list.items);
     paradt__release(&w->memory, outer);
     return status;
@@ -3120,7 +3204,7 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
     size_t added;
     paradt_status status;
     PARADT_ASSERT(!w->inserting && !w->too_costly);
-    w->progress_length = 0.9;
+    paradt_mpi__begin_step(w, 0.8);
     status = paradt_mpi__triangulate_known(w);
     while (w->set.space.dim > 0 && w->ranks > 1 && added_by_all) {
         status = paradt_mpi__round(w, status, &added);
@@ -3129,8 +3213,7 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
         if (w->too_costly) status = paradt_mpi__send_all(w, &added);
         if (status) break;
         added_by_all = w->weighted && !w->too_costly ? paradt_mpi__reduce_sum(w, added) : 0;
-        w->progress_begin += w->progress_length;
-        w->progress_length = 0.9 * (1.0 - w->progress_begin);
+        paradt_mpi__begin_step(w, 0.7 * (w->progress_begin + w->progress_length) + 0.3 * 0.95); // how many more come?
         if (added || w->too_costly) status = paradt_mpi__triangulate_known(w);
     }
     if (!status && w->inserting && (w->ranks == 1 || w->too_costly)) // else the questions have listed the fringe
@@ -3150,11 +3233,12 @@ static paradt_status paradt_mpi__run_rounds(paradt_mpi__work *w) {
 //
 // Arrays of the local triangulation, and of the records, become arrays of the result without a copy where they can.
 //
-// Door: paradt_mpi__deliver.
+// Doors: paradt_mpi__deliver, paradt_mpi__own_links.
 
 typedef struct paradt_mpi__facets { // the open facets
     size_t count;
-    size_t width;    // words a row: the ids of the facet's vertices in ascending order, and the number of its cell
+    size_t width;    // words a row: the ids of the facet's vertices in ascending order, and what its neighbour needs:
+                     // the number of its cell, or of its half-facet
     uint64_t *rows;  // [count][width], in the order of the ranks they are sent to
     size_t *handles; // [count] indices in out->neighbors; in the order of the rows once there are rows
     size_t capacity; // of handles
@@ -3238,7 +3322,6 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
     MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, w->comm);
     w->out->first_cell = w->rank ? before : 0;
     w->out->cell_total = paradt_mpi__reduce_sum(w, mine);
-    w->stats.cells = mine;
 }
 
 // Lists the open facets of an own cell. A facet on the hull of the local triangulation is open too, unless the hull is
@@ -3246,25 +3329,28 @@ static void paradt_mpi__number_cells(paradt_mpi__work *w) {
 PARADT__NOINLINE paradt_status paradt_mpi__list_open_facets(paradt_mpi__work *w, size_t k, size_t c,
                                                             paradt_mpi__facets *f) {
     paradt_index *neighbors = w->out->neighbors;
-    int final = k == 1 || w->options.flags & PARADT_MPI_REPLICATED; // the local hull is that of all points
+    int final = (w->options.flags & PARADT_MPI_REPLICATED) != 0; // the local hull is that of all points
     size_t j;
+    PARADT_ASSERT(k > 1);
     for (j = c * k; j < (c + 1) * k; j++) {
         if (neighbors[j] == PARADT__HULL && !final) neighbors[j] = PARADT__OPEN;
-        w->stats.hull_facets += neighbors[j] == PARADT__HULL && k > 1;
+        w->stats.hull_facets += neighbors[j] == PARADT__HULL;
         if (neighbors[j] == PARADT__OPEN && !paradt_mpi__facet_add(w, f, j)) return PARADT_ERROR_MEMORY;
     }
     return PARADT_OK;
 }
 
-// Replaces positions by vertices in all own cells, and handles by cell numbers; lists the open facets.
+// Replaces positions by vertices in all own cells, and handles by cell numbers unless half-facets are wanted; lists the
+// open facets.
 //   own     the cells; passed by value, so that the compiler knows that writing to rows does not change it
 //   number  [known] the vertex of each position
 PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const paradt__mesh own, size_t k,
                                                      const paradt_index *number, paradt_mpi__facets *f) {
-    const paradt__rows in_place = paradt__mesh_rows((int)k, 0, own.vertices, own.links, 0);
+    const paradt__rows in_place = paradt__mesh_rows((int)k, w->out->facets, own.vertices, own.links, 0);
     paradt_status status = PARADT_OK;
     size_t c;
-    for (c = 0; c < own.count && !status; c++) {
+    for (c = 0; c < own.count && !own.links; c++) own.vertices[c] = number[own.vertices[c]]; // a vertex without facets
+    for (c = 0; c < own.count && own.links && !status; c++) {
         int open = paradt__mesh_emit_row(&own, c, k, number, &in_place);
         if (!PARADT__LIKELY(!open) && w->out->neighbors) status = paradt_mpi__list_open_facets(w, k, c, f);
     }
@@ -3304,7 +3390,7 @@ PARADT__INLINE int paradt_mpi__facet_row(const paradt_mpi__work *w, size_t k, co
         row[j] = id;
         if (h <= least) least = h, chosen = vertex;
     }
-    row[count] = w->out->first_cell + handle / k;
+    row[count] = w->out->facets ? w->out->first_cell * k + handle : w->out->first_cell + handle / k;
     return chosen < own ? w->rank : f->homes[chosen - own];
 }
 
@@ -3355,7 +3441,7 @@ static paradt_status paradt_mpi__sort_facets(paradt_mpi__work *w, paradt_mpi__fa
 }
 
 // Matches the facets that were sent to this rank. rows: [count][width]; across: [count] set to the number of the cell
-// on the other side of each, or to PARADT__HULL
+// or half-facet on the other side of each, or to PARADT__HULL
 static paradt_status paradt_mpi__match_facets(paradt_mpi__work *w, const uint64_t *rows, size_t count, size_t width,
                                               int64_t *across) {
     size_t slots = 16, i, bytes = (width - 1) * sizeof *rows, *table;
@@ -3382,20 +3468,26 @@ static paradt_status paradt_mpi__match_facets(paradt_mpi__work *w, const uint64_
     return PARADT_OK;
 }
 
-// Sets the neighbours across the open facets. answers: [f->count] the numbers of the cells across, or PARADT__HULL; the
-// array becomes out->others. Not collective.
+// Returns how many neighbours are this rank's: cells, or half-facets. Larger neighbours refer to out->others.
+static size_t paradt_mpi__own_links(const paradt_mpi_triangulation *t) {
+    return t->facets ? t->cell_count * (size_t)(t->dim + 1) : t->cell_count;
+}
+
+// Sets the neighbours across the open facets. answers: [f->count] the numbers of the cells or half-facets across, or
+// PARADT__HULL; the array becomes out->others. Not collective.
 static void paradt_mpi__set_others(paradt_mpi__work *w, int64_t *answers, const paradt_mpi__facets *f) {
     paradt_mpi_triangulation *out = w->out;
-    size_t i;
+    size_t own = paradt_mpi__own_links(out), i;
     out->others = answers;
     for (i = 0; i < f->count; i++) {
         paradt_index *neighbor = &out->neighbors[f->handles[i]];
-        PARADT_ASSERT(*neighbor == PARADT__OPEN && answers[i] < (int64_t)out->cell_total);
+        PARADT_ASSERT(*neighbor == PARADT__OPEN);
+        PARADT_ASSERT(answers[i] < (int64_t)(out->facets ? out->cell_total * f->width : out->cell_total));
         if (answers[i] == PARADT__HULL) {
             *neighbor = PARADT__HULL;
             w->stats.hull_facets++;
         } else {
-            *neighbor = (paradt_index)(out->cell_count + out->other_count);
+            *neighbor = (paradt_index)(own + out->other_count);
             out->others[out->other_count++] = answers[i];
         }
     }
@@ -3407,7 +3499,7 @@ static paradt_status paradt_mpi__link_cells(paradt_mpi__work *w, paradt_mpi__fac
     int64_t *across = NULL;
     size_t count = 0, back;
     paradt_status status = PARADT_OK;
-    if (f->count > (size_t)PARADT__NOWHERE - w->out->cell_count) status = PARADT_ERROR_TOO_LARGE;
+    if (f->count > (size_t)PARADT__NOWHERE - paradt_mpi__own_links(w->out)) status = PARADT_ERROR_TOO_LARGE;
     if (!status) status = paradt_mpi__sort_facets(w, f);
     status = paradt_mpi__exchange(w, status, f->rows, f->width * sizeof *f->rows, &rows, &count);
     if (!status) {
@@ -3567,7 +3659,10 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status stat
     double begun = paradt__now();
     memset(&facets, 0, sizeof facets);
     paradt_mpi__free_question_data(w);
+    paradt_mpi__begin_step(w, 1.0);
+    if (!status) status = paradt_mpi__check_cancel(w, 0.0);
     if (!status) status = paradt_mpi__take_result(w, &facets, &rows);
+    if (!status) status = paradt_mpi__check_cancel(w, 0.5);
     status = paradt_mpi__agree(w, status);
     if (!status) {
         paradt_mpi__number_cells(w);
@@ -3594,6 +3689,8 @@ static paradt_status paradt_mpi__deliver(paradt_mpi__work *w, paradt_status stat
 //
 // Door: paradt_mpi__replicated.
 
+#ifndef PARADT_NO_FRONTS
+
 // Returns ARGUMENT on all ranks unless the points are the same on all. Collective.
 static paradt_status paradt_mpi__compare_points(paradt_mpi__work *w, const double *rows) {
     size_t width = (size_t)w->dim + (size_t)w->weighted + 1, i;
@@ -3602,7 +3699,9 @@ static paradt_status paradt_mpi__compare_points(paradt_mpi__work *w, const doubl
         h = paradt__mix(h ^ paradt__hash_coordinates(rows + i * width, (int)width - 1));
     first = h;
     MPI_Bcast(&first, 1, MPI_UINT64_T, 0, w->comm);
-    return paradt_mpi__agree(w, h == first ? PARADT_OK : PARADT_ERROR_ARGUMENT);
+    if (h == first) return paradt_mpi__agree(w, PARADT_OK);
+    return paradt_mpi__agree(w, paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT,
+                                                   "the points are not those of rank 0, but are to be replicated"));
 }
 
 // Sets used[i], [count], where point i is a vertex of any rank's cells. Collective.
@@ -3630,6 +3729,7 @@ static paradt_status paradt_mpi__build_region(paradt_mpi__work *w, double *rows)
     for (axis = 0; axis < w->dim; axis++) w->set.axes[axis] = axis;
     w->homes = (paradt_mpi__home *)paradt__alloc(&w->memory, count, sizeof *w->homes);
     if (!w->homes) return PARADT_ERROR_MEMORY;
+    paradt_mpi__begin_step(w, 0.9);
     status = paradt_mpi__check_cancel(w, 0.0);
     if (status) return status;
     if (w->weighted) {
@@ -3650,8 +3750,10 @@ static paradt_status paradt_mpi__build_region(paradt_mpi__work *w, double *rows)
     options = paradt_mpi__local_options(w);
     options.regions = (size_t)w->ranks;
     options.parallel_for = NULL;
+    options.flags |= w->options.local.flags & PARADT_FULL_DIM;
     status = paradt__triangulate_region(&w->local, &points, &options, (size_t)w->rank);
-    if (!status) paradt_mpi__account_local(w);
+    if (status) w->error_text = w->local.error_text;
+    paradt_mpi__account_local(w);
     paradt__release(&w->memory, weights);
     w->stats.triangulations = 1;
     if (w->rank == 0) w->stats.points = count - (size_t)w->local.stats.duplicates;
@@ -3697,6 +3799,8 @@ static paradt_status paradt_mpi__replicated(paradt_mpi__work *w, double *rows) {
     return status ? status : paradt_mpi__represent_replicated(w);
 }
 
+#endif // PARADT_NO_FRONTS
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>triangulate
 //
@@ -3719,6 +3823,7 @@ PARADT_DEF void paradt_mpi_free(paradt_mpi_triangulation *t) {
     paradt__release(&memory, t->coordinates);
     paradt__release(&memory, t->representative);
     memset(t, 0, sizeof *t);
+    t->dim = -1;
 }
 
 // Frees all that a call holds except the result. Collective.
@@ -3737,15 +3842,18 @@ static void paradt_mpi__end(paradt_mpi__work *w) {
 
 // Triangulates distributed points. rows: those that this rank handed in; released. Collective.
 static paradt_status paradt_mpi__distributed(paradt_mpi__work *w, double *rows) {
-    paradt_status status = paradt_mpi__distribute_points(w, rows);
-    double begun = paradt__now();
+    paradt_status status;
+    double begun;
+    paradt_mpi__begin_step(w, 0.15);
+    status = paradt_mpi__distribute_points(w, rows);
+    begun = paradt__now();
     if (!status && w->out->dim > 0) status = paradt_mpi__exchange_boxes(w);
     if (!status && w->out->dim > 0 && w->ranks > 1) status = paradt_mpi__guess(w);
     w->stats.seconds_grid += paradt__now() - begun;
     return status ? status : paradt_mpi__deliver(w, paradt_mpi__run_rounds(w));
 }
 
-// Sets the statistics of the result: own, sum and maximum. Collective.
+// Sets the statistics of the result: own, sum and maximum. Collective, also after an error.
 static void paradt_mpi__reduce_stats(paradt_mpi__work *w) {
     enum { FIELDS = 24 };
     uint64_t counts[FIELDS], count_sum[FIELDS], count_most[FIELDS];
@@ -3782,54 +3890,60 @@ static paradt_status paradt_mpi__run(paradt_mpi__work *w, const paradt_points *l
     if (status) return status;
     paradt_mpi__number_points(w, local->count);
     w->out->ambient = w->dim;
+    w->out->facets = (w->options.local.flags & PARADT_FACETS) != 0;
     w->out->point_count = local->count;
     w->out->point_total = w->first[w->ranks];
     w->out->first_point = w->options.flags & PARADT_MPI_REPLICATED ? 0 : w->first[w->rank];
+    paradt_mpi__begin_step(w, 0.05);
     status = paradt_mpi__agree(w, paradt_mpi__read_points(w, local, &rows));
     if (status) {
         paradt__release(&w->memory, rows);
         return status;
     }
     w->stats.seconds_partition = paradt__now() - begun;
-    status = w->options.flags & PARADT_MPI_REPLICATED ? paradt_mpi__replicated(w, rows)
-                                                      : paradt_mpi__distributed(w, rows);
-    if (!status && w->options.local.flags & PARADT_FULL_DIM && w->out->dim < w->dim) status = PARADT_ERROR_FLAT;
-    if (status) return status;
-    w->progress_begin = 1.0;
-    w->progress_length = 0.0;
-    return paradt_mpi__agree(w, paradt_mpi__check_cancel(w, 1.0));
+#ifndef PARADT_NO_FRONTS
+    if (w->options.flags & PARADT_MPI_REPLICATED) return paradt_mpi__replicated(w, rows);
+#endif
+    return paradt_mpi__distributed(w, rows);
+}
+
+// After an error: leaves nothing in `out` but what says which.
+static void paradt_mpi__withdraw(paradt_mpi_triangulation *out) {
+    paradt_mpi_triangulation error = *out;
+    paradt_mpi_free(out);
+    out->error_rank = error.error_rank;
+    out->error_point = error.error_point;
+    memcpy(out->error_text, error.error_text, sizeof out->error_text);
 }
 
 PARADT_DEF paradt_status paradt_mpi_triangulate(paradt_mpi_triangulation *out, MPI_Comm comm,
                                                 const paradt_points *local, const paradt_mpi_options *options) {
     paradt_mpi__work w;
     paradt_mpi_triangulation nowhere; // of a rank without `out`
-    paradt_status status = out ? PARADT_OK : PARADT_ERROR_ARGUMENT;
+    paradt_status status = PARADT_OK;
     double begun = paradt__now();
-    if (!out) out = &nowhere;
-    memset(out, 0, sizeof *out);
     memset(&w, 0, sizeof w);
     if (options) w.options = *options;
+    if (!out) {
+        out = &nowhere;
+        status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "out is NULL");
+    }
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
     w.out = out;
-    w.progress_length = 1.0;
     paradt__memory_begin(&w.memory, &w.options.local);
     MPI_Comm_dup(comm, &w.comm);
     MPI_Comm_rank(w.comm, &w.rank);
     MPI_Comm_size(w.comm, &w.ranks);
     status = paradt_mpi__run(&w, local, status);
+    if (!status) status = paradt_mpi__agree(&w, paradt_mpi__check_cancel(&w, 1.0));
     out->allocator = w.memory.allocator;
-    if (status) {
-        int rank = out->error_rank;
-        size_t point = out->error_point;
-        paradt_mpi_free(out);
-        out->dim = -1;
-        out->error_rank = rank;
-        out->error_point = point;
-    } else {
-        w.stats.peak_bytes = w.memory.peak;
-        w.stats.seconds = paradt__now() - begun;
-        paradt_mpi__reduce_stats(&w);
-    }
+    if (status) paradt_mpi__withdraw(out);
+    w.stats.cells = out->cell_count;
+    w.stats.peak_bytes = w.memory.peak;
+    if (status == PARADT_ERROR_MEMORY) w.stats.needed_bytes = w.memory.needed;
+    w.stats.seconds = paradt__now() - begun;
+    paradt_mpi__reduce_stats(&w);
     paradt_mpi__end(&w);
     return status;
 }
@@ -3846,11 +3960,12 @@ PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *t, MPI_Comm 
 }
 
 PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *t, size_t facet) {
-    size_t cell = (size_t)t->neighbors[facet];
+    size_t own = paradt_mpi__own_links(t), link = (size_t)t->neighbors[facet];
+    uint64_t first = t->facets ? t->first_cell * ((uint64_t)t->dim + 1) : t->first_cell;
     PARADT_ASSERT(facet < t->cell_count * ((size_t)t->dim + 1));
     if (t->neighbors[facet] < 0) return PARADT__HULL;
-    PARADT_ASSERT(cell < t->cell_count + t->other_count);
-    return cell < t->cell_count ? (int64_t)(t->first_cell + cell) : t->others[cell - t->cell_count];
+    PARADT_ASSERT(link < own + t->other_count);
+    return link < own ? (int64_t)(first + link) : t->others[link - own];
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3871,8 +3986,8 @@ static paradt_status paradt_mpi__gather_at(paradt_mpi__work *w, paradt_status st
     return paradt_mpi__exchange(w, status, part, size, all, total);
 }
 
-// Makes copies of the own cells with ids for vertices, *ids, and of their neighbours with numbers of all ranks' cells,
-// *numbers, NULL if there are none. Both fit into an index, as was checked. Not collective.
+// Makes copies of the own cells with ids for vertices, *ids, and of their neighbours with numbers of all ranks' cells
+// or half-facets, *numbers, NULL if there are none. Both fit into an index, as was checked. Not collective.
 static paradt_status paradt_mpi__name_cells(paradt_mpi__work *w, const paradt_mpi_triangulation *t, paradt_index **ids,
                                             paradt_index **numbers) {
     size_t values = t->cell_count * (size_t)(t->dim + 1), i;
@@ -3946,7 +4061,7 @@ static paradt_status paradt_mpi__gather(paradt_mpi__work *w, paradt_triangulatio
 PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm comm, const paradt_mpi_triangulation *t,
                                            int root) {
     paradt_mpi__work w;
-    paradt_mpi_triangulation errors; // paradt_mpi__agree notes the rank here
+    paradt_mpi_triangulation errors; // paradt_mpi__agree notes the error here
     paradt_triangulation nowhere;
     paradt_status status = PARADT_OK;
     if (!out) out = &nowhere;
@@ -3960,11 +4075,16 @@ PARADT_DEF paradt_status paradt_mpi_gather(paradt_triangulation *out, MPI_Comm c
     MPI_Comm_dup(comm, &w.comm);
     MPI_Comm_rank(w.comm, &w.rank);
     MPI_Comm_size(w.comm, &w.ranks);
-    if (!t || out == &nowhere || root < 0 || root >= w.ranks) status = PARADT_ERROR_ARGUMENT;
+    if (!t) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "triangulation is NULL");
+    else if (out == &nowhere) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "out is NULL");
+    else if (root < 0 || root >= w.ranks) status = paradt_mpi__refuse(&w, PARADT_ERROR_ARGUMENT, "root is no rank");
     status = paradt_mpi__agree(&w, status);
     if (!status) status = paradt_mpi__gather(&w, out, t, root);
     out->allocator = w.memory.allocator;
-    if (status) paradt_free(out);
+    if (status) {
+        paradt_free(out);
+        out->error_text = w.error_text ? w.error_text : paradt_status_string(status);
+    }
     paradt_mpi__end(&w);
     return status;
 }

@@ -717,7 +717,7 @@ static int triangulate(const settings *s, const part *p, paradt_mpi_triangulatio
         MPI_Bcast(&first, 1, MPI_UINT64_T, t->error_rank, MPI_COMM_WORLD);
         return fail(EXIT_INPUT, "%s: point %" PRIu64 " is not finite", s->input, first + (uint64_t)t->error_point);
     }
-    if (status) return fail(EXIT_FAILED, "%s: rank %d: %s", s->input, t->error_rank, paradt_status_string(status));
+    if (status) return fail(EXIT_FAILED, "%s: rank %d: %s", s->input, t->error_rank, t->error_text);
     return EXIT_DONE;
 }
 

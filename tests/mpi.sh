@@ -49,6 +49,10 @@ report $? header_builds_static "$work/log"
 mpicc -std=c99 $warnings -O1 -c -o "$work/user.o" "$work/user.c" 2>"$work/log" &&
     mpicc -no-pie -o "$work/user" "$work/user.o" "$work/header.o" -lm 2>>"$work/log"
 report $? declarations_alone_link_with_the_implementation "$work/log"
+# The second time the macro is defined in the manual, a whole program begins.
+awk '/define PARADT_MPI_IMPLEMENTATION/ { n++ } n == 2 { print; if ($0 == "//     }") exit }' paradt_mpi.h | sed 's/^\/\///' >"$work/many.c"
+mpicc -std=c99 $warnings -O1 -o "$work/many" "$work/many.c" -lm 2>"$work/log" && [ "$(on 3 "$work/many" | grep -c '^rank')" = 3 ]
+report $? the_program_of_the_manual_works "$work/log"
 if command -v nm >/dev/null 2>&1; then
     nm "$work/header.o" | grep -E ' [BbDdC] ' >"$work/log"
     [ ! -s "$work/log" ]
@@ -282,6 +286,7 @@ run() { # name of the group, of the program
 build plain -O2
 run many plain
 run shares plain
+run facets plain
 [ -z "$QUICK" ] || exit 0
 run families plain
 # With the sanitizers where they work: weights, because points that come late can hide others, and errors.

@@ -46,7 +46,7 @@ static void rank_program(int rank) {
     size_t ranks = (size_t)alone.ranks, n = (size_t)study.spec.count;
     size_t first = n / ranks * (size_t)rank, end = rank + 1 == alone.ranks ? n : first + n / ranks;
     double *coordinates = (double *)malloc((end - first + 1) * DIM * sizeof(double));
-    paradt_points points = paradt_points_f64(coordinates, end - first, DIM);
+    paradt_points points;
     paradt_mpi_options options;
     paradt_mpi_triangulation t;
     uint64_t hash;
@@ -56,6 +56,7 @@ static void rank_program(int rank) {
     options.local.allocator.free = alone_free;
     if (!coordinates) fail("no memory");
     paradt_gen_points(&study.spec, DIM, first, end - first, coordinates);
+    points = paradt_points_f64(coordinates, end - first, DIM);
     alone_leave(); // starts the clock
     if (paradt_mpi_triangulate(&t, MPI_COMM_WORLD, &points, &options)) fail("the triangulation failed");
     alone_enter();

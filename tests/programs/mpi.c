@@ -1,7 +1,7 @@
-// Compares the distributed triangulation with the serial one, on the families of the serial tests and several numbers of
-// ranks. Runs under mpiexec and prints TAP on rank 0.
+// Compares the distributed triangulation with the serial one, on the families of the serial tests and several numbers
+// of ranks. Runs under mpiexec and prints TAP on rank 0.
 //
-//     mpiexec -n 8 mpi [families | many | weights | errors]
+//     mpiexec -n 8 mpi [families | many | shares | facets | weights | errors]
 //
 // Samples are small, so every rank makes the whole sample and hands in its share.
 
@@ -58,8 +58,8 @@ static int holder(sharing how, int point, int count, int size) {
     }
 }
 
-// Returns the points that rank `mine` of `size` hands in, in the order of the sample. Fills order[count] with the sample's
-// index of each global id.
+// Returns the points that rank `mine` of `size` hands in, in the order of the sample. Fills order[count] with the
+// sample's index of each global id.
 static sample share_of(const sample *s, sharing how, int mine, int size, int *order) {
     int *picked = (int *)need((size_t)s->count, sizeof *picked), count = 0, next = 0, r, i;
     sample share;
@@ -100,22 +100,22 @@ static paradt_triangulation serial(const sample *s, const int *order) {
     return t;
 }
 
-// Does each entry of the table of others' cells belong to exactly one facet, and to a cell of another rank?
+// Does each entry of the table of others' cells, or half-facets, belong to exactly one facet, and to another rank?
 static int others_are_others(const paradt_mpi_triangulation *t) {
     char *met = (char *)need(t->other_count, 1);
-    size_t facet, i, found = 0;
+    size_t facet, i, found = 0, each = t->facets ? (size_t)(t->dim + 1) : 1, own = t->cell_count * each;
     int good = 1;
     memset(met, 0, t->other_count);
     for (facet = 0; t->neighbors && facet < t->cell_count * (size_t)(t->dim + 1); facet++) {
-        if (t->neighbors[facet] < 0 || (size_t)t->neighbors[facet] < t->cell_count) continue;
-        i = (size_t)t->neighbors[facet] - t->cell_count;
+        if (t->neighbors[facet] < 0 || (size_t)t->neighbors[facet] < own) continue;
+        i = (size_t)t->neighbors[facet] - own;
         good = good && i < t->other_count && !met[i];
         if (!good) break;
         met[i] = 1;
         found++;
     }
     for (i = 0; i < t->other_count; i++) {
-        uint64_t number = (uint64_t)t->others[i];
+        uint64_t number = (uint64_t)t->others[i] / each;
         good = good && number < t->cell_total && (number < t->first_cell || number >= t->first_cell + t->cell_count);
     }
     free(met);
@@ -138,8 +138,62 @@ static int table_is_of_vertices(const paradt_mpi_triangulation *t) {
     return good && found == t->vertex_count;
 }
 
-// Does each cell belong to the highest rank among those that own its vertices? Nobody owns replicated points. Collective; count
-// is the number of points of all ranks.
+// Gathers 64-bit numbers of all ranks on every rank, in the order of ranks. Returns a new array.
+static int64_t *gather_everywhere(const int64_t *mine, size_t count, MPI_Comm comm) {
+    int size, me, r, own = (int)count, *counts, *begins;
+    int64_t *all;
+    MPI_Comm_size(comm, &size);
+    MPI_Comm_rank(comm, &me);
+    counts = (int *)need((size_t)size + 1, sizeof *counts);
+    begins = (int *)need((size_t)size + 1, sizeof *begins);
+    MPI_Allgather(&own, 1, MPI_INT, counts, 1, MPI_INT, comm);
+    begins[0] = 0;
+    for (r = 0; r < size; r++) begins[r + 1] = begins[r] + counts[r];
+    all = (int64_t *)need((size_t)begins[size], sizeof *all);
+    MPI_Allgatherv(mine, own, MPI_INT64_T, all, counts, begins, MPI_INT64_T, comm);
+    free(counts);
+    free(begins);
+    return all;
+}
+
+// Do the half-facets f and g, given with the vertices of all cells, have the same vertices?
+static int same_facet(const int64_t *cells, size_t k, size_t f, size_t g) {
+    size_t i, j;
+    for (i = f / k * k; i < f / k * k + k; i++) {
+        for (j = g / k * k; j < g / k * k + k && (j == g || cells[j] != cells[i]);) j++;
+        if (i != f && j == g / k * k + k) return 0;
+    }
+    return f / k != g / k;
+}
+
+// Is each facet the mirror of its mirror, on whatever ranks they are, with the same vertices? Collective.
+static int mirrors_lead_back(const paradt_mpi_triangulation *t, MPI_Comm comm) {
+    size_t k = (size_t)(t->dim + 1), count = t->dim > 0 ? t->cell_count * k : 0, f, all = t->cell_total * k;
+    int64_t *own = (int64_t *)need(count, sizeof *own), *mirrors, *cells;
+    int good = 1;
+    for (f = 0; f < count; f++) {
+        int64_t g = paradt_mpi_neighbor(t, f);
+        good = good && g < (int64_t)all;
+        if (t->neighbors[f] >= 0 && (size_t)t->neighbors[f] < count) // this rank's
+            good = good && t->neighbors[t->neighbors[f]] == (paradt_index)f;
+        own[f] = g;
+    }
+    mirrors = gather_everywhere(own, count, comm);
+    for (f = 0; f < count; f++) own[f] = t->vertices[t->cells[f]];
+    cells = gather_everywhere(own, count, comm);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, comm);
+    for (f = 0; f < all && good && t->dim > 0; f++) {
+        size_t g = (size_t)mirrors[f];
+        if (mirrors[f] >= 0) good = mirrors[g] == (int64_t)f && same_facet(cells, k, f, g);
+    }
+    free(own);
+    free(mirrors);
+    free(cells);
+    return good;
+}
+
+// Does each cell belong to the highest rank among those that own its vertices? Nobody owns replicated points.
+// Collective; count is the number of points of all ranks.
 static int highest_rank_owns(const paradt_mpi_triangulation *t, MPI_Comm comm, int count) {
     int *home = (int *)need((size_t)count, sizeof *home), me, point, somewhere = 0, good = 1;
     size_t corners = (size_t)(t->dim + 1), i, j;
@@ -166,11 +220,14 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     sample all = sample_pick(s, order, s->count);
     paradt_points points = points_of(&all);
     paradt_triangulation gathered;
+    paradt_options facets;
     paradt_fault fault;
     size_t i;
-    int j, me, owned = highest_rank_owns(t, comm, s->count);
+    int j, me, owned = highest_rank_owns(t, comm, s->count), mirrored = !t->facets || mirrors_lead_back(t, comm);
     uint64_t hash = paradt_mpi_hash(t, comm);
     const char *wrong = NULL;
+    memset(&facets, 0, sizeof facets);
+    facets.flags = t->facets ? PARADT_FACETS : 0;
     MPI_Comm_rank(comm, &me);
     if (t->dim != expected->dim) wrong = "dim";
     else if (t->cell_total != expected->cell_count) wrong = "number of cells";
@@ -187,11 +244,13 @@ static const char *compare(const paradt_mpi_triangulation *t, MPI_Comm comm, con
     }
     if (!wrong && !others_are_others(t)) wrong = "cells of others";
     if (!wrong && !owned) wrong = "owners";
+    if (!wrong && !mirrored) wrong = "mirrors";
+    if (!wrong && t->dim == 0 && (t->neighbors || t->other_count)) wrong = "neighbours of a single vertex";
     if (!wrong && t->sum.hull_facets != expected->stats.hull_facets) wrong = "hull facets";
     if (!wrong && t->sum.hidden != expected->stats.hidden) wrong = "hidden";
     if (!wrong && t->sum.duplicates != expected->stats.duplicates) wrong = "duplicates";
     if (paradt_mpi_gather(&gathered, comm, t, 0) != PARADT_OK) wrong = "gathering fails";
-    if (!wrong && me == 0 && paradt_check(&gathered, &points, NULL, &fault) != PARADT_OK)
+    if (!wrong && me == 0 && paradt_check(&gathered, &points, &facets, &fault) != PARADT_OK)
         wrong = fault.reason ? fault.reason : "the check fails";
     paradt_free(&gathered);
     sample_free(&all);
@@ -353,6 +412,110 @@ static void same_cells_by_other_options(void) {
     }
 }
 
+// Half-facets instead of cells, on one to four ranks.
+static void mirrors_of_mirrors_across_ranks(void) {
+    static const char *const names[] = {"uniform", "lattice",   "duplicates", "hyperplane",
+                                        "line",    "all equal", "sphere"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
+        for (int way = 0; way < 8 * 4; way++) {
+            int weighted = way & 1, dim = 2 + (way >> 1) % 3;
+            paradt_mpi_options options;
+            sample s = family_make(&families[family_named(names[i])], weighted ? &weightings[1] : NULL, dim,
+                                   dim == 4 ? 60 : 250, (uint64_t)i);
+            memset(&options, 0, sizeof options);
+            options.local.flags = PARADT_FACETS;
+            options.local.method = (paradt_method)(way >> 3);
+            options.flags = way & 4 ? PARADT_MPI_REPLICATED : 0;
+            for (int j = 0; j < 4; j++) check_sample(&s, comms[j], (sharing)((way + j) % SHARINGS), &options);
+            sample_free(&s);
+        }
+        finish_test("mirrors of mirrors lead back: %s", names[i]);
+    }
+}
+
+// Weights and coordinates are members of structures on some ranks, and floats on some.
+static void weights_are_read_by_type_and_stride(void) {
+    typedef struct atom {
+        double place[3];
+        float radius, weight;
+        double heavy;
+    } atom;
+    sample s = family_make(&families[family_named("uniform")], &weightings[1], 3, 200, 3);
+    int order[200];
+    if (comms[3] != MPI_COMM_NULL) {
+        sample share;
+        atom *atoms = (atom *)need(200, sizeof *atoms);
+        float *narrow = (float *)need(200, sizeof *narrow);
+        paradt_points points;
+        paradt_mpi_triangulation t;
+        paradt_triangulation expected;
+        for (int i = 0; i < s.count; i++) s.w[i] = (double)(float)s.w[i];
+        share = share_of(&s, DEALT, rank, 4, order);
+        points = points_of(&share);
+        for (int i = 0; i < share.count; i++) {
+            memcpy(atoms[i].place, share.x + 3 * i, sizeof atoms[i].place);
+            atoms[i].weight = narrow[i] = (float)share.w[i];
+            atoms[i].heavy = share.w[i];
+        }
+        if (rank == 1 || rank == 2) {
+            points = paradt_points_f64(atoms[0].place, (size_t)share.count, 3);
+            points.stride = points.weight_stride = sizeof *atoms;
+            points.weights = rank == 1 ? (const void *)&atoms[0].weight : (const void *)&atoms[0].heavy;
+            points.weight_scalar = rank == 1 ? PARADT_F32 : PARADT_F64;
+        }
+        if (rank == 3) {
+            points.weights = narrow;
+            points.weight_scalar = PARADT_F32;
+        }
+        expected = serial(&s, order);
+        if (paradt_mpi_triangulate(&t, comms[3], &points, NULL)) note(&s, 4, DEALT, t.error_text);
+        else if (paradt_mpi_hash(&t, comms[3]) != paradt_hash(&expected)) note(&s, 4, DEALT, "other cells");
+        paradt_mpi_free(&t);
+        paradt_free(&expected);
+        sample_free(&share);
+        free(atoms);
+        free(narrow);
+    }
+    sample_free(&s);
+    finish_test("weights are read by type and stride");
+}
+
+typedef struct bar { // what a progress callback was told
+    double last;
+    int calls, falls;
+} bar;
+
+static int draw_bar(void *user, double fraction) {
+    bar *b = (bar *)user;
+    b->falls += !(fraction >= b->last && fraction <= 1.0);
+    b->last = fraction;
+    b->calls++;
+    return 0;
+}
+
+// The weighted sphere takes several rounds, and by other methods than insertion several triangulations.
+static void progress_never_falls_and_ends_at_one(void) {
+    for (int way = 0; way < PARADT_METHOD_COUNT * 4; way++) {
+        sample s = family_make(&families[family_named(way & 1 ? "sphere" : "uniform")], way & 1 ? &weightings[1] : NULL,
+                               3, 3000, 3);
+        paradt_mpi_options options;
+        bar told;
+        memset(&told, 0, sizeof told);
+        memset(&options, 0, sizeof options);
+        options.local.method = (paradt_method)(way >> 2);
+        options.local.progress = draw_bar;
+        options.local.user = &told;
+        options.flags = way & 2 ? PARADT_MPI_REPLICATED : 0;
+        if (comms[3] != MPI_COMM_NULL) {
+            check_sample(&s, comms[3], BLOCKS, &options);
+            if (told.falls) note(&s, 4, BLOCKS, "progress falls");
+            if (told.calls < 3 || told.last < 1.0) note(&s, 4, BLOCKS, "progress does not end at 1");
+        }
+        sample_free(&s);
+    }
+    finish_test("progress never falls and ends at 1");
+}
+
 // --- errors: the same status on all ranks, and the rank at fault
 
 typedef struct meter { // of an allocator: the calls that are left until it fails, and the bytes that are held
@@ -397,7 +560,13 @@ static int cancels_at_once(void *user, double fraction) {
 static int agreed(paradt_mpi_triangulation *t, const paradt_points *points, const paradt_mpi_options *options,
                   paradt_status expected, int culprit, size_t point) {
     paradt_status status = paradt_mpi_triangulate(t, comms[3], points, options);
+    char first[sizeof t->error_text];
     int good = status == expected && (!status || (t->error_rank == culprit && t->error_point == point && !t->cells));
+    if (status) { // the same sentence on all ranks, and statistics
+        memcpy(first, t->error_text, sizeof first);
+        MPI_Bcast(first, (int)sizeof first, MPI_BYTE, 0, comms[3]);
+        good = good && t->dim == -1 && first[0] && strcmp(first, t->error_text) == 0 && t->stats.seconds > 0;
+    }
     paradt_mpi_free(t);
     return good;
 }
@@ -447,6 +616,73 @@ static void errors_are_agreed_on(void) {
     }
 }
 
+static void arguments_are_explained(void) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 400, 5);
+    int order[400];
+    sample share = share_of(&s, BLOCKS, rank % 4, 4, order);
+    if (comms[3] != MPI_COMM_NULL) {
+        static const char *const texts[] = {"points.dim is out of",
+                                            "points.dim is not that of rank 0",
+                                            "points.stride",
+                                            "options.local.flags are not",
+                                            "options.local.partition is",
+                                            "points.weights is NULL",
+                                            "other than PARADT_MPI",
+                                            "points.data is NULL"};
+        for (int i = 0; i < (int)(sizeof texts / sizeof *texts); i++) {
+            paradt_points points = points_of(&share);
+            paradt_mpi_options options;
+            paradt_mpi_triangulation t;
+            memset(&options, 0, sizeof options);
+            if (i == 5 && rank != 2) points.weights = share.x;
+            if (rank == 2) {
+                if (i == 0) points.dim = 9;
+                if (i == 1) points.dim = 2;
+                if (i == 2) points.stride = 3;
+                if (i == 3) options.local.flags = PARADT_FACETS;
+                if (i == 4) options.local.partition = PARADT_UNIFORM;
+                if (i == 6) options.flags = 8;
+                if (i == 7) points.data = NULL;
+            }
+            if (paradt_mpi_triangulate(&t, comms[3], &points, &options) != PARADT_ERROR_ARGUMENT || t.error_rank != 2 ||
+                !strstr(t.error_text, texts[i]))
+                note(&s, 4, BLOCKS, texts[i]);
+            paradt_mpi_free(&t);
+        }
+    }
+    sample_free(&share);
+    sample_free(&s);
+    finish_test("each wrong argument is explained on all ranks");
+}
+
+// With PARADT_FULL_DIM points that lie in a flat are an error, but not where only some ranks' points do.
+static void flat_points_can_be_an_error(void) {
+    static const char *const names[] = {"hyperplane", "line", "all equal", "uniform"};
+    for (int i = 0; i < 4; i++) {
+        for (int way = 0; way < 4; way++) {
+            sample s = family_make(&families[family_named(names[i])], way & 1 ? &weightings[1] : NULL, 3, 100, 5);
+            int order[100], flat = i < 3;
+            sample share = share_of(&s, ALL_ON_LAST, rank % 4, 4, order);
+            paradt_points points = way & 2 ? points_of(&s) : points_of(&share);
+            paradt_mpi_options options;
+            paradt_mpi_triangulation t;
+            memset(&options, 0, sizeof options);
+            options.local.flags = PARADT_FULL_DIM;
+            options.flags = way & 2 ? PARADT_MPI_REPLICATED : 0;
+            if (comms[3] != MPI_COMM_NULL) {
+                paradt_status status = paradt_mpi_triangulate(&t, comms[3], &points, &options);
+                if (status != (flat ? PARADT_ERROR_FLAT : PARADT_OK)) note(&s, 4, ALL_ON_LAST, "another status");
+                if (flat && !strstr(t.error_text, "all points")) note(&s, 4, ALL_ON_LAST, "no reason");
+                if (t.dim != (flat ? -1 : 3)) note(&s, 4, ALL_ON_LAST, "another dimension");
+                paradt_mpi_free(&t);
+            }
+            sample_free(&share);
+            sample_free(&s);
+        }
+    }
+    finish_test("flat points can be an error");
+}
+
 // Every allocation of one rank fails once. No memory is kept, and no rank waits forever.
 static void failing_allocations_are_agreed_on(int culprit, int weighted, unsigned flags) {
     sample s = family_make(&families[family_named("uniform")], &weightings[weighted], 3, 120, 5);
@@ -470,7 +706,8 @@ static void failing_allocations_are_agreed_on(int culprit, int weighted, unsigne
     }
     sample_free(&share);
     sample_free(&s);
-    finish_test("each allocation of rank %d fails%s%s", culprit, weighted ? ", weighted" : "", flags ? ", replicated" : "");
+    finish_test("each allocation of rank %d fails%s%s", culprit, weighted ? ", weighted" : "",
+                flags ? ", replicated" : "");
 }
 
 // No rank holds more memory than it reports, nor more than its limit, whether the limit suffices or not.
@@ -494,6 +731,9 @@ static void memory_stays_within_its_limit(int weighted, unsigned flags) {
         if (sixteenth > PARTS) said = (size_t)t.stats.peak_bytes;
         if (status != (sixteenth > PARTS ? PARADT_OK : PARADT_ERROR_MEMORY) && sixteenth != PARTS)
             note(&s, 3, BLOCKS, "another status");
+        if (!t.largest.needed_bytes != !status) note(&s, 3, BLOCKS, "what was needed is not told");
+        if (t.stats.needed_bytes && t.stats.needed_bytes <= options.local.memory_limit)
+            note(&s, 3, BLOCKS, "no more was needed than was allowed");
         if (!status && m.peak > t.stats.peak_bytes) note(&s, 3, BLOCKS, "more was held than is said");
         if (options.local.memory_limit && m.peak > options.local.memory_limit)
             note(&s, 3, BLOCKS, "more was held than is allowed");
@@ -618,6 +858,8 @@ static void options_and_errors(void) {
     same_cells_by_other_options();
     empty_communicator_of_one();
     errors_are_agreed_on();
+    arguments_are_explained();
+    flat_points_can_be_an_error();
     for (int culprit = 0; culprit < 3; culprit++) {
         failing_allocations_are_agreed_on(culprit, 0, 0);
         failing_allocations_are_agreed_on(culprit, 1, 0);
@@ -634,15 +876,18 @@ static void shares(void) {
     ranks_between_others_have_fewer_points();
 }
 
+static void facets_and_callbacks(void) {
+    mirrors_of_mirrors_across_ranks();
+    weights_are_read_by_type_and_stride();
+    progress_never_falls_and_ends_at_one();
+}
+
 static const struct {
     const char *name;
     void (*run)(void);
 } groups[] = {
-    {"families", same_cells_on_families},
-    {"many", same_cells_of_many_points},
-    {"shares", shares},
-    {"weights", weights_and_replicas},
-    {"errors", options_and_errors},
+    {"families", same_cells_on_families}, {"many", same_cells_of_many_points}, {"shares", shares},
+    {"facets", facets_and_callbacks},     {"weights", weights_and_replicas},   {"errors", options_and_errors},
 };
 
 int main(int argc, char **argv) {
