@@ -859,7 +859,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         524   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
-//     triangulate                  343   the entry
+//     triangulate                  346   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -12960,10 +12960,9 @@ PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
 }
 
-static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+static paradt_points paradt__packed_points(size_t count, int dim, paradt_scalar scalar) {
     paradt_points points;
     memset(&points, 0, sizeof points);
-    points.data = coordinates;
     points.count = count;
     points.dim = dim;
     points.scalar = scalar;
@@ -12971,11 +12970,15 @@ static paradt_points paradt__points_of(const void *coordinates, size_t count, in
 }
 
 PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
-    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+    paradt_points points = paradt__packed_points(count, dim, PARADT_F64);
+    points.data = coordinates;
+    return points;
 }
 
 PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
-    return paradt__points_of(coordinates, count, dim, PARADT_F32);
+    paradt_points points = paradt__packed_points(count, dim, PARADT_F32);
+    points.data = coordinates;
+    return points;
 }
 
 PARADT_DEF const char *paradt_status_string(paradt_status status) {
