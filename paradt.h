@@ -617,10 +617,17 @@ typedef struct paradt_fault {
     paradt_index point; // index of the point concerned, or -1
 } paradt_fault;
 
+// These functions only take an array's address: it may be filled later.
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 11
+#define PARADT__ADDRESS_ONLY __attribute__((access(none, 1)))
+#else
+#define PARADT__ADDRESS_ONLY
+#endif
+
 // Return points without weights that are tightly packed in an array: [count][dim]. The compiler checks that their type
 // is the right one. Thread-safe.
-PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim);
-PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim);
+PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) PARADT__ADDRESS_ONLY;
+PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) PARADT__ADDRESS_ONLY;
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
@@ -852,7 +859,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         524   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
-//     triangulate                  343   the entry
+//     triangulate                  346   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -12955,10 +12962,9 @@ PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
 }
 
-static paradt_points paradt__points_of(const void *coordinates, size_t count, int dim, paradt_scalar scalar) {
+static paradt_points paradt__packed_points(size_t count, int dim, paradt_scalar scalar) {
     paradt_points points;
     memset(&points, 0, sizeof points);
-    points.data = coordinates;
     points.count = count;
     points.dim = dim;
     points.scalar = scalar;
@@ -12966,11 +12972,15 @@ static paradt_points paradt__points_of(const void *coordinates, size_t count, in
 }
 
 PARADT_DEF paradt_points paradt_points_f64(const double *coordinates, size_t count, int dim) {
-    return paradt__points_of(coordinates, count, dim, PARADT_F64);
+    paradt_points points = paradt__packed_points(count, dim, PARADT_F64);
+    points.data = coordinates;
+    return points;
 }
 
 PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t count, int dim) {
-    return paradt__points_of(coordinates, count, dim, PARADT_F32);
+    paradt_points points = paradt__packed_points(count, dim, PARADT_F32);
+    points.data = coordinates;
+    return points;
 }
 
 PARADT_DEF const char *paradt_status_string(paradt_status status) {

@@ -3363,13 +3363,8 @@ PARADT__INLINE paradt_status paradt_mpi__number_rows(paradt_mpi__work *w, const 
 static paradt_status paradt_mpi__take_cells(paradt_mpi__work *w, const paradt_index *number, paradt_mpi__facets *f) {
     size_t k = (size_t)w->out->dim + 1;
     paradt__mesh own = paradt_mpi__local_mesh(w, w->out->cell_count);
-    size_t i;
     w->out->cells = w->local.cells;
     w->local.cells = NULL;
-    if (!own.links) { // a single vertex has no facets
-        for (i = 0; i < own.count; i++) own.vertices[i] = number[own.vertices[i]];
-        return PARADT_OK;
-    }
     if (!(w->options.local.flags & PARADT_NO_NEIGHBORS)) {
         w->out->neighbors = w->local.neighbors;
         w->local.neighbors = NULL;
