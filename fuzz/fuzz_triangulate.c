@@ -1,5 +1,6 @@
 // Any bytes are decoded to points in 2 to 5 dimensions. Then
 //     - all methods, with one region and with several, and the points in reverse order have to give the same cells
+//     - with PARADT_FACETS each facet of a cell has to lead to the same facet of another cell and back
 //     - paradt_check has to certify each result
 //     - a failing allocation has to be reported, and may not leak memory
 //     - after an element of a result is overwritten, paradt_check has to return, and may only certify the same cells
@@ -174,12 +175,66 @@ static input reversed(const input *in) {
 
 // --- the tests
 
+// Calls paradt_check. flags: those that the result was made with
+static paradt_status check(const paradt_triangulation *t, const paradt_points *points, unsigned flags,
+                           paradt_fault *fault) {
+    paradt_options options;
+    memset(&options, 0, sizeof options);
+    options.flags = flags & PARADT_FACETS;
+    return paradt_check(t, points, &options, fault);
+}
+
 // The result has to be certified by paradt_check. what: the case, for an error
-static void certify(const paradt_triangulation *t, const paradt_points *points, const char *what) {
+static void certify(const paradt_triangulation *t, const paradt_points *points, unsigned flags, const char *what) {
     paradt_fault fault;
-    paradt_status status = paradt_check(t, points, NULL, &fault);
+    paradt_status status = check(t, points, flags, &fault);
     if (status)
         fail(what, fault.reason ? fault.reason : paradt_status_string(status));
+}
+
+// Is the vertex one of the facet's? f: (dim + 1) * cell + place
+static int facet_has(const paradt_triangulation *t, size_t f, paradt_index vertex) {
+    size_t corners = (size_t)(t->dim + 1), j;
+    for (j = 0; j < corners; j++)
+        if (j != f % corners && t->cells[f / corners * corners + j] == vertex)
+            return 1;
+    return 0;
+}
+
+// Each half-facet that is not on the hull has to have a mirror: the half-facet of another cell with the same vertices,
+// whose mirror is the first one.
+static void expect_mirrors(const paradt_triangulation *t, const char *what) {
+    size_t corners = (size_t)(t->dim + 1), facets = t->neighbors ? t->cell_count * corners : 0, f, j;
+    for (f = 0; f < facets; f++) {
+        paradt_index mirror = t->neighbors[f];
+        if (mirror == -1)
+            continue;
+        if (mirror < 0 || (size_t)mirror >= facets || t->neighbors[mirror] != (paradt_index)f)
+            fail(what, "a facet is not its mirror's mirror");
+        for (j = 0; j < corners; j++)
+            if (j != f % corners && !facet_has(t, (size_t)mirror, t->cells[f / corners * corners + j]))
+                fail(what, "a facet and its mirror have different vertices");
+        if (t->cells[f] == t->cells[mirror])
+            fail(what, "a facet and its mirror belong to cells with the same vertices");
+    }
+}
+
+// Overwrites one element of an array of t, and restores it. paradt_check may certify the result only if the cells are
+// still the same.
+static void expect_no_false_certificate(const paradt_triangulation *t, const paradt_points *points, unsigned flags,
+                                        paradt_index *array, size_t count, int spoil) {
+    size_t place;
+    paradt_index right;
+    uint64_t hash = paradt_hash(t);
+    if (!array || !count) // a single vertex has no neighbours
+        return;
+    place = (size_t)spoil * 7 % count;
+    right = array[place];
+    array[place] = (paradt_index)(spoil % 4 == 0 ? (uint32_t)spoil * 2654435761u : (uint32_t)(spoil % 67) - 2u);
+    if (array[place] != right && check(t, points, flags, NULL) == PARADT_OK &&
+        (array != t->cells || paradt_hash(t) != hash))
+        fail("spoiled result", "it was certified");
+    array[place] = right;
 }
 
 // The points have to be triangulated, with these options, to cells of this hash.
@@ -190,7 +245,12 @@ static void expect_hash(const input *in, const paradt_options *options, uint64_t
         fail(what, paradt_status_string(status));
     if (paradt_hash(&t) != hash)
         fail(what, "the cells are not InCoDe's");
-    certify(&t, &in->points, what);
+    certify(&t, &in->points, options->flags, what);
+    if (options->flags & PARADT_FACETS) {
+        expect_mirrors(&t, what);
+        expect_no_false_certificate(&t, &in->points, options->flags, t.neighbors,
+                                    t.cell_count * (size_t)(t.dim + 1), in->spoil);
+    }
     paradt_free(&t);
 }
 
@@ -219,7 +279,7 @@ static void expect_same_reversed(const input *in, const paradt_triangulation *t)
         hidden += (u.representative[c] < 0) != (t->representative[t->point_count - 1 - c] < 0);
     if (sum != paradt_hash(t) || hidden)
         fail("reversed", "the cells or the hidden points are others");
-    certify(&u, &back.points, "reversed");
+    certify(&u, &back.points, 0, "reversed");
     paradt_free(&u);
 }
 
@@ -264,24 +324,6 @@ static void expect_clean_failure(const input *in, uint64_t hash) {
         fail("failing allocation", "memory was leaked");
 }
 
-// Overwrites one element of an array of t, and restores it. paradt_check may certify the result only if the cells are
-// still the same.
-static void expect_no_false_certificate(const paradt_triangulation *t, const paradt_points *points, paradt_index *array,
-                                        size_t count, int spoil) {
-    size_t place;
-    paradt_index right;
-    uint64_t hash = paradt_hash(t);
-    if (!array || !count) // a single vertex has no neighbours
-        return;
-    place = (size_t)spoil * 7 % count;
-    right = array[place];
-    array[place] = (paradt_index)(spoil % 4 == 0 ? (uint32_t)spoil * 2654435761u : (uint32_t)(spoil % 67) - 2u);
-    if (array[place] != right && paradt_check(t, points, NULL, NULL) == PARADT_OK &&
-        (array != t->cells || paradt_hash(t) != hash))
-        fail("spoiled result", "it was certified");
-    array[place] = right;
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     input in;
@@ -301,7 +343,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     if (status)
         fail("InCoDe", paradt_status_string(status));
-    certify(&t, &in.points, "InCoDe");
+    certify(&t, &in.points, 0, "InCoDe");
     hash = paradt_hash(&t);
 
     for (method = 0; method < PARADT_METHOD_COUNT; method++) {
@@ -313,12 +355,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         options.regions = in.regions;
         options.partition = in.partition;
         expect_hash(&in, &options, hash, "regions");
+        options.flags = PARADT_FACETS;
+        expect_hash(&in, &options, hash, "facets");
     }
     expect_same_reversed(&in, &t);
     expect_clean_failure(&in, hash);
-    expect_no_false_certificate(&t, &in.points, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);
-    expect_no_false_certificate(&t, &in.points, t.neighbors, t.cell_count * (size_t)(t.dim + 1), in.spoil);
-    expect_no_false_certificate(&t, &in.points, t.representative, t.point_count, in.spoil);
+    expect_no_false_certificate(&t, &in.points, 0, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);
+    expect_no_false_certificate(&t, &in.points, 0, t.neighbors, t.cell_count * (size_t)(t.dim + 1), in.spoil);
+    expect_no_false_certificate(&t, &in.points, 0, t.representative, t.point_count, in.spoil);
     paradt_free(&t);
     return 0;
 }
