@@ -1506,7 +1506,7 @@ static int paradt__team_cancelled(const paradt__team *team) {
 
 // Shared by concurrent insertions that pause together
 typedef struct paradt__relay {
-    ptrdiff_t done; // work of all of them, in inserted points. May be negative: paradt__relay_waits subtracts in advance
+    ptrdiff_t done; // work of all of them, in inserted points; paradt__relay_waits subtracts in advance, below 0 too
     ptrdiff_t stop; // they pause when `done` reaches it
 } paradt__relay;
 
