@@ -1504,13 +1504,13 @@ static int paradt__team_cancelled(const paradt__team *team) {
 // A status that no caller gets to see
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
 
-// What insertions at once have in common that are to pause together
+// Shared by concurrent insertions that pause together
 typedef struct paradt__relay {
-    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
-    ptrdiff_t stop; // they pause when it is so much
+    ptrdiff_t done; // work of all of them, in inserted points; paradt__relay_waits subtracts in advance, below 0 too
+    ptrdiff_t stop; // they pause when `done` reaches it
 } paradt__relay;
 
-// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
+// Is it time to pause? done: parts of its work that the caller has done; worth: 64 of these parts, in inserted points
 static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
 #if defined(PARADT__ATOMICS)
     return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
@@ -1520,7 +1520,7 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 #endif
 }
 
-// The others do not pause while one does what takes as long as so many points and can't be paused.
+// Keeps the others from pausing while the caller does work that takes as long as `points` and can not be paused.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ATOMICS)
     if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
