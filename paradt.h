@@ -847,7 +847,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    183   insertions from begin to end
 //   division
-//     regions of fronts            117   owners, joining
+//     regions of fronts            124   owners, joining
 //     fringe                        94   cells that are not a region's own alone
 //     fields and patches           335   a region's points, its insertion
 //     questions between regions    364   is a cell one of T(P)?
@@ -855,7 +855,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     results of patches           161   dropping, emitting, taking over
 //     known points                 233   what a rank builds
 //     call                         180   what one call works with; steps
-//     fronts                        97   InCoDe and DeWall from set to mesh
+//     fronts                        99   InCoDe and DeWall from set to mesh
 //     regions of insertion         524   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
@@ -10463,11 +10463,13 @@ static void paradt__cluster_give(const paradt__mesh *mesh, const uint32_t *owner
 
 // Fills owners[mesh->count] with the region that owns each cell.
 static paradt_status paradt__find_owners(const paradt__mesh *mesh, const paradt__set *set,
-                                         const paradt__region_view *view, paradt__memory *memory,
-                                         paradt_index *owners) {
+                                         const paradt__region_view *view, const paradt__progress *progress,
+                                         paradt__memory *memory, paradt_index *owners) {
     size_t corners = (size_t)mesh->corners, unreached = 0, i;
     paradt_index *cluster;
     for (i = 0; i < mesh->count; i++) {
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
+            return PARADT_ERROR_CANCELLED;
         owners[i] = paradt__cell_owner(view, set, mesh->vertices + i * corners, mesh->corners);
         unreached += owners[i] < 0;
     }
@@ -10484,11 +10486,13 @@ static paradt_status paradt__find_owners(const paradt__mesh *mesh, const paradt_
 // Leaves only the cells that the region owns. Their facets in common with other regions' cells become open. *foreign:
 // number of the cells dropped
 static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__set *set, const paradt__region_view *view,
-                                            paradt__memory *memory, uint64_t *foreign) {
+                                            const paradt__progress *progress, paradt__memory *memory,
+                                            uint64_t *foreign) {
     paradt__list dropped = {NULL, 0, 0};
     size_t i;
     paradt_index *owners = (paradt_index *)paradt__alloc(memory, mesh->count, sizeof *owners);
-    paradt_status status = owners ? paradt__find_owners(mesh, set, view, memory, owners) : PARADT_ERROR_MEMORY;
+    paradt_status status =
+        owners ? paradt__find_owners(mesh, set, view, progress, memory, owners) : PARADT_ERROR_MEMORY;
     for (i = 0; i < mesh->count && !status; i++) {
         if (owners[i] == (paradt_index)view->region) continue;
         paradt__mesh_drop(mesh, i, (size_t)mesh->corners, PARADT__OPEN);
@@ -10505,7 +10509,8 @@ static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__se
 }
 
 // Ties the open facets of all regions to their mirrors. Facets without a mirror become the hull's.
-static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *memory, uint64_t *hull_facets) {
+static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *meter, paradt__memory *memory,
+                                          uint64_t *hull_facets) {
     paradt__facets table;
     size_t facets = all->count * (size_t)all->corners, count = 0, i;
     paradt_index open[PARADT__JOINED];
@@ -10515,6 +10520,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
         count = 0;
+        if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
+            status = PARADT_ERROR_CANCELLED;
     }
     for (i = 0; i < facets; i++) {
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
@@ -12149,18 +12156,19 @@ static void paradt__front_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__region_view view;
+    paradt__progress progress = paradt__region_progress(work, index);
     paradt__front front;
     view.owner = work->owner;
     view.cuts = &work->cuts;
     view.region = (uint32_t)index;
     region->status =
         paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
+    front.progress = progress;
     front.impatient = work->impatient;
     region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
     if (!region->status)
-        region->status =
-            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+        region->status = paradt__region_compact(&region->mesh, &work->set, &view, &progress, &region->memory,
+                                                &region->stats.cells_recomputed);
 }
 
 // Appends the regions' cells to each other, giving back the memory of each region after its turn.
@@ -12205,7 +12213,8 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
     if (!status && work->regions > 1) {
         status = paradt__begin_fronts(work);
         if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
-        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+        return status ? status
+                      : paradt__regions_join(&work->mesh, &work->meter, &work->memory, &work->stats->hull_facets);
     }
     if (status) return status;
     paradt__begin_way(work);

@@ -109,7 +109,7 @@ int paradt_io_check_place(const char *name, const char *input, paradt_io_error *
 // Checks, too, that the extension is known and that the format can hold points of this dimension (0: not known yet).
 int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error);
 // Writes one output, of up to PARADT_IO_FILES_PER_OUTPUT files, into the stage. The triangulation has to have
-// neighbours, except for .vtu and .npy. Returns 1, or 0 with the error filled in.
+// neighbours as half-facets (PARADT_FACETS), except for .vtu and .npy. Returns 1, or 0 with the error filled in.
 int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
                     const paradt_triangulation *triangulation, paradt_io_error *error);
 // Writes a text into the stage as a file. Returns 1, or 0 with the error filled in.
