@@ -1399,7 +1399,7 @@ typedef struct paradt__meter {
 // The share of a call's work that one task does, or several that work through it together
 typedef struct paradt__progress {
     paradt__meter *meter; // NULL: nobody asks
-    uint32_t *told;       // what the meter has been told of the share
+    uint32_t *reported;   // the part of the share that the meter has
     double share;         // 0..1, of the whole call
 } paradt__progress;
 
@@ -1427,11 +1427,11 @@ static int paradt__meter_cancels(paradt__meter *meter) {
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
 }
 
-// A share of the work. *told is the caller's to keep for as long as somebody works on the share.
-static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *told, double share) {
+// A share of the work. *reported is the caller's to keep for as long as somebody works on the share.
+static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *reported, double share) {
     paradt__progress progress;
     progress.meter = meter->call ? meter : NULL;
-    progress.told = told;
+    progress.reported = reported;
     progress.share = share;
     return progress;
 }
@@ -1443,8 +1443,8 @@ static int paradt__progress_cancels(const paradt__progress *progress, double fra
     if (!progress->meter) return 0;
     if (fraction > 1.0) fraction = 1.0;
     now = (uint32_t)(fraction * progress->share * (double)PARADT__ALL_DONE);
-    before = PARADT__ATOMIC_LOAD(progress->told);
-    while (before < now && !PARADT__ATOMIC_SWAP(progress->told, &before, now)) {
+    before = PARADT__ATOMIC_LOAD(progress->reported);
+    while (before < now && !PARADT__ATOMIC_SWAP(progress->reported, &before, now)) {
     }
     if (before < now) (void)PARADT__ATOMIC_ADD(&progress->meter->done, now - before);
     return paradt__meter_cancels(progress->meter);
@@ -11985,8 +11985,8 @@ typedef struct paradt__region {
     int built; // all its cells are there, or it waits
     int waits; // it waits for what other regions know
     size_t runs,
-        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
-    uint32_t told; // of its share of the progress
+        ran; // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
 
@@ -12002,8 +12002,8 @@ typedef struct paradt__work {
     int one_by_one; // insertion builds one region after another, without neighbours
     int facets;     // links are delivered as half-facets
     // progress
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of the share, while one task does all of it
+    double share;      // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
     paradt__grid grid; // of fronts
@@ -12054,16 +12054,16 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 static void paradt__begin_way(paradt__work *work) {
     const double finish = 0.025; // the part that is left for what is done when the cells are made
     work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
+    work->reported = 0;
 }
 
 static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
+    return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].reported, share), index);
 }
 
 // --- steps
@@ -12235,8 +12235,8 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
 //     points     the points to begin with: its own, and others' in a margin
 //     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
 //     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
-//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
-//     learn      | looks at what others show,
+//     publish    | regions that wait for what others know: each publishes its cells,
+//     learn      | looks at what others have published,
 //     complete   | and asks on, until none of them waits
 //     compact    leaves only the cells that the region owns
 //     emit       writes them into the result
@@ -13136,7 +13136,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
     double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, reading);
     paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
