@@ -280,7 +280,8 @@
 // small pages are made somewhat ahead of their use, by madvise.
 //
 // The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
-// arrays may be up to a third larger than that, and for a few hundred points some kilobytes larger.
+// arrays may be up to a third larger than that, with regions up to a half, and for a few hundred points some kilobytes
+// larger.
 //
 // memory_limit bounds the bytes that one call holds at any time, the result included. Regions get equal shares of what
 // the points leave of it, so the more regions, the sooner the limit is reached. stats.peak_bytes is the most that was
@@ -296,8 +297,8 @@
 //                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
 //     PARADT_AUTO                                79            295        1,390        7,280
 //        2 regions                               90            327        2,740       14,560
-//        4 regions                               92            383        2,720       16,570
-//        8 regions                               95            728        2,800       21,640
+//        4 regions                               92            376        2,720       16,570
+//        8 regions                               95            420        2,800       21,640
 //     PARADT_INCODE                             109            295        1,390        7,280
 //        8 regions                              146            550        2,800       21,640
 //     PARADT_NO_NEIGHBORS, 8 regions,
@@ -856,10 +857,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     known points                 233   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        99   InCoDe and DeWall from set to mesh
-//     regions of insertion         524   the steps of a divided insertion
+//     regions of insertion         525   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
-//     triangulate                  346   the entry
+//     triangulate                  345   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -12272,12 +12273,13 @@ static void paradt__points_task(void *context, size_t index) {
 
 // Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
 // copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
-// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
-// quarter of the slice could be left.
+// Surfaces may have a tenth more cells a point, solids hardly any. Where there are many points of others there is less
+// to add, as their cells go in the end.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     size_t count = patch->build.count, own = patch->fields[index].set.count;
     if (count - own <= own / 8) count += count / (index + 1 == work->regions ? 6 : work->hollow ? 9 : 32);
+    else count += count / 32;
     return paradt__expected_places(count, work->set.space.dim);
 }
 
@@ -12519,7 +12521,7 @@ static paradt_status paradt__join_patches(paradt__work *work) {
 }
 
 // Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
-// a quarter of them would be empty, since to copy the cells takes as much again.
+// a third of them would be empty. To copy the cells takes as much memory again.
 static paradt_status paradt__collect_patches(paradt__work *work) {
     size_t total = 0, i;
     int in_place = work->slices.vertices != NULL, lent = 0;
@@ -12532,7 +12534,7 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
         lent = lent || own->lent;
     }
     if (!lent) paradt__mesh_free(&work->slices, &work->memory);
-    in_place = in_place && work->slices.capacity <= total + total / 3 + 64;
+    in_place = in_place && work->slices.capacity <= total + total / 2 + 64;
     if (in_place) {
         work->mesh = work->slices;
     } else {
@@ -13107,8 +13109,7 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
     if (!several) return 1.45;
     if (work->one_by_one) return 1.2;
-    // Slices of the result that few points leave too empty are copied, so that both are held.
-    return each > 40000.0 ? 1.8 : each > 5000.0 ? 3.0 + 10000.0 / each : 5.0;
+    return 1.5 + 12000.0 / (each + 3000.0);
 }
 
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
