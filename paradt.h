@@ -11947,16 +11947,14 @@ struct paradt__work;
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
     unsigned can;                                        // PARADT__CAN_* bits
-    int least_dim, most_dim;                             // affine dimensions
     paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
     paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
 } paradt__method;
 
 enum {
-    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_BUILD = 1,   // any triangulation; 0: this build leaves the method out
     PARADT__CAN_REGIONS = 2, // divided space
-    PARADT__CAN_LINK = 4,    // neighbours
-    PARADT__CAN_LIVE = 8     // more points after the first ones
+    PARADT__CAN_LIVE = 4     // more points after the first ones
 };
 
 // What one region leaves behind
@@ -12864,22 +12862,23 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
 // --- the table and the choice
 
 enum {
-    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__CAN_ALL = PARADT__CAN_BUILD | PARADT__CAN_REGIONS,
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
-// The row of a method. AUTO's says what all methods can do that it chooses from. A method that is left out can nothing.
+// The row of a method. AUTO's row says what all the methods can do that it chooses from. A method that this build
+// leaves out can do nothing.
 static const paradt__method *paradt__method_of(paradt_method method) {
     static const paradt__method rows[PARADT_METHOD_COUNT] = {
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+        {PARADT__CAN_ALL, NULL, NULL}, // AUTO
 #ifdef PARADT_NO_FRONTS
-        {0, 0, 0, NULL, NULL}, // INCODE
-        {0, 0, 0, NULL, NULL}, // DEWALL
+        {0, NULL, NULL}, // INCODE
+        {0, NULL, NULL}, // DEWALL
 #else
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+        {PARADT__CAN_ALL, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, NULL, paradt__build_by_insertion}};
     return rows + method;
 }
 
@@ -13042,7 +13041,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (!paradt__method_of(options->method)->can)
+    if (!(paradt__method_of(options->method)->can & PARADT__CAN_BUILD))
         return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
