@@ -745,8 +745,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
 //             |                                   |                                     |
 //             +-----------------+-----------------+                                     |
-//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>fields and
-//                               |  patches and >>regions of insertion
+//                               |  each region does all that for a part of space, by >>reach and >>fronts, or by
+//                               |  >>fields and patches and >>regions of insertion
 //                               |
 //                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
 //                               |  handles become numbers
@@ -783,8 +783,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
-//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
-//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     sagitta         how far a point is inside the reference sphere; near a sphere it replaces |x|^2
+//     orients         an axis orients if it is one of the first `dim` axes, which decide about orientation
 //     filter          floating point that decides, or says that it can't
 //
 // THREE READING PATHS
@@ -792,9 +792,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to >>results of
-//     patches,
-//                       >>regions of insertion; then paradt_mpi.h
+//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to
+//                       >>results of patches, >>regions of insertion; then paradt_mpi.h
 //
 // CONTENTS, with the lines of each section
 //
@@ -1374,9 +1373,9 @@ static double paradt__widen(uint32_t bits) {
 
 // --- progress
 //
-// All tasks of a call add what they have done to one sum, which the callback is told; so it never falls, in whatever
-// order they run. One thread at a time is in the callback: another that comes meanwhile goes on without. When the
-// callback has asked for it, all tasks find the work cancelled at their next look.
+// All tasks of a call add what they have done to one sum, and the callback gets the sum: it never falls, in whatever
+// order the tasks run. One thread at a time is in the callback; another thread that would call it meanwhile goes on
+// without. After the callback has cancelled the call, every task ends at its next call of paradt__progress_cancels.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
 enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
@@ -1392,7 +1391,7 @@ typedef struct paradt__meter {
 // The share of a call's work that one task does, or several that work through it together
 typedef struct paradt__progress {
     paradt__meter *meter; // NULL: nobody asks
-    uint32_t *told;       // what the meter has been told of the share
+    uint32_t *reported;   // the part of the share that has been added to the meter
     double share;         // 0..1, of the whole call
 } paradt__progress;
 
@@ -1403,13 +1402,13 @@ static void paradt__meter_begin(paradt__meter *meter, const paradt_options *opti
     meter->user = options->user;
 }
 
-// Part of the work that is done: 0..1
+// Returns the part of the work that is done: 0..1
 static double paradt__meter_done(const paradt__meter *meter) {
     double done = (double)PARADT__ATOMIC_LOAD(&meter->done) / (double)PARADT__ALL_DONE;
     return done < 1.0 ? done : 1.0;
 }
 
-// Asks the caller. Returns 1 when the call is to end.
+// Calls the callback. Returns 1 when the call is to end.
 static int paradt__meter_cancels(paradt__meter *meter) {
     if (!meter->call) return 0;
     if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && PARADT__ATOMIC_LOCK(&meter->calling)) {
@@ -1420,24 +1419,24 @@ static int paradt__meter_cancels(paradt__meter *meter) {
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
 }
 
-// A share of the work. *told is the caller's to keep for as long as somebody works on the share.
-static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *told, double share) {
+// A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
+static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *reported, double share) {
     paradt__progress progress;
     progress.meter = meter->call ? meter : NULL;
-    progress.told = told;
+    progress.reported = reported;
     progress.share = share;
     return progress;
 }
 
-// To be called some hundred times a second: `fraction` of the share is done, an estimate. Returns 1 when the call is to
-// end. Several threads may work on one share: the farthest one counts.
+// Reports that about `fraction` of the share is done; to be called some hundred times a second. Returns 1 when the call
+// is to end. Several threads may work on one share: the largest fraction counts.
 static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
     uint32_t now, before;
     if (!progress->meter) return 0;
     if (fraction > 1.0) fraction = 1.0;
     now = (uint32_t)(fraction * progress->share * (double)PARADT__ALL_DONE);
-    before = PARADT__ATOMIC_LOAD(progress->told);
-    while (before < now && !PARADT__ATOMIC_SWAP(progress->told, &before, now)) {
+    before = PARADT__ATOMIC_LOAD(progress->reported);
+    while (before < now && !PARADT__ATOMIC_SWAP(progress->reported, &before, now)) {
     }
     if (before < now) (void)PARADT__ATOMIC_ADD(&progress->meter->done, now - before);
     return paradt__meter_cancels(progress->meter);
@@ -1481,7 +1480,8 @@ static void paradt__team_run(const paradt__team *team, void (*task)(void *contex
     else task(context, 0);
 }
 
-// For the task `index` of a team: `fraction` of what the team does is done. Returns 1 when the call is to end.
+// Reports, for the task `index` of a team, the `fraction` that is done of what the team does. Returns 1 when the call
+// is to end.
 static int paradt__team_cancels(const paradt__team *team, size_t index, double fraction) {
     paradt__progress progress = paradt__progress_of_task(team->progress, index);
     return paradt__progress_cancels(&progress, fraction);
@@ -1494,26 +1494,28 @@ static int paradt__team_cancelled(const paradt__team *team) {
 
 // --- giving up, and pauses
 
-// A status that no caller gets to see
+// A status that stays inside the implementation: this way of building gave up, another one follows
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
 
-// What insertions at once have in common that are to pause together
+// The common account of insertions that run concurrently and pause together
 typedef struct paradt__relay {
-    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
-    ptrdiff_t stop; // they pause when it is so much
+    ptrdiff_t done; // work done by all of them, in inserted points. May be negative: paradt__relay_waits subtracts
+    ptrdiff_t stop; // they pause when `done` is that much
 } paradt__relay;
 
-// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
-static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
+// Adds 64 steps of work to the account after every 64th step. Returns 1 when it is time to pause.
+//   done    number of steps that this insertion has done
+//   points  how many inserted points take as long as 64 steps
+static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t points) {
 #if defined(PARADT__ATOMICS)
-    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
+    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)points) >= relay->stop;
 #else
-    (void)relay, (void)done, (void)worth;
+    (void)relay, (void)done, (void)points;
     return 0;
 #endif
 }
 
-// The others do not pause while one does what takes as long as so many points and can't be paused.
+// Puts the pause off: one insertion begins what cannot be paused and takes as long as inserting `points` points.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ATOMICS)
     if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
@@ -4702,15 +4704,14 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 //
 // A link is PARADT__HULL where the hull has no cell on the other side, and PARADT__OPEN where that cell is not known.
 // A mesh may be closed: then ghosts stand on the hull's facets, cells with the vertex PARADT__INFINITE in the place of
-// a point beyond the facet, and no link is negative. Inside and outside are one case so.
+// a point beyond the facet, and no link is negative. So inside and outside are one case.
 //
 // What holds between two changes, and what paradt__mesh_verify checks in debug builds:
 //     - links[links[handle]] is the handle;
 //     - the two handles of a facet name the same vertices, and the cells see it with opposite orientation;
 //     - a ghost has one infinite vertex;
-//     - a place that is free has PARADT__DEAD for its first vertex, and stands once in `spare`, unless the mesh is
-//     about
-//       to be compacted: then dead places stand in no list.
+//     - a place that is free has PARADT__DEAD for its first vertex, and is named once in `spare`, unless the mesh is
+//       about to be compacted: then dead places are in no list.
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
@@ -11969,8 +11970,8 @@ typedef struct paradt__region {
     int built; // all its cells are there, or it waits
     int waits; // it waits for what other regions know
     size_t runs,
-        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
-    uint32_t told; // of its share of the progress
+        ran; // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
 
@@ -11986,8 +11987,8 @@ typedef struct paradt__work {
     int one_by_one; // insertion builds one region after another, without neighbours
     int facets;     // links are delivered as half-facets
     // progress
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of the share, while one task does all of it
+    double share;      // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
     paradt__grid grid; // of fronts
@@ -12038,16 +12039,16 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 static void paradt__begin_way(paradt__work *work) {
     const double finish = 0.025; // the part that is left for what is done when the cells are made
     work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
+    work->reported = 0;
 }
 
 static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
+    return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].reported, share), index);
 }
 
 // --- steps
@@ -13116,7 +13117,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
     double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, reading);
     paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
