@@ -11923,8 +11923,7 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
     for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
         paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
                               PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
+    paradt__mesh_rest(&build->scene.mesh, memory);
     paradt__list_free(&known->fringe, memory);
     *cells = build->scene.mesh;
     memset(known, 0, sizeof *known);
@@ -12598,14 +12597,17 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
 
 static paradt_status paradt__build_one_by_one(paradt__work *work) {
     paradt__mesh *mesh = &work->mesh;
-    size_t used, i;
+    size_t i;
     paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    // the first region is the last to be built: which of its cells are right follows from what the others list
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i);
     if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
         void *vertices = mesh->vertices;
-        used = mesh->count * (size_t)mesh->corners;
-        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
-        mesh->vertices = (paradt_index *)vertices;
+        size_t used = mesh->count * (size_t)mesh->corners;
+        if (paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) { // else it stays as large
+            mesh->vertices = (paradt_index *)vertices;
+            mesh->capacity = mesh->count;
+        }
     }
     return status;
 }
@@ -13273,6 +13275,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
         if (!status) status = paradt__begin_fronts(&work);
         if (!status) {
             size_t only = index < work.regions ? index : 0;
+            paradt__share_memory(&work); // the owners have been allocated since the regions began
             paradt__front_task(&work, only);
             status = work.region[only].status;
             work.mesh = work.region[only].mesh;
