@@ -800,7 +800,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   ground
 //     memory                       173   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        182   progress, teams, pauses, the clock
+//     tasks                        185   progress, teams, pauses, the clock
 //   predicates
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
@@ -817,7 +817,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         686   cells, links, ghosts, free places; closing
+//     mesh                         685   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
@@ -848,10 +848,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     known points                 233   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        97   InCoDe and DeWall from set to mesh
-//     regions of insertion         524   the steps of a divided insertion
+//     regions of insertion         528   the steps of a divided insertion
 //   entry
-//     methods                      212   one row a method; AUTO's choice
-//     triangulate                  343   the entry
+//     methods                      213   one row a method; AUTO's choice
+//     triangulate                  344   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -8361,9 +8361,9 @@ typedef struct paradt__insertion {
     const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
     size_t count;              // number of points to insert
     size_t inserted;           // number of points inserted so far
-    size_t later;              // number of points that may have to be inserted after these; for the room only
-    double rate, rate_at;      // cells a point when room was last made, and 1 + `inserted` then; 0: never
-    paradt__relay *relay;      // tells the insertion to pause; NULL: it never does
+    size_t later;              // number of points that may follow these; only for the capacity of the mesh
+    double rate, rate_at;      // cells a point when the mesh last grew, and 1 + `inserted` then; 0: never
+    paradt__relay *relay;      // says when the insertion pauses; NULL: it never does
     paradt__update update;     // what the last insertion did
     paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
@@ -8387,8 +8387,8 @@ enum {
     PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
-#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
+#define PARADT__EXPECT_MORE 1.08 // capacity: the extrapolated number of cells times this,
+#define PARADT__RATE_MORE   1.06 // or in space, with more cells than uniform points have: that at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8397,7 +8397,7 @@ static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t 
 }
 
 // Returns the number of places to make room for when `needed` places are more than there are. The number of cells a
-// point is extrapolated from what it is now and what it was when room was last made, since on curves it grows with the
+// point is extrapolated from what it is now and what it was when the mesh last grew, since on curves it grows with the
 // number of points. Few sets have more cells than uniform points (scanned surfaces and shaken lattices do), and in the
 // plane none has; so the number for uniform points is a limit there, and a guide in space.
 static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
@@ -8420,9 +8420,9 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
-// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
-// copied.
+// Returns the number of points to make room for at the start. If the points are few, that is all of them and some more,
+// as surfaces have more cells. If they are many, it is as many as it takes to extrapolate the number of cells: then the
+// rows are copied once.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
@@ -10354,7 +10354,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     build->order = NULL;
     build->inserted = build->count - 1;
     if (kept) {
-        kept->missed_count = 0; // such points are here and there: a larger table would not have their spheres either
+        kept->missed_count = 0; // such points are scattered: a larger table would not have their spheres either
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
@@ -10674,7 +10674,7 @@ typedef struct paradt__patch {
     paradt__list fringe;       // see >>fringe; of the first region, the ghosts
     paradt__list waiting;      // cells to be asked about
     paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
-    int is_asking;             // the points that it begins with are inserted
+    int is_asking;             // the points to begin with are inserted
     size_t questions;          // cells taken from `waiting`
     size_t answer_cells;       // cells made by the insertion of answers
 
@@ -11705,11 +11705,12 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
 //
 // What a rank builds by insertion: the triangulation of all points that it knows, its own and other ranks'. It grows
 // whenever more points become known; at the end only the cells that the rank owns are left. Vertices are positions in a
-// set whose first points are the own ones. All that other ranks have a say in is in the fringe (>>fringe). Compiled
-// only where paradt_mpi.h is implemented. Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
+// set whose first points are the own ones. All cells that other ranks may own, or may destroy by points of theirs, are
+// in the fringe (>>fringe). Compiled only where paradt_mpi.h is implemented. Doors: paradt__known_*,
+// paradt__mark_vertices, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
+#define PARADT__RANKS 1 // paradt_mpi.h checks that this has been compiled
 
 typedef struct paradt__known {
     paradt__insertion build;
@@ -11759,7 +11760,7 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     known->order = paradt__merged_order(set, own, &curve, memory);
     if (!known->order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&known->build, set, known->order, memory);
-    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    known->build.later = (set->count - own) / 6; // about as many of others' points are still missing
     return paradt__insertion_run(&known->build, progress);
 }
 
@@ -11966,10 +11967,10 @@ typedef struct paradt__region {
     size_t offset;       // the number of its first cell in the result
     size_t slice;        // the first place of its slice
     uint64_t hull_facets;
-    int built; // all its cells are there, or it waits
-    int waits; // it waits for what other regions know
-    size_t runs,
-        ran; // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    int built;         // all its cells are there, or it waits
+    int waits;         // it waits until it can learn neighbours from other regions
+    size_t runs;       // in a leg of the relay, the region that the task of this number runs,
+    size_t ran;        // and the points that the task has inserted
     uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
@@ -11980,13 +11981,13 @@ typedef struct paradt__work {
     paradt__meter meter;
     paradt_stats *stats;
     // the plan
-    const paradt__method *method; // that is tried
+    const paradt__method *method; // the one that is tried
     int impatient;                // the method may give up
     size_t regions;
     int one_by_one; // insertion builds one region after another, without neighbours
     int facets;     // links are delivered as half-facets
     // progress
-    double share;      // of the call's work: what is left for building, from where the way that is tried has begun
+    double share;      // of the call's work: what was left when the present way of building began
     uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
@@ -12034,17 +12035,19 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 
 // --- progress
 
-// Begins a way of building: its share is what is left of the work but for the finish.
+// Begins a way of building. Its share is what is left of the call's work, except for the last steps.
 static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    const double finish = 0.025; // the part for the steps after the cells are made
     work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
     work->reported = 0;
 }
 
+// The progress of a way that one task goes
 static paradt__progress paradt__whole_progress(paradt__work *work) {
     return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
+// The progress of a region, which has an equal part of the share
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
     return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].reported, share), index);
@@ -12066,8 +12069,8 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
-// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
-// cancelled, before that a region gave up.
+// Runs a task for each region. Returns the first region's status that is not PARADT_OK; an error,
+// PARADT_ERROR_CANCELLED included, comes before PARADT__GAVE_UP.
 static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
     paradt_status status = PARADT_OK;
     size_t i;
@@ -12154,7 +12157,7 @@ static void paradt__front_task(void *context, size_t index) {
             paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
 }
 
-// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+// Appends the regions' cells to each other, and frees each region's mesh when its cells have been copied.
 static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
@@ -12170,7 +12173,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     return status;
 }
 
-// Prepares for fronts: the reference sphere and the grid.
+// Prepares the set for fronts: sagittas, and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
     paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
@@ -12216,15 +12219,15 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
 //     grid       the grid of the region's points, by which others look for points of it
 //     points     the points to begin with: its own, and others' in a margin
 //     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
-//     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
-//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
-//     learn      | looks at what others show,
-//     complete   | and asks on, until none of them waits
+//     build      inserts the points and asks about the cells that could be wrong; in legs, see "the relay"
+//     publish    | if a region waits to learn neighbours: all regions publish their meshes,
+//     learn      | the waiting ones learn the neighbours of the others' points that they have,
+//     complete   | and go on asking, until no region waits
 //     compact    leaves only the cells that the region owns
 //     emit       writes them into the result
 //
-// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
-// than all the rest would; then the largest region takes in all points.
+// At the end the facets between cells of different regions are tied. A region gives up if its questions take longer
+// than the insertion of all other points would; then the largest region that gave up inserts all points.
 // Doors: paradt__build_by_patches, paradt__close_set.
 
 // --- the steps
@@ -12252,10 +12255,10 @@ static void paradt__points_task(void *context, size_t index) {
     paradt__begin_patch(work, index, &work->region[index].memory);
 }
 
-// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
-// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
-// Surfaces may have a tenth more cells a point, solids hardly any. Not where there are so many points of others that a
-// quarter of the slice could be left.
+// Returns the number of places of a region's slice: somewhat more than uniform points need, since cells that do not fit
+// are copied, which costs more than closing the gap behind those that do. The last slice gets more, as no cells have to
+// be moved behind it. Surfaces may have a tenth more cells a point, solids hardly any. No slice gets more if there are
+// so many points of others that a quarter of it could be left over.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     size_t count = patch->build.count, own = patch->fields[index].set.count;
@@ -12277,7 +12280,7 @@ static paradt_status paradt__reserve_slices(paradt__work *work) {
     }
     status = paradt__mesh_reserve(slices, total, total, &work->memory);
     if (status) paradt__mesh_free(slices, &work->memory);
-    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // there may be fewer cells in the end
 }
 
 // A patch whose cells do not fit into the slice takes rows of its own.
@@ -12305,8 +12308,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->status = paradt__patch_list_seam(&region->patch, work->fields + index);
 }
 
-// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
-// are few, in up to three dimensions, and where there are any: without weights.
+// Builds the cells of a region, unless it pauses. Regions can learn neighbours in up to three dimensions, where a
+// vertex has few, and without weights, since a hidden point has none.
 static void paradt__build_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -12358,13 +12361,13 @@ static void paradt__compact_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
-// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
-// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+// Are the emitted cells of a region written to the start of its slice, to be moved to their place in the result later?
+// The second region's are written to their place directly: no other task uses the gap before its slice.
 static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
     return index > 1 && work->mesh.vertices == work->slices.vertices;
 }
 
-// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+// Ties a region's open facets whose mirrors have been seen, and enters the others into the table.
 static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
@@ -12381,14 +12384,14 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
     return status;
 }
 
-// What is left to be done takes no coordinates.
+// Frees the coordinates, which no later step takes.
 static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
     paradt__release(memory, work->set.records);
     work->set.records = NULL;
 }
 
-// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
-// belong then, so its open facets can wait for others'.
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are at their final
+// places then, so its open facets are entered into the table.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -12409,9 +12412,9 @@ static void paradt__emit_task(void *context, size_t index) {
 // --- the relay
 //
 // The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
-// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
-// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+// So the step is done in legs. A leg ends for all regions when together they have done a part of what was left. In the
+// next leg the task that did most gets the region that has most left, since the task is likely to be on the same thread
+// again. What a region builds does not depend on where it pauses.
 
 typedef struct paradt__ranked {
     size_t amount, number;
@@ -12435,7 +12438,7 @@ static void paradt__leg_task(void *context, size_t index) {
     task->ran = paradt__patch_done(&region->patch) - before;
 }
 
-// Decides which task runs which region in the next leg. Returns how much is left of them all.
+// Decides which task runs which region in the next leg. Returns how much is left to be done in all.
 static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
     size_t left = 0, i;
     for (i = 0; i < work->regions; i++) {
@@ -12450,8 +12453,8 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
     return left;
 }
 
-// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
-// taking one after another.
+// Runs the build step. No leg is so short that the time to begin it matters. With many regions there is one leg:
+// threads even out their work by taking region after region.
 static paradt_status paradt__run_relay(paradt__work *work) {
     enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
     paradt__ranked regions[MOST], tasks[MOST];
@@ -12484,8 +12487,8 @@ static void paradt__close_slices(paradt__work *work) {
     }
 }
 
-// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
-// on the hull.
+// Ties the open facets that the regions have listed; those of the first region are in the table. A facet without a
+// mirror is on the hull.
 static paradt_status paradt__join_patches(paradt__work *work) {
     size_t i, j;
     paradt_status status = PARADT_OK;
@@ -12500,8 +12503,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     return status;
 }
 
-// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
-// a quarter of them would be empty, since to copy the cells takes as much again.
+// Puts the cells of the regions together. The slices become the result, unless a region has left its slice, or more
+// than a quarter of the result's memory would be unused.
 static paradt_status paradt__collect_patches(paradt__work *work) {
     size_t total = 0, i;
     int in_place = work->slices.vertices != NULL, lent = 0;
@@ -12550,7 +12553,8 @@ static paradt_status paradt__build_together(paradt__work *work) {
 
 // --- one by one: without neighbours, a region's links are given back before the next one begins
 
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+// Makes room in the result for the vertices of `count` more cells. If it grows, it also gets room for `expected` cells
+// after these.
 static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
     paradt__mesh *mesh = &work->mesh;
     size_t corners = (size_t)mesh->corners;
@@ -12614,8 +12618,8 @@ static paradt_status paradt__build_one_by_one(paradt__work *work) {
 
 // --- given up
 
-// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
-// are given back.
+// Has the largest of the regions that gave up insert all points that it has not got: its triangulation becomes the
+// result. The others' are freed.
 static paradt_status paradt__take_over(paradt__work *work) {
     paradt__progress progress;
     paradt__region *largest = NULL, *region, *end = work->region + work->regions;
@@ -12651,14 +12655,14 @@ static paradt_status paradt__take_over(paradt__work *work) {
 
 // --- the points of the regions
 
-// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
-// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int with_room) {
+// Decides where the fields are in the set. with_gaps: each field but the first ends with a gap for the points of others
+// that the region is likely to need. Returns the number of positions.
+static size_t paradt__place_fields(paradt__work *work, int with_gaps) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
         size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        work->fields[i].capacity = with_gaps && i > 0 ? count + count / 8 + 64 : count;
         total += work->fields[i].capacity;
     }
     return total;
@@ -12672,7 +12676,7 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
     memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
 }
 
-// Finds points that span the set, as positions in it once it is open.
+// Finds points that span the set, as positions in it after paradt__open_set.
 static void paradt__find_basis(paradt__work *work) {
     paradt__set *set = &work->set;
     int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
@@ -12684,8 +12688,8 @@ static void paradt__find_basis(paradt__work *work) {
     }
 }
 
-// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
-// span.
+// Makes gaps between the regions' points, for copies of others' points. The first region is built alone if its points
+// span the space.
 static void paradt__open_set(paradt__work *work) {
     size_t i;
     if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
@@ -12743,9 +12747,9 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 
 // --- do regions pay?
 //
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
+// On some surfaces and curves many points have neighbours far away. Nearly everything is wrong then that a region
+// builds of its own points, and the region gives up after some time. A sample shows this in advance. Points that are
+// spread in all dimensions need no sample: few of them have neighbours beyond a cut.
 
 enum { PARADT__SAMPLED = 2048 }; // points of the sample
 
@@ -12809,7 +12813,7 @@ static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
 
 // --- what a row's function does
 
-// Gives back what the building of cells needs beside the set.
+// Frees what building cells has taken, except for the set and the mesh.
 static void paradt__release_helpers(paradt__work *work) {
     paradt__memory *memory = &work->memory;
     paradt__grid_free(&work->grid, memory);
@@ -12822,7 +12826,7 @@ static void paradt__release_helpers(paradt__work *work) {
     work->region = NULL;
 }
 
-// Forgets what a way that gave up has built.
+// Frees what a way of building has made that gave up.
 static void paradt__begin_again(paradt__work *work) {
     paradt__release_helpers(work);
     paradt__mesh_free(&work->mesh, &work->memory);
@@ -12841,7 +12845,7 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
     return status;
 }
 
-// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+// Builds by insertion, in regions if these pay. If regions built one by one give up, the set keeps their order.
 static paradt_status paradt__build_by_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
@@ -12849,7 +12853,7 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
+    if (!status && work->regions > 1) // sagittas are for the questions as well
         status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
         status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
@@ -13024,7 +13028,7 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     t->dim = -1;
 }
 
-// What is wrong with the points, apart from their number; NULL: nothing.
+// Returns what is wrong with the points, apart from their number, or NULL.
 static const char *paradt__points_fault(const paradt_points *points) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     if (points->dim < 2 || points->dim > PARADT_MAX_DIM) return "points.dim is out of 2..PARADT_MAX_DIM";
@@ -13039,7 +13043,7 @@ static const char *paradt__points_fault(const paradt_points *points) {
     return NULL;
 }
 
-// What is wrong with the options; NULL: nothing.
+// Returns what is wrong with the options, or NULL.
 static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
@@ -13057,7 +13061,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
     return NULL;
 }
 
-// *text: what is wrong, unless that is nothing.
+// Checks the arguments. Fills *text with what is wrong, or NULL.
 static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
                                              const char **text) {
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
@@ -13077,7 +13081,7 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+// Returns the most bytes that a call holds, as a multiple of the result's with neighbours. Measured on uniform points.
 static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
     const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
     double each = (double)points->count / (double)work->regions;
@@ -13102,7 +13106,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     double count, cells, bytes;
     if (!points) return 0;
     given = *points;
-    given.data = &given; // something
+    given.data = &given; // any address but NULL
     if (paradt__check_arguments(&given, options, &text)) return 0;
     memset(&work, 0, sizeof work);
     if (options) work.options = *options;
@@ -13133,7 +13137,7 @@ static paradt_status paradt__load(paradt__work *work, const paradt_points *point
     return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+// Closes the mesh: drops ghosts, makes vertices the caller's indices, and links what the flags ask for.
 static paradt_status paradt__close(paradt__work *work) {
     if (!work->delivered) {
         PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
@@ -13170,7 +13174,7 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Why the points don't span their dimension.
+// Returns why the points do not span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
     if (dim == 0) return "all points are at one place";
@@ -13178,7 +13182,7 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing in `out` but what says which.
+// Clears `out` after an error, except for what the error is.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
