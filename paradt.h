@@ -817,7 +817,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         685   cells, links, ghosts, free places; closing
+//     mesh                         684   cells, links, ghosts, free places; closing
 //     facets                       255   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
@@ -4834,20 +4834,19 @@ static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
     mesh->marked = marked;
 }
 
-// Frees what only changes need: marks and the list of free places.
-static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
-    paradt__release(memory, mesh->marks);
-    paradt__release(memory, mesh->spare);
-    mesh->marks = NULL;
-    mesh->spare = NULL;
-    mesh->spare_count = mesh->spare_capacity = 0;
-}
-
 // Frees the marks, which are not needed any more.
 static void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
     paradt__release(memory, mesh->marks);
     mesh->marks = NULL;
     mesh->marked = 0;
+}
+
+// Frees what only changes need: marks and the list of free places.
+static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__mesh_free_marks(mesh, memory);
+    paradt__release(memory, mesh->spare);
+    mesh->spare = NULL;
+    mesh->spare_count = mesh->spare_capacity = 0;
 }
 
 static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
@@ -11812,7 +11811,7 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
 static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
     paradt__insertion_rest(&known->build);
     paradt__release(memory, known->order);
-    known->order = NULL;
+    known->build.order = known->order = NULL;
 }
 
 // What is known of a point when cells are dropped, as bits
