@@ -817,8 +817,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         684   cells, links, ghosts, free places; closing
-//     facets                       255   the table of facets: AFL, ridges, open facets
+//     mesh                         685   cells, links, ghosts, free places; closing
+//     facets                       256   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
@@ -845,7 +845,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     questions between regions    364   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           161   dropping, emitting, taking over
-//     known points                 233   what a rank builds
+//     known points                 234   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        97   InCoDe and DeWall from set to mesh
 //     regions of insertion         528   the steps of a divided insertion
@@ -4787,7 +4787,7 @@ PARADT__OPTIONAL double paradt__off_hull(double points, int dim) {
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
 }
 
-// Places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
+// Number of places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
 static size_t paradt__expected_places(size_t count, int dim) {
     return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
 }
@@ -4863,7 +4863,7 @@ static size_t paradt__most_cells(int corners) {
     return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
 }
 
-// Replaces one of the two arrays of rows by a larger one.
+// Allocates a larger array for one of the two arrays of rows and copies it; frees the old one unless it is lent.
 static paradt_status paradt__mesh_grow_rows(const paradt__mesh *mesh, paradt_index **rows, size_t capacity,
                                             paradt__memory *memory) {
     size_t corners = (size_t)mesh->corners, used = mesh->count * corners;
@@ -4907,7 +4907,8 @@ static paradt_status paradt__mesh_reserve(paradt__mesh *mesh, size_t needed, siz
     return PARADT_OK;
 }
 
-// Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
+// Makes room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was
+// short.
 PARADT__INLINE paradt_status paradt__mesh_room(paradt__mesh *mesh, paradt__memory *memory) {
     if (PARADT__LIKELY(mesh->count < mesh->capacity)) return PARADT_OK;
     return paradt__mesh_reserve(mesh, mesh->count + 1, mesh->capacity + mesh->capacity / 4 + 64, memory);
@@ -5381,8 +5382,8 @@ enum { PARADT__VERIFIED_PLACES = 200 }; // a larger mesh is not verified after e
 // The table is hashed with chains. The chain is chosen by the facet's smallest vertex, so that facets close to each
 // other in grid order are close in memory too: the front moves over the table as it moves over the points. The rest of
 // the key, a sum over the vertices that does not depend on their order, spreads the facets of one vertex where there
-// are many (in high dimension), and tells facets in a chain apart. A table begun for no vertices is spread by that key
-// alone: all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
+// are many (in high dimension), and tells facets in a chain apart. A table begun with `by_key` is spread by that key
+// alone, as all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
 // chain. Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
 
 typedef struct paradt__facet_entry {
@@ -5458,7 +5459,7 @@ PARADT__INLINE paradt_index *paradt__facets_chain(const paradt__facets *facets, 
     return facets->heads + (place & facets->mask);
 }
 
-// Makes the table anew, with `chains` of them.
+// Distributes the entries anew over `chains` chains.
 static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains, paradt__memory *memory) {
     paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = facets->heads;
     size_t count = old ? facets->mask + 1 : 0, i;
@@ -5484,7 +5485,8 @@ static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains
 
 enum { PARADT__FACETS_SPREAD = 1 }; // to begin with: a small table stays in the cache
 
-// vertices: how many there may be facets at; 0: the table is spread by keys alone.
+// Begins an empty table. vertices: how many vertices may be the smallest of a facet, an estimate for the number of
+// chains; by_key: chains are chosen by the key alone
 static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertices, int by_key, paradt__memory *memory) {
     size_t chains = 64;
     memset(facets, 0, sizeof *facets);
@@ -5495,7 +5497,7 @@ static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertice
     return paradt__facets_rehash(facets, chains, memory);
 }
 
-// Room for so many more facets. There are at least as many chains as facets.
+// Makes room for so many more facets. There are at least as many chains as facets.
 PARADT__INLINE paradt_status paradt__facets_room(paradt__facets *facets, size_t more, paradt__memory *memory) {
     void *entries = facets->entries;
     size_t capacity = facets->capacity ? facets->capacity * 2 : 256, chains = (facets->mask + 1) * 2;
@@ -5680,7 +5682,7 @@ PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corner
     }
 }
 
-// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+// Fetches the records of the vertices at a place, and the marks of its neighbours, ahead of their use.
 PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
     const paradt_index *vertices = scene->mesh.vertices + place * corners;
     size_t i;
@@ -8980,7 +8982,7 @@ PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index 
 PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
-    if (!paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
+    if (!paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4))
         return (unsigned)paradt__conflicts(&build->scene, cell, x);
     paradt__kept_corners(build, cell, x, p);
     build->scene.space.counters.insphere_calls++;
@@ -10175,7 +10177,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
         paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
         missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__IN_CAVITY) != (paradt__tag)cell) &
-                   paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
+                   paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4);
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
@@ -10361,7 +10363,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     return status;
 }
 
-// Notes how the records of the set are laid out, and what is known of their sagittas.
+// Takes over how the records of the set are laid out, and what is known of their sagittas.
 static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
     build->scene.width = set->width;
     build->graded = set->grade == PARADT__SAGITTA;
@@ -11732,7 +11734,7 @@ PARADT__INLINE size_t paradt__known_count(const paradt__known *known) {
     return known->build.count;
 }
 
-// The set's records have moved.
+// Sets where the set's records are, after they have moved.
 static void paradt__known_move_records(paradt__known *known, const double *records) {
     known->build.scene.records = records;
 }
@@ -11845,7 +11847,7 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
     for (i = 0; i < count; i++) {
         paradt_index place = known->fringe.items[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        int is_cell = paradt__is_finite_cell(vertices, (int)corners);
         paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
@@ -11873,10 +11875,11 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
     return leaves;
 }
 
-// Drops what is listed, and opens the facets of the cells beside it. An own point of a dropped cell may be a vertex of
-// own cells too. The cells around a vertex are connected through facets, so then one that is dropped and one that is
-// not share a facet: that is where such points are found and marked. Of the cells that are not dropped, those with
-// other ranks' points have their vertices marked already, so only cells of own points alone are looked at.
+// Drops the listed cells and ghosts; the facets of the cells beside them become open. An own point of a dropped cell
+// may be a vertex of own cells too. The star of a vertex is connected through facets, so some cell of it that is
+// dropped and some cell that is not have a facet in common: that is where such points are found and marked. Of the
+// cells that are not dropped, those with other ranks' points have their vertices marked already, so only cells of own
+// points alone matter.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
     size_t i, j, count = known->fringe.count;
@@ -12018,7 +12021,7 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
     stats->perturbed += c->perturbed;
 }
 
-// Adds what a region has counted.
+// Adds the counters of a region.
 static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
     stats->distance_evaluations += region->distance_evaluations;
     stats->grid_cells_visited += region->grid_cells_visited;
@@ -12099,7 +12102,7 @@ static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
     return !status && paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : status;
 }
 
-// Makes the regions' records, all zero but for their accounts.
+// Makes work->region, all zero but for the accounts of memory, and begins the result's mesh.
 static paradt_status paradt__begin_regions(paradt__work *work) {
     size_t i;
     work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
@@ -13189,7 +13192,7 @@ static void paradt__withdraw(paradt_triangulation *out, paradt_status status, in
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
 }
 
-// Begins a call.
+// Begins a call: the plan, the accounts of memory and progress, the statistics.
 static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
                                const paradt_points *points, const paradt_options *options) {
     memset(work, 0, sizeof *work);
