@@ -848,7 +848,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     known points                 234   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        97   InCoDe and DeWall from set to mesh
-//     regions of insertion         528   the steps of a divided insertion
+//     regions of insertion         527   the steps of a divided insertion
 //   entry
 //     methods                      213   one row a method; AUTO's choice
 //     triangulate                  344   the entry
@@ -12610,10 +12610,9 @@ static paradt_status paradt__build_one_by_one(paradt__work *work) {
     if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
         void *vertices = mesh->vertices;
         size_t used = mesh->count * (size_t)mesh->corners;
-        if (paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) { // else it stays as large
-            mesh->vertices = (paradt_index *)vertices;
-            mesh->capacity = mesh->count;
-        }
+        if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+        mesh->vertices = (paradt_index *)vertices;
+        mesh->capacity = mesh->count;
     }
     return status;
 }
