@@ -753,8 +753,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //       a mesh of cells                     a mesh of cells and ghosts                  |  place, handle
 //             |                                   |                                     |
 //             +-----------------+-----------------+                                     |
-//                               |  regions do all that for a part of space each: >>reach and >>fronts, or >>fields and
-//                               |  patches and >>regions of insertion
+//                               |  each region does all that for a part of space, by >>reach and >>fronts, or by
+//                               |  >>fields and patches and >>regions of insertion
 //                               |
 //                               |  paradt__mesh_close: ghosts go, gaps are filled, positions become indices,
 //                               |  handles become numbers
@@ -791,8 +791,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
-//     sagitta         how far a point is inside of the reference sphere, in the place of |x|^2 near a sphere
-//     orients         an axis does that is one of the first `dim` ones, by which orientation is decided
+//     sagitta         how far a point is inside the reference sphere; near a sphere it replaces |x|^2
+//     orients         an axis orients if it is one of the first `dim` axes, which decide about orientation
 //     filter          floating point that decides, or says that it can't
 //
 // THREE READING PATHS
@@ -800,16 +800,15 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to >>results of
-//     patches,
-//                       >>regions of insertion; then paradt_mpi.h
+//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to
+//                       >>results of patches, >>regions of insertion; then paradt_mpi.h
 //
 // CONTENTS, with the lines of each section
 //
 //   ground
 //     memory                       173   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        182   progress, teams, pauses, the clock
+//     tasks                        185   progress, teams, pauses, the clock
 //   predicates
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
@@ -826,8 +825,8 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         686   cells, links, ghosts, free places; closing
-//     facets                       255   the table of facets: AFL, ridges, open facets
+//     mesh                         685   cells, links, ghosts, free places; closing
+//     facets                       256   the table of facets: AFL, ridges, open facets
 //     scene                        115   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
@@ -854,7 +853,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     questions between regions    364   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           161   dropping, emitting, taking over
-//     known points                 233   what a rank builds
+//     known points                 234   what a rank builds
 //     call                         180   what one call works with; steps
 //     fronts                        99   InCoDe and DeWall from set to mesh
 //     regions of insertion         525   the steps of a divided insertion
@@ -1382,9 +1381,9 @@ static double paradt__widen(uint32_t bits) {
 
 // --- progress
 //
-// All tasks of a call add what they have done to one sum, which the callback is told; so it never falls, in whatever
-// order they run. One thread at a time is in the callback: another that comes meanwhile goes on without. When the
-// callback has asked for it, all tasks find the work cancelled at their next look.
+// All tasks of a call add what they have done to one sum, and the callback gets the sum: it never falls, in whatever
+// order the tasks run. One thread at a time is in the callback; another thread that would call it meanwhile goes on
+// without. After the callback has cancelled the call, every task ends at its next call of paradt__progress_cancels.
 
 enum { PARADT__ALL_DONE = 1 << 30 }; // the sum of all shares of a call's work
 enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports of progress
@@ -1400,7 +1399,7 @@ typedef struct paradt__meter {
 // The share of a call's work that one task does, or several that work through it together
 typedef struct paradt__progress {
     paradt__meter *meter; // NULL: nobody asks
-    uint32_t *reported;   // the part of the share that the meter has
+    uint32_t *reported;   // the part of the share that has been added to the meter
     double share;         // 0..1, of the whole call
 } paradt__progress;
 
@@ -1411,13 +1410,13 @@ static void paradt__meter_begin(paradt__meter *meter, const paradt_options *opti
     meter->user = options->user;
 }
 
-// Part of the work that is done: 0..1
+// Returns the part of the work that is done: 0..1
 static double paradt__meter_done(const paradt__meter *meter) {
     double done = (double)PARADT__ATOMIC_LOAD(&meter->done) / (double)PARADT__ALL_DONE;
     return done < 1.0 ? done : 1.0;
 }
 
-// Asks the caller. Returns 1 when the call is to end.
+// Calls the callback. Returns 1 when the call is to end.
 static int paradt__meter_cancels(paradt__meter *meter) {
     if (!meter->call) return 0;
     if (!PARADT__ATOMIC_LOAD(&meter->cancelled) && PARADT__ATOMIC_LOCK(&meter->calling)) {
@@ -1428,7 +1427,7 @@ static int paradt__meter_cancels(paradt__meter *meter) {
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
 }
 
-// A share of the work. *reported is the caller's to keep for as long as somebody works on the share.
+// A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
 static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *reported, double share) {
     paradt__progress progress;
     progress.meter = meter->call ? meter : NULL;
@@ -1437,8 +1436,8 @@ static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *repo
     return progress;
 }
 
-// To be called some hundred times a second: `fraction` of the share is done, an estimate. Returns 1 when the call is to
-// end. Several threads may work on one share: the farthest one counts.
+// Reports that about `fraction` of the share is done; to be called some hundred times a second. Returns 1 when the call
+// is to end. Several threads may work on one share: the largest fraction counts.
 static int paradt__progress_cancels(const paradt__progress *progress, double fraction) {
     uint32_t now, before;
     if (!progress->meter) return 0;
@@ -1489,7 +1488,8 @@ static void paradt__team_run(const paradt__team *team, void (*task)(void *contex
     else task(context, 0);
 }
 
-// For the task `index` of a team: `fraction` of what the team does is done. Returns 1 when the call is to end.
+// Reports, for the task `index` of a team, the `fraction` that is done of what the team does. Returns 1 when the call
+// is to end.
 static int paradt__team_cancels(const paradt__team *team, size_t index, double fraction) {
     paradt__progress progress = paradt__progress_of_task(team->progress, index);
     return paradt__progress_cancels(&progress, fraction);
@@ -1502,26 +1502,28 @@ static int paradt__team_cancelled(const paradt__team *team) {
 
 // --- giving up, and pauses
 
-// A status that no caller gets to see
+// A status that stays inside the implementation: this way of building gave up, another one follows
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
 
-// Shared by concurrent insertions that pause together
+// The common account of insertions that run concurrently and pause together
 typedef struct paradt__relay {
-    ptrdiff_t done; // work of all of them, in inserted points; paradt__relay_waits subtracts in advance, below 0 too
-    ptrdiff_t stop; // they pause when `done` reaches it
+    ptrdiff_t done; // work done by all of them, in inserted points. May be negative: paradt__relay_waits subtracts
+    ptrdiff_t stop; // they pause when `done` is that much
 } paradt__relay;
 
-// Is it time to pause? done: parts of its work that the caller has done; worth: 64 of these parts, in inserted points
-static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
+// Adds 64 steps of work to the account after every 64th step. Returns 1 when it is time to pause.
+//   done    number of steps that this insertion has done
+//   points  how many inserted points take as long as 64 steps
+static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t points) {
 #if defined(PARADT__ATOMICS)
-    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
+    return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)points) >= relay->stop;
 #else
-    (void)relay, (void)done, (void)worth;
+    (void)relay, (void)done, (void)points;
     return 0;
 #endif
 }
 
-// Keeps the others from pausing while the caller does work that takes as long as `points` and can not be paused.
+// Puts the pause off: one insertion begins what cannot be paused and takes as long as inserting `points` points.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ATOMICS)
     if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
@@ -4710,15 +4712,14 @@ static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt
 //
 // A link is PARADT__HULL where the hull has no cell on the other side, and PARADT__OPEN where that cell is not known.
 // A mesh may be closed: then ghosts stand on the hull's facets, cells with the vertex PARADT__INFINITE in the place of
-// a point beyond the facet, and no link is negative. Inside and outside are one case so.
+// a point beyond the facet, and no link is negative. So inside and outside are one case.
 //
 // What holds between two changes, and what paradt__mesh_verify checks in debug builds:
 //     - links[links[handle]] is the handle;
 //     - the two handles of a facet name the same vertices, and the cells see it with opposite orientation;
 //     - a ghost has one infinite vertex;
-//     - a place that is free has PARADT__DEAD for its first vertex, and stands once in `spare`, unless the mesh is
-//     about
-//       to be compacted: then dead places stand in no list.
+//     - a place that is free has PARADT__DEAD for its first vertex, and is named once in `spare`, unless the mesh is
+//       about to be compacted: then dead places are in no list.
 // Marks are bits of a cell; each has one owner, who clears it.
 //
 // The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
@@ -4794,7 +4795,7 @@ PARADT__OPTIONAL double paradt__off_hull(double points, int dim) {
     return dim < 5 ? 1.0 - 0.5 * layer : pow(1.0 - layer, dim - 3.8);
 }
 
-// Places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
+// Number of places that the cells and ghosts of so many points take in two and three dimensions: enough for most sets
 static size_t paradt__expected_places(size_t count, int dim) {
     return (size_t)((double)count * paradt__cells_a_point(dim) * 1.02) + 64;
 }
@@ -4841,20 +4842,19 @@ static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
     mesh->marked = marked;
 }
 
-// Frees what only changes need: marks and the list of free places.
-static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
-    paradt__release(memory, mesh->marks);
-    paradt__release(memory, mesh->spare);
-    mesh->marks = NULL;
-    mesh->spare = NULL;
-    mesh->spare_count = mesh->spare_capacity = 0;
-}
-
 // Frees the marks, which are not needed any more.
 static void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
     paradt__release(memory, mesh->marks);
     mesh->marks = NULL;
     mesh->marked = 0;
+}
+
+// Frees what only changes need: marks and the list of free places.
+static void paradt__mesh_rest(paradt__mesh *mesh, paradt__memory *memory) {
+    paradt__mesh_free_marks(mesh, memory);
+    paradt__release(memory, mesh->spare);
+    mesh->spare = NULL;
+    mesh->spare_count = mesh->spare_capacity = 0;
 }
 
 static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
@@ -4871,7 +4871,7 @@ static size_t paradt__most_cells(int corners) {
     return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
 }
 
-// Replaces one of the two arrays of rows by a larger one.
+// Allocates a larger array for one of the two arrays of rows and copies it; frees the old one unless it is lent.
 static paradt_status paradt__mesh_grow_rows(const paradt__mesh *mesh, paradt_index **rows, size_t capacity,
                                             paradt__memory *memory) {
     size_t corners = (size_t)mesh->corners, used = mesh->count * corners;
@@ -4915,7 +4915,8 @@ static paradt_status paradt__mesh_reserve(paradt__mesh *mesh, size_t needed, siz
     return PARADT_OK;
 }
 
-// Room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was short.
+// Makes room for one more cell. Growing by a quarter keeps the peak at 2.25 times the result where the first guess was
+// short.
 PARADT__INLINE paradt_status paradt__mesh_room(paradt__mesh *mesh, paradt__memory *memory) {
     if (PARADT__LIKELY(mesh->count < mesh->capacity)) return PARADT_OK;
     return paradt__mesh_reserve(mesh, mesh->count + 1, mesh->capacity + mesh->capacity / 4 + 64, memory);
@@ -5389,8 +5390,8 @@ enum { PARADT__VERIFIED_PLACES = 200 }; // a larger mesh is not verified after e
 // The table is hashed with chains. The chain is chosen by the facet's smallest vertex, so that facets close to each
 // other in grid order are close in memory too: the front moves over the table as it moves over the points. The rest of
 // the key, a sum over the vertices that does not depend on their order, spreads the facets of one vertex where there
-// are many (in high dimension), and tells facets in a chain apart. A table begun for no vertices is spread by that key
-// alone: all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
+// are many (in high dimension), and tells facets in a chain apart. A table begun with `by_key` is spread by that key
+// alone, as all ridges of a cavity have the new point in common. The table itself says where to go on, at its lowest
 // chain. Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
 
 typedef struct paradt__facet_entry {
@@ -5466,7 +5467,7 @@ PARADT__INLINE paradt_index *paradt__facets_chain(const paradt__facets *facets, 
     return facets->heads + (place & facets->mask);
 }
 
-// Makes the table anew, with `chains` of them.
+// Distributes the entries anew over `chains` chains.
 static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains, paradt__memory *memory) {
     paradt_index *heads = (paradt_index *)paradt__alloc(memory, chains, sizeof *heads), *old = facets->heads;
     size_t count = old ? facets->mask + 1 : 0, i;
@@ -5492,7 +5493,8 @@ static paradt_status paradt__facets_rehash(paradt__facets *facets, size_t chains
 
 enum { PARADT__FACETS_SPREAD = 1 }; // to begin with: a small table stays in the cache
 
-// vertices: how many there may be facets at; 0: the table is spread by keys alone.
+// Begins an empty table. vertices: how many vertices may be the smallest of a facet, an estimate for the number of
+// chains; by_key: chains are chosen by the key alone
 static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertices, int by_key, paradt__memory *memory) {
     size_t chains = 64;
     memset(facets, 0, sizeof *facets);
@@ -5503,7 +5505,7 @@ static paradt_status paradt__facets_begin(paradt__facets *facets, size_t vertice
     return paradt__facets_rehash(facets, chains, memory);
 }
 
-// Room for so many more facets. There are at least as many chains as facets.
+// Makes room for so many more facets. There are at least as many chains as facets.
 PARADT__INLINE paradt_status paradt__facets_room(paradt__facets *facets, size_t more, paradt__memory *memory) {
     void *entries = facets->entries;
     size_t capacity = facets->capacity ? facets->capacity * 2 : 256, chains = (facets->mask + 1) * 2;
@@ -5688,7 +5690,7 @@ PARADT__INLINE void paradt__scene_cell(const paradt__scene *scene, size_t corner
     }
 }
 
-// Fetches the records of the vertices at a place, and the marks of what is around it, ahead of their use.
+// Fetches the records of the vertices at a place, and the marks of its neighbours, ahead of their use.
 PARADT__INLINE void paradt__scene_fetch_around(const paradt__scene *scene, size_t corners, size_t place) {
     const paradt_index *vertices = scene->mesh.vertices + place * corners;
     size_t i;
@@ -8368,9 +8370,9 @@ typedef struct paradt__insertion {
     const paradt_index *order; // [count] positions in the order of insertion; NULL: that of the records
     size_t count;              // number of points to insert
     size_t inserted;           // number of points inserted so far
-    size_t later;              // number of points that may have to be inserted after these; for the room only
-    double rate, rate_at;      // cells a point when room was last made, and 1 + `inserted` then; 0: never
-    paradt__relay *relay;      // tells the insertion to pause; NULL: it never does
+    size_t later;              // number of points that may follow these; only for the capacity of the mesh
+    double rate, rate_at;      // cells a point when the mesh last grew, and 1 + `inserted` then; 0: never
+    paradt__relay *relay;      // says when the insertion pauses; NULL: it never does
     paradt__update update;     // what the last insertion did
     paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
@@ -8394,8 +8396,8 @@ enum {
     PARADT__JUDGED_PART = 32      // of more points a 32nd tells how many cells the others will have
 };
 
-#define PARADT__EXPECT_MORE 1.08 // room for the extrapolated number of cells, times this
-#define PARADT__RATE_MORE   1.06 // in space, with more cells than uniform points: for those at the present rate
+#define PARADT__EXPECT_MORE 1.08 // capacity: the extrapolated number of cells times this,
+#define PARADT__RATE_MORE   1.06 // or in space, with more cells than uniform points have: that at the present rate
 
 // Makes room for `needed` places, and for as many as are wanted if these can be numbered.
 static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t needed, size_t wanted) {
@@ -8404,7 +8406,7 @@ static paradt_status paradt__insertion_reserve(paradt__insertion *build, size_t 
 }
 
 // Returns the number of places to make room for when `needed` places are more than there are. The number of cells a
-// point is extrapolated from what it is now and what it was when room was last made, since on curves it grows with the
+// point is extrapolated from what it is now and what it was when the mesh last grew, since on curves it grows with the
 // number of points. Few sets have more cells than uniform points (scanned surfaces and shaken lattices do), and in the
 // plane none has; so the number for uniform points is a limit there, and a guide in space.
 static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed) {
@@ -8427,9 +8429,9 @@ static size_t paradt__insertion_expected(paradt__insertion *build, size_t needed
     return inserted > judged && expected > (double)least ? (size_t)expected : least;
 }
 
-// Returns the number of points for whose cells there is room in the beginning: all of few points, and some more, as
-// surfaces have more cells; of many points only as many as tell how many cells the others will have, when the rows are
-// copied.
+// Returns the number of points to make room for at the start. If the points are few, that is all of them and some more,
+// as surfaces have more cells. If they are many, it is as many as it takes to extrapolate the number of cells: then the
+// rows are copied once.
 static size_t paradt__insertion_first_points(const paradt__insertion *build) {
     return build->count < PARADT__FEW_POINTS ? build->count + build->count / 32
                                              : build->count / PARADT__JUDGED_PART * 5 / 4;
@@ -8988,7 +8990,7 @@ PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index 
 PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
-    if (!paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE))
+    if (!paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4))
         return (unsigned)paradt__conflicts(&build->scene, cell, x);
     paradt__kept_corners(build, cell, x, p);
     build->scene.space.counters.insphere_calls++;
@@ -10183,7 +10185,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
         paradt_index cell = build->scene.mesh.links[waiting[i]] >> 2;
         cells[missing] = cell;
         missing += ((s->table[(paradt__tag)cell & s->mask].tag & ~PARADT__IN_CAVITY) != (paradt__tag)cell) &
-                   paradt__vertices_among(build->scene.mesh.vertices + 4 * (size_t)cell, 4, 0, PARADT__NOWHERE);
+                   paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4);
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
@@ -10361,7 +10363,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     build->order = NULL;
     build->inserted = build->count - 1;
     if (kept) {
-        kept->missed_count = 0; // such points are here and there: a larger table would not have their spheres either
+        kept->missed_count = 0; // such points are scattered: a larger table would not have their spheres either
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
@@ -10369,7 +10371,7 @@ static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_in
     return status;
 }
 
-// Notes how the records of the set are laid out, and what is known of their sagittas.
+// Takes over how the records of the set are laid out, and what is known of their sagittas.
 static void paradt__insertion_layout(paradt__insertion *build, const paradt__set *set) {
     build->scene.width = set->width;
     build->graded = set->grade == PARADT__SAGITTA;
@@ -10688,7 +10690,7 @@ typedef struct paradt__patch {
     paradt__list fringe;       // see >>fringe; of the first region, the ghosts
     paradt__list waiting;      // cells to be asked about
     paradt__list deferred;     // cells to be asked about when neighbours have been learned from other regions
-    int is_asking;             // the points that it begins with are inserted
+    int is_asking;             // the points to begin with are inserted
     size_t questions;          // cells taken from `waiting`
     size_t answer_cells;       // cells made by the insertion of answers
 
@@ -11719,11 +11721,12 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
 //
 // What a rank builds by insertion: the triangulation of all points that it knows, its own and other ranks'. It grows
 // whenever more points become known; at the end only the cells that the rank owns are left. Vertices are positions in a
-// set whose first points are the own ones. All that other ranks have a say in is in the fringe (>>fringe). Compiled
-// only where paradt_mpi.h is implemented. Doors: paradt__known_*, paradt__mark_vertices, paradt__remote_owns.
+// set whose first points are the own ones. All cells that other ranks may own, or may destroy by points of theirs, are
+// in the fringe (>>fringe). Compiled only where paradt_mpi.h is implemented. Doors: paradt__known_*,
+// paradt__mark_vertices, paradt__remote_owns.
 
 #ifdef PARADT_MPI_IMPLEMENTATION
-#define PARADT__RANKS 1 // paradt_mpi.h looks whether this has been compiled
+#define PARADT__RANKS 1 // paradt_mpi.h checks that this has been compiled
 
 typedef struct paradt__known {
     paradt__insertion build;
@@ -11746,7 +11749,7 @@ PARADT__INLINE size_t paradt__known_count(const paradt__known *known) {
     return known->build.count;
 }
 
-// The set's records have moved.
+// Sets where the set's records are, after they have moved.
 static void paradt__known_move_records(paradt__known *known, const double *records) {
     known->build.scene.records = records;
 }
@@ -11773,7 +11776,7 @@ static paradt_status paradt__known_begin(paradt__known *known, const paradt__set
     known->order = paradt__merged_order(set, own, &curve, memory);
     if (!known->order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&known->build, set, known->order, memory);
-    known->build.later = (set->count - own) / 6; // of others' points, about so many are still missing
+    known->build.later = (set->count - own) / 6; // about as many of others' points are still missing
     return paradt__insertion_run(&known->build, progress);
 }
 
@@ -11825,7 +11828,7 @@ static paradt_status paradt__known_insert(paradt__known *known, const paradt__se
 static void paradt__known_rest(paradt__known *known, paradt__memory *memory) {
     paradt__insertion_rest(&known->build);
     paradt__release(memory, known->order);
-    known->order = NULL;
+    known->build.order = known->order = NULL;
 }
 
 // What is known of a point when cells are dropped, as bits
@@ -11859,7 +11862,7 @@ PARADT__INLINE uint64_t paradt__known_judge(paradt__known *known, paradt_index o
     for (i = 0; i < count; i++) {
         paradt_index place = known->fringe.items[i];
         const paradt_index *vertices = cells->vertices + (size_t)place * corners;
-        int is_cell = paradt__vertices_among(vertices, (int)corners, 0, PARADT__NOWHERE);
+        int is_cell = paradt__is_finite_cell(vertices, (int)corners);
         paradt__mesh_fetch_listed(cells, known->fringe.items, count, i);
         if (vertices[0] == PARADT__DEAD) continue;
         if (is_cell && paradt__remote_owns(vertices, corners, own, mark)) {
@@ -11887,10 +11890,11 @@ PARADT__INLINE int paradt__known_leaves(const paradt_index *vertices, size_t cor
     return leaves;
 }
 
-// Drops what is listed, and opens the facets of the cells beside it. An own point of a dropped cell may be a vertex of
-// own cells too. The cells around a vertex are connected through facets, so then one that is dropped and one that is
-// not share a facet: that is where such points are found and marked. Of the cells that are not dropped, those with
-// other ranks' points have their vertices marked already, so only cells of own points alone are looked at.
+// Drops the listed cells and ghosts; the facets of the cells beside them become open. An own point of a dropped cell
+// may be a vertex of own cells too. The star of a vertex is connected through facets, so some cell of it that is
+// dropped and some cell that is not have a facet in common: that is where such points are found and marked. Of the
+// cells that are not dropped, those with other ranks' points have their vertices marked already, so only cells of own
+// points alone matter.
 PARADT__INLINE void paradt__known_drop(paradt__known *known, paradt_index own, size_t corners, paradt_index *mark) {
     paradt__mesh *cells = &known->build.scene.mesh;
     size_t i, j, count = known->fringe.count;
@@ -11937,8 +11941,7 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
     for (i = 0; i < build->scene.mesh.count && set->space.weighted; i++)
         paradt__mark_vertices(mark, build->scene.mesh.vertices + i * corners, corners,
                               PARADT__VERTEX | PARADT__OF_OWN_CELL);
-    paradt__release(memory, build->scene.mesh.spare);
-    paradt__release(memory, build->scene.mesh.marks);
+    paradt__mesh_rest(&build->scene.mesh, memory);
     paradt__list_free(&known->fringe, memory);
     *cells = build->scene.mesh;
     memset(known, 0, sizeof *known);
@@ -11962,16 +11965,14 @@ struct paradt__work;
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
     unsigned can;                                        // PARADT__CAN_* bits
-    int least_dim, most_dim;                             // affine dimensions
     paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
     paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
 } paradt__method;
 
 enum {
-    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_BUILD = 1,   // any triangulation; 0: this build leaves the method out
     PARADT__CAN_REGIONS = 2, // divided space
-    PARADT__CAN_LINK = 4,    // neighbours
-    PARADT__CAN_LIVE = 8     // more points after the first ones
+    PARADT__CAN_LIVE = 4     // more points after the first ones
 };
 
 // What one region leaves behind
@@ -11983,10 +11984,10 @@ typedef struct paradt__region {
     size_t offset;       // the number of its first cell in the result
     size_t slice;        // the first place of its slice
     uint64_t hull_facets;
-    int built; // all its cells are there, or it waits
-    int waits; // it waits for what other regions know
-    size_t runs,
-        ran; // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    int built;         // all its cells are there, or it waits
+    int waits;         // it waits until it can learn neighbours from other regions
+    size_t runs;       // in a leg of the relay, the region that the task of this number runs,
+    size_t ran;        // and the points that the task has inserted
     uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
@@ -11997,13 +11998,13 @@ typedef struct paradt__work {
     paradt__meter meter;
     paradt_stats *stats;
     // the plan
-    const paradt__method *method; // that is tried
+    const paradt__method *method; // the one that is tried
     int impatient;                // the method may give up
     size_t regions;
     int one_by_one; // insertion builds one region after another, without neighbours
     int facets;     // links are delivered as half-facets
     // progress
-    double share;      // of the call's work: what is left for building, from where the way that is tried has begun
+    double share;      // of the call's work: what was left when the present way of building began
     uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
@@ -12035,7 +12036,7 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
     stats->perturbed += c->perturbed;
 }
 
-// Adds what a region has counted.
+// Adds the counters of a region.
 static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
     stats->distance_evaluations += region->distance_evaluations;
     stats->grid_cells_visited += region->grid_cells_visited;
@@ -12051,17 +12052,19 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 
 // --- progress
 
-// Begins a way of building: its share is what is left of the work but for the finish.
+// Begins a way of building. Its share is what is left of the call's work, except for the last steps.
 static void paradt__begin_way(paradt__work *work) {
-    const double finish = 0.025; // the part that is left for what is done when the cells are made
+    const double finish = 0.025; // the part for the steps after the cells are made
     work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
     work->reported = 0;
 }
 
+// The progress of a way that one task goes
 static paradt__progress paradt__whole_progress(paradt__work *work) {
     return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
+// The progress of a region, which has an equal part of the share
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
     return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].reported, share), index);
@@ -12083,8 +12086,8 @@ static void paradt__share_memory(paradt__work *work) {
     for (i = 0; i < work->regions; i++) work->region[i].memory = paradt__memory_fork(&work->memory, work->regions);
 }
 
-// Runs a task for each region. Returns the first status that is not PARADT_OK; any error, or that the call is
-// cancelled, before that a region gave up.
+// Runs a task for each region. Returns the first region's status that is not PARADT_OK; an error,
+// PARADT_ERROR_CANCELLED included, comes before PARADT__GAVE_UP.
 static paradt_status paradt__run_tasks(paradt__work *work, void (*task)(void *context, size_t index)) {
     paradt_status status = PARADT_OK;
     size_t i;
@@ -12114,7 +12117,7 @@ static paradt_status paradt__run_step(paradt__work *work, paradt_status status,
     return !status && paradt__meter_cancels(&work->meter) ? PARADT_ERROR_CANCELLED : status;
 }
 
-// Makes the regions' records, all zero but for their accounts.
+// Makes work->region, all zero but for the accounts of memory, and begins the result's mesh.
 static paradt_status paradt__begin_regions(paradt__work *work) {
     size_t i;
     work->region = (paradt__region *)paradt__alloc(&work->memory, work->regions, sizeof *work->region);
@@ -12172,7 +12175,7 @@ static void paradt__front_task(void *context, size_t index) {
                                                 &region->stats.cells_recomputed);
 }
 
-// Appends the regions' cells to each other, giving back the memory of each region after its turn.
+// Appends the regions' cells to each other, and frees each region's mesh when its cells have been copied.
 static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status status) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
@@ -12188,7 +12191,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     return status;
 }
 
-// Prepares for fronts: the reference sphere and the grid.
+// Prepares the set for fronts: sagittas, and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
     double begun = paradt__now();
     paradt_status status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
@@ -12242,8 +12245,8 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
 //     compact    leaves only the cells that the region owns
 //     emit       writes them into the result
 //
-// At the end the facets between cells of different regions are tied. Regions give up where their questions take longer
-// than all the rest would; then the largest region takes in all points.
+// At the end the facets between cells of different regions are tied. A region gives up if its questions take longer
+// than the insertion of all other points would; then the largest region that gave up inserts all points.
 // Doors: paradt__build_by_patches, paradt__close_set.
 
 // --- the steps
@@ -12271,10 +12274,10 @@ static void paradt__points_task(void *context, size_t index) {
     paradt__begin_patch(work, index, &work->region[index].memory);
 }
 
-// Number of places of a region's slice: somewhat more than uniform points need, since a slice that is too small costs a
-// copy, though the gap that is left has to be closed; and more in the last one, behind which nothing has to be moved.
-// Surfaces may have a tenth more cells a point, solids hardly any. Where there are many points of others there is less
-// to add, as their cells go in the end.
+// Returns the number of places of a region's slice: somewhat more than uniform points need, since cells that do not fit
+// are copied, which costs more than closing the gap behind those that do. The last slice gets more, as no cells have to
+// be moved behind it. Surfaces may have a tenth more cells a point, solids hardly any. Where there are many
+// points of others there is less to add, as their cells go in the end.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     size_t count = patch->build.count, own = patch->fields[index].set.count;
@@ -12297,7 +12300,7 @@ static paradt_status paradt__reserve_slices(paradt__work *work) {
     }
     status = paradt__mesh_reserve(slices, total, total, &work->memory);
     if (status) paradt__mesh_free(slices, &work->memory);
-    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // the cells that come may be fewer
+    return status == PARADT_ERROR_TOO_LARGE ? PARADT_OK : status; // there may be fewer cells in the end
 }
 
 // A patch whose cells do not fit into the slice takes rows of its own.
@@ -12325,8 +12328,8 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
     region->status = paradt__patch_list_seam(&region->patch, work->fields + index);
 }
 
-// Builds the cells of a region, unless it pauses. Regions can learn from the cells around others' vertices where these
-// are few, in up to three dimensions, and where there are any: without weights.
+// Builds the cells of a region, unless it pauses. Regions can learn neighbours in up to three dimensions, where a
+// vertex has few, and without weights, since a hidden point has none.
 static void paradt__build_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -12378,13 +12381,13 @@ static void paradt__compact_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
-// Do the emitted cells of a region stand at the start of its slice, until they are moved to their place in the result?
-// Those of the second region go there while they are written: nobody reads what is between them and the first's.
+// Are the emitted cells of a region written to the start of its slice, to be moved to their place in the result later?
+// The second region's are written to their place directly: no other task uses the gap before its slice.
 static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
     return index > 1 && work->mesh.vertices == work->slices.vertices;
 }
 
-// Ties those of a region's open facets whose mirrors have been seen; the others wait for theirs.
+// Ties a region's open facets whose mirrors have been seen, and enters the others into the table.
 static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
     const paradt__patch *patch = &work->region[index].patch;
     paradt_status status = PARADT_OK;
@@ -12401,14 +12404,14 @@ static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt
     return status;
 }
 
-// What is left to be done takes no coordinates.
+// Frees the coordinates, which no later step takes.
 static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
     paradt__release(memory, work->set.records);
     work->set.records = NULL;
 }
 
-// Writes the cells into the result, or to the start of the region's slice. The first region's cells are where they
-// belong then, so its open facets can wait for others'.
+// Writes the cells into the result, or to the start of the region's slice. The first region's cells are at their final
+// places then, so its open facets are entered into the table.
 static void paradt__emit_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
@@ -12429,9 +12432,9 @@ static void paradt__emit_task(void *context, size_t index) {
 // --- the relay
 //
 // The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
-// So the regions change hands: the step is done in legs, each of which ends for all when together they have done a part
-// of what is left. In the next leg the region that has most left goes to the task that did most, since that task is
-// likely to be on the same thread again. What a region builds does not depend on where it pauses.
+// So the step is done in legs. A leg ends for all regions when together they have done a part of what was left. In the
+// next leg the task that did most gets the region that has most left, since the task is likely to be on the same thread
+// again. What a region builds does not depend on where it pauses.
 
 typedef struct paradt__ranked {
     size_t amount, number;
@@ -12455,7 +12458,7 @@ static void paradt__leg_task(void *context, size_t index) {
     task->ran = paradt__patch_done(&region->patch) - before;
 }
 
-// Decides which task runs which region in the next leg. Returns how much is left of them all.
+// Decides which task runs which region in the next leg. Returns how much is left to be done in all.
 static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, paradt__ranked *tasks) {
     size_t left = 0, i;
     for (i = 0; i < work->regions; i++) {
@@ -12470,8 +12473,8 @@ static size_t paradt__assign_leg(paradt__work *work, paradt__ranked *regions, pa
     return left;
 }
 
-// The build step. No leg is so short that to begin it matters. Where regions are many, threads even out their work by
-// taking one after another.
+// Runs the build step. No leg is so short that the time to begin it matters. With many regions there is one leg:
+// threads even out their work by taking region after region.
 static paradt_status paradt__run_relay(paradt__work *work) {
     enum { MOST = 64, PART = 4, FEWEST = 1 << 14 /* cells a region */ };
     paradt__ranked regions[MOST], tasks[MOST];
@@ -12504,8 +12507,8 @@ static void paradt__close_slices(paradt__work *work) {
     }
 }
 
-// Ties the open facets that the regions have listed, when the first region's wait for theirs. What finds no mirror is
-// on the hull.
+// Ties the open facets that the regions have listed; those of the first region are in the table. A facet without a
+// mirror is on the hull.
 static paradt_status paradt__join_patches(paradt__work *work) {
     size_t i, j;
     paradt_status status = PARADT_OK;
@@ -12520,8 +12523,8 @@ static paradt_status paradt__join_patches(paradt__work *work) {
     return status;
 }
 
-// Puts the cells of the regions together: the slices become the result, unless a region has left its slice or more than
-// a third of them would be empty. To copy the cells takes as much memory again.
+// Puts the cells of the regions together. The slices become the result, unless a region has left its slice, or more
+// than a third of them would be unused: to copy the cells takes as much memory again.
 static paradt_status paradt__collect_patches(paradt__work *work) {
     size_t total = 0, i;
     int in_place = work->slices.vertices != NULL, lent = 0;
@@ -12570,7 +12573,8 @@ static paradt_status paradt__build_together(paradt__work *work) {
 
 // --- one by one: without neighbours, a region's links are given back before the next one begins
 
-// Room for `count` cells' vertices behind those that the result has, and for what is expected after them.
+// Makes room in the result for the vertices of `count` more cells. If it grows, it also gets room for `expected` cells
+// after these.
 static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t expected) {
     paradt__mesh *mesh = &work->mesh;
     size_t corners = (size_t)mesh->corners;
@@ -12617,22 +12621,24 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
 
 static paradt_status paradt__build_one_by_one(paradt__work *work) {
     paradt__mesh *mesh = &work->mesh;
-    size_t used, i;
+    size_t i;
     paradt_status status = PARADT_OK;
-    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i); // all others tell the first
+    // the first region is the last to be built: which of its cells are right follows from what the others list
+    for (i = work->regions; i-- > 0 && !status;) status = paradt__build_next(work, i);
     if (!status && mesh->capacity > mesh->count + mesh->count / 4 + 64) {
         void *vertices = mesh->vertices;
-        used = mesh->count * (size_t)mesh->corners;
+        size_t used = mesh->count * (size_t)mesh->corners;
         if (!paradt__grow(&work->memory, &vertices, used, used, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
         mesh->vertices = (paradt_index *)vertices;
+        mesh->capacity = mesh->count;
     }
     return status;
 }
 
 // --- given up
 
-// Of the regions that gave up the largest takes in all that is missing: its triangulation becomes the result. Others'
-// are given back.
+// Has the largest of the regions that gave up insert all points that it has not got: its triangulation becomes the
+// result. The others' are freed.
 static paradt_status paradt__take_over(paradt__work *work) {
     paradt__progress progress;
     paradt__region *largest = NULL, *region, *end = work->region + work->regions;
@@ -12668,14 +12674,14 @@ static paradt_status paradt__take_over(paradt__work *work) {
 
 // --- the points of the regions
 
-// Decides where the points of the regions stand in the set, each but the first's with room behind them for the points
-// of others that it is likely to need, if there is to be any. Returns how many positions that takes.
-static size_t paradt__place_fields(paradt__work *work, int with_room) {
+// Decides where the fields are in the set. with_gaps: each field but the first ends with a gap for the points of others
+// that the region is likely to need. Returns the number of positions.
+static size_t paradt__place_fields(paradt__work *work, int with_gaps) {
     size_t total = 0, i;
     for (i = 0; i < work->regions; i++) {
         size_t count = paradt__region_count(work, i);
         work->fields[i].begin = total;
-        work->fields[i].capacity = with_room && i > 0 ? count + count / 8 + 64 : count;
+        work->fields[i].capacity = with_gaps && i > 0 ? count + count / 8 + 64 : count;
         total += work->fields[i].capacity;
     }
     return total;
@@ -12689,7 +12695,7 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
     memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
 }
 
-// Finds points that span the set, as positions in it once it is open.
+// Finds points that span the set, as positions in it after paradt__open_set.
 static void paradt__find_basis(paradt__work *work) {
     paradt__set *set = &work->set;
     int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
@@ -12701,8 +12707,8 @@ static void paradt__find_basis(paradt__work *work) {
     }
 }
 
-// Opens gaps between the regions' points, which make room for others'. The first region is built alone if its points
-// span.
+// Makes gaps between the regions' points, for copies of others' points. The first region is built alone if its points
+// span the space.
 static void paradt__open_set(paradt__work *work) {
     size_t i;
     if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
@@ -12760,9 +12766,9 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 
 // --- do regions pay?
 //
-// On some surfaces and curves many points have neighbours far away: what a region builds of its own points is wrong
-// nearly everywhere then, and it would give up after some time. A sample tells. Points spread in all dimensions need no
-// such look: few of them have neighbours beyond a cut.
+// On some surfaces and curves many points have neighbours far away. Nearly everything is wrong then that a region
+// builds of its own points, and the region gives up after some time. A sample shows this in advance. Points that are
+// spread in all dimensions need no sample: few of them have neighbours beyond a cut.
 
 enum { PARADT__SAMPLED = 2048 }; // points of the sample
 
@@ -12826,7 +12832,7 @@ static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
 
 // --- what a row's function does
 
-// Gives back what the building of cells needs beside the set.
+// Frees what building cells has taken, except for the set and the mesh.
 static void paradt__release_helpers(paradt__work *work) {
     paradt__memory *memory = &work->memory;
     paradt__grid_free(&work->grid, memory);
@@ -12839,7 +12845,7 @@ static void paradt__release_helpers(paradt__work *work) {
     work->region = NULL;
 }
 
-// Forgets what a way that gave up has built.
+// Frees what a way of building has made that gave up.
 static void paradt__begin_again(paradt__work *work) {
     paradt__release_helpers(work);
     paradt__mesh_free(&work->mesh, &work->memory);
@@ -12858,7 +12864,7 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
     return status;
 }
 
-// Builds by insertion, in regions where these pay. When regions one by one give up, the set is left in their order.
+// Builds by insertion, in regions if these pay. If regions built one by one give up, the set keeps their order.
 static paradt_status paradt__build_by_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
@@ -12866,7 +12872,7 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
     work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // for the questions, too
+    if (!status && work->regions > 1) // sagittas are for the questions as well
         status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
     else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
         status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
@@ -12882,22 +12888,23 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
 // --- the table and the choice
 
 enum {
-    PARADT__CAN_ALL = PARADT__CAN_WEIGHTS | PARADT__CAN_REGIONS | PARADT__CAN_LINK,
+    PARADT__CAN_ALL = PARADT__CAN_BUILD | PARADT__CAN_REGIONS,
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
-// The row of a method. AUTO's says what all methods can do that it chooses from. A method that is left out can nothing.
+// The row of a method. AUTO's row says what all the methods can do that it chooses from. A method that this build
+// leaves out can do nothing.
 static const paradt__method *paradt__method_of(paradt_method method) {
     static const paradt__method rows[PARADT_METHOD_COUNT] = {
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+        {PARADT__CAN_ALL, NULL, NULL}, // AUTO
 #ifdef PARADT_NO_FRONTS
-        {0, 0, 0, NULL, NULL}, // INCODE
-        {0, 0, 0, NULL, NULL}, // DEWALL
+        {0, NULL, NULL}, // INCODE
+        {0, NULL, NULL}, // DEWALL
 #else
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
-        {PARADT__CAN_ALL, 1, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+        {PARADT__CAN_ALL, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 1, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, NULL, paradt__build_by_insertion}};
     return rows + method;
 }
 
@@ -13043,7 +13050,7 @@ PARADT_DEF void paradt_free(paradt_triangulation *t) {
     t->dim = -1;
 }
 
-// What is wrong with the points, apart from their number; NULL: nothing.
+// Returns what is wrong with the points, apart from their number, or NULL.
 static const char *paradt__points_fault(const paradt_points *points) {
     size_t size = points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     if (points->dim < 2 || points->dim > PARADT_MAX_DIM) return "points.dim is out of 2..PARADT_MAX_DIM";
@@ -13058,12 +13065,12 @@ static const char *paradt__points_fault(const paradt_points *points) {
     return NULL;
 }
 
-// What is wrong with the options; NULL: nothing.
+// Returns what is wrong with the options, or NULL.
 static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (!paradt__method_of(options->method)->can)
+    if (!(paradt__method_of(options->method)->can & PARADT__CAN_BUILD))
         return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
@@ -13076,7 +13083,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
     return NULL;
 }
 
-// *text: what is wrong, unless that is nothing.
+// Checks the arguments. Fills *text with what is wrong, or NULL.
 static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
                                              const char **text) {
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
@@ -13096,7 +13103,7 @@ static paradt_status paradt__check_arguments(const paradt_points *points, const 
     return PARADT_OK;
 }
 
-// How many times the result's bytes, neighbours included, a call holds at most. Measured on uniform points.
+// Returns the most bytes that a call holds, as a multiple of the result's with neighbours. Measured on uniform points.
 static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
     const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
     double each = (double)points->count / (double)work->regions;
@@ -13120,7 +13127,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     double count, cells, bytes;
     if (!points) return 0;
     given = *points;
-    given.data = &given; // something
+    given.data = &given; // any address but NULL
     if (paradt__check_arguments(&given, options, &text)) return 0;
     memset(&work, 0, sizeof work);
     if (options) work.options = *options;
@@ -13151,7 +13158,7 @@ static paradt_status paradt__load(paradt__work *work, const paradt_points *point
     return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-// Closes the mesh: without ghosts, vertices the caller's indices, links in the form that is wanted.
+// Closes the mesh: drops ghosts, makes vertices the caller's indices, and links what the flags ask for.
 static paradt_status paradt__close(paradt__work *work) {
     if (!work->delivered) {
         PARADT__VERIFY(&work->mesh, 0, PARADT__CONFLICT);
@@ -13188,7 +13195,7 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     return PARADT_OK;
 }
 
-// Why the points don't span their dimension.
+// Returns why the points do not span their dimension.
 static const char *paradt__flat_text(int dim) {
     if (dim < 0) return "there are no points";
     if (dim == 0) return "all points are at one place";
@@ -13196,7 +13203,7 @@ static const char *paradt__flat_text(int dim) {
     return dim == 2 ? "all points lie in a plane" : "all points lie in a flat of a lower dimension than points.dim";
 }
 
-// After an error: leaves nothing in `out` but what says which.
+// Clears `out` after an error, except for what the error is.
 static void paradt__withdraw(paradt_triangulation *out, paradt_status status, int dim) {
     size_t bad = out->error_point;
     paradt_free(out);
@@ -13204,7 +13211,7 @@ static void paradt__withdraw(paradt_triangulation *out, paradt_status status, in
     out->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
 }
 
-// Begins a call.
+// Begins a call: the plan, the accounts of memory and progress, the statistics.
 static void paradt__begin_call(paradt__work *work, paradt_stats *stats, paradt_triangulation *out,
                                const paradt_points *points, const paradt_options *options) {
     memset(work, 0, sizeof *work);
@@ -13293,6 +13300,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
         if (!status) status = paradt__begin_fronts(&work);
         if (!status) {
             size_t only = index < work.regions ? index : 0;
+            paradt__share_memory(&work); // the owners have been allocated since the regions began
             paradt__front_task(&work, only);
             status = work.region[only].status;
             work.mesh = work.region[only].mesh;

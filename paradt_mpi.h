@@ -2820,7 +2820,7 @@ PARADT__NOINLINE paradt_status paradt_mpi__list_cell_unsent(paradt_mpi__work *w,
 // points. With weights such cells are asked about instead, because of hidden points.
 PARADT__INLINE paradt_status paradt_mpi__list_cell_vertices(paradt_mpi__work *w, paradt_mpi__list *list, size_t k,
                                                             const paradt_index *cell) {
-    if (w->weighted || !paradt__vertices_among(cell, (int)k, 0, PARADT__NOWHERE) ||
+    if (w->weighted || !paradt__is_finite_cell(cell, (int)k) ||
         paradt__vertices_among(cell, (int)k, 0, (paradt_index)w->set.count) || !paradt_mpi__may_have_unsent(w, k, cell))
         return PARADT_OK;
     return paradt_mpi__list_cell_unsent(w, list, k, cell);
