@@ -847,7 +847,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    183   insertions from begin to end
 //   division
-//     regions of fronts            117   owners, joining
+//     regions of fronts            124   owners, joining
 //     fringe                        94   cells that are not a region's own alone
 //     fields and patches           335   a region's points, its insertion
 //     questions between regions    364   is a cell one of T(P)?
@@ -855,7 +855,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     results of patches           161   dropping, emitting, taking over
 //     known points                 233   what a rank builds
 //     call                         180   what one call works with; steps
-//     fronts                        97   InCoDe and DeWall from set to mesh
+//     fronts                        99   InCoDe and DeWall from set to mesh
 //     regions of insertion         524   the steps of a divided insertion
 //   entry
 //     methods                      212   one row a method; AUTO's choice
@@ -1399,7 +1399,7 @@ typedef struct paradt__meter {
 // The share of a call's work that one task does, or several that work through it together
 typedef struct paradt__progress {
     paradt__meter *meter; // NULL: nobody asks
-    uint32_t *told;       // what the meter has been told of the share
+    uint32_t *reported;   // the part of the share that the meter has
     double share;         // 0..1, of the whole call
 } paradt__progress;
 
@@ -1427,11 +1427,11 @@ static int paradt__meter_cancels(paradt__meter *meter) {
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
 }
 
-// A share of the work. *told is the caller's to keep for as long as somebody works on the share.
-static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *told, double share) {
+// A share of the work. *reported is the caller's to keep for as long as somebody works on the share.
+static paradt__progress paradt__progress_of(paradt__meter *meter, uint32_t *reported, double share) {
     paradt__progress progress;
     progress.meter = meter->call ? meter : NULL;
-    progress.told = told;
+    progress.reported = reported;
     progress.share = share;
     return progress;
 }
@@ -1443,8 +1443,8 @@ static int paradt__progress_cancels(const paradt__progress *progress, double fra
     if (!progress->meter) return 0;
     if (fraction > 1.0) fraction = 1.0;
     now = (uint32_t)(fraction * progress->share * (double)PARADT__ALL_DONE);
-    before = PARADT__ATOMIC_LOAD(progress->told);
-    while (before < now && !PARADT__ATOMIC_SWAP(progress->told, &before, now)) {
+    before = PARADT__ATOMIC_LOAD(progress->reported);
+    while (before < now && !PARADT__ATOMIC_SWAP(progress->reported, &before, now)) {
     }
     if (before < now) (void)PARADT__ATOMIC_ADD(&progress->meter->done, now - before);
     return paradt__meter_cancels(progress->meter);
@@ -1504,13 +1504,13 @@ static int paradt__team_cancelled(const paradt__team *team) {
 // A status that no caller gets to see
 #define PARADT__GAVE_UP ((paradt_status)PARADT_STATUS_COUNT)
 
-// What insertions at once have in common that are to pause together
+// Shared by concurrent insertions that pause together
 typedef struct paradt__relay {
-    ptrdiff_t done; // by them all so far, in points inserted; below zero after a wait at the begin
-    ptrdiff_t stop; // they pause when it is so much
+    ptrdiff_t done; // work of all of them, in inserted points; paradt__relay_waits subtracts in advance, below 0 too
+    ptrdiff_t stop; // they pause when `done` reaches it
 } paradt__relay;
 
-// Is it time to pause, with so many parts of the work done? worth: of 64 of them, in points inserted.
+// Is it time to pause? done: parts of its work that the caller has done; worth: 64 of these parts, in inserted points
 static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth) {
 #if defined(PARADT__ATOMICS)
     return relay && done % 64 == 0 && PARADT__ATOMIC_ADD(&relay->done, (ptrdiff_t)worth) >= relay->stop;
@@ -1520,7 +1520,7 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t worth)
 #endif
 }
 
-// The others do not pause while one does what takes as long as so many points and can't be paused.
+// Keeps the others from pausing while the caller does work that takes as long as `points` and can not be paused.
 static void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ATOMICS)
     if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
@@ -10463,11 +10463,13 @@ static void paradt__cluster_give(const paradt__mesh *mesh, const uint32_t *owner
 
 // Fills owners[mesh->count] with the region that owns each cell.
 static paradt_status paradt__find_owners(const paradt__mesh *mesh, const paradt__set *set,
-                                         const paradt__region_view *view, paradt__memory *memory,
-                                         paradt_index *owners) {
+                                         const paradt__region_view *view, const paradt__progress *progress,
+                                         paradt__memory *memory, paradt_index *owners) {
     size_t corners = (size_t)mesh->corners, unreached = 0, i;
     paradt_index *cluster;
     for (i = 0; i < mesh->count; i++) {
+        if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
+            return PARADT_ERROR_CANCELLED;
         owners[i] = paradt__cell_owner(view, set, mesh->vertices + i * corners, mesh->corners);
         unreached += owners[i] < 0;
     }
@@ -10484,11 +10486,13 @@ static paradt_status paradt__find_owners(const paradt__mesh *mesh, const paradt_
 // Leaves only the cells that the region owns. Their facets in common with other regions' cells become open. *foreign:
 // number of the cells dropped
 static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__set *set, const paradt__region_view *view,
-                                            paradt__memory *memory, uint64_t *foreign) {
+                                            const paradt__progress *progress, paradt__memory *memory,
+                                            uint64_t *foreign) {
     paradt__list dropped = {NULL, 0, 0};
     size_t i;
     paradt_index *owners = (paradt_index *)paradt__alloc(memory, mesh->count, sizeof *owners);
-    paradt_status status = owners ? paradt__find_owners(mesh, set, view, memory, owners) : PARADT_ERROR_MEMORY;
+    paradt_status status =
+        owners ? paradt__find_owners(mesh, set, view, progress, memory, owners) : PARADT_ERROR_MEMORY;
     for (i = 0; i < mesh->count && !status; i++) {
         if (owners[i] == (paradt_index)view->region) continue;
         paradt__mesh_drop(mesh, i, (size_t)mesh->corners, PARADT__OPEN);
@@ -10505,7 +10509,8 @@ static paradt_status paradt__region_compact(paradt__mesh *mesh, const paradt__se
 }
 
 // Ties the open facets of all regions to their mirrors. Facets without a mirror become the hull's.
-static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *memory, uint64_t *hull_facets) {
+static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *meter, paradt__memory *memory,
+                                          uint64_t *hull_facets) {
     paradt__facets table;
     size_t facets = all->count * (size_t)all->corners, count = 0, i;
     paradt_index open[PARADT__JOINED];
@@ -10515,6 +10520,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__memory *mem
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
         count = 0;
+        if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
+            status = PARADT_ERROR_CANCELLED;
     }
     for (i = 0; i < facets; i++) {
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
@@ -11978,8 +11985,8 @@ typedef struct paradt__region {
     int built; // all its cells are there, or it waits
     int waits; // it waits for what other regions know
     size_t runs,
-        ran;       // in a leg of the relay: the region that the task of this number runs; points inserted by the task
-    uint32_t told; // of its share of the progress
+        ran; // in a leg of the relay: the region that the task of this number runs; points inserted by the task
+    uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
 
@@ -11995,8 +12002,8 @@ typedef struct paradt__work {
     int one_by_one; // insertion builds one region after another, without neighbours
     int facets;     // links are delivered as half-facets
     // progress
-    double share;  // of the call's work: what is left for building, from where the way that is tried has begun
-    uint32_t told; // of the share, while one task does all of it
+    double share;      // of the call's work: what is left for building, from where the way that is tried has begun
+    uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
     paradt__grid grid; // of fronts
@@ -12047,16 +12054,16 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
 static void paradt__begin_way(paradt__work *work) {
     const double finish = 0.025; // the part that is left for what is done when the cells are made
     work->share = (1.0 - paradt__meter_done(&work->meter)) * (1.0 - finish);
-    work->told = 0;
+    work->reported = 0;
 }
 
 static paradt__progress paradt__whole_progress(paradt__work *work) {
-    return paradt__progress_of(&work->meter, &work->told, work->share);
+    return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
-    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].told, share), index);
+    return paradt__progress_of_task(paradt__progress_of(&work->meter, &work->region[index].reported, share), index);
 }
 
 // --- steps
@@ -12149,18 +12156,19 @@ static void paradt__front_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__region_view view;
+    paradt__progress progress = paradt__region_progress(work, index);
     paradt__front front;
     view.owner = work->owner;
     view.cuts = &work->cuts;
     view.region = (uint32_t)index;
     region->status =
         paradt__front_begin(&front, &work->set, &work->grid, &region->memory, view, 1.0 / (double)work->regions);
-    front.progress = paradt__region_progress(work, index);
+    front.progress = progress;
     front.impatient = work->impatient;
     region->status = paradt__run_front(&front, region->status, work->method, &region->mesh, &region->stats);
     if (!region->status)
-        region->status =
-            paradt__region_compact(&region->mesh, &work->set, &view, &region->memory, &region->stats.cells_recomputed);
+        region->status = paradt__region_compact(&region->mesh, &work->set, &view, &progress, &region->memory,
+                                                &region->stats.cells_recomputed);
 }
 
 // Appends the regions' cells to each other, giving back the memory of each region after its turn.
@@ -12205,7 +12213,8 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
     if (!status && work->regions > 1) {
         status = paradt__begin_fronts(work);
         if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
-        return status ? status : paradt__regions_join(&work->mesh, &work->memory, &work->stats->hull_facets);
+        return status ? status
+                      : paradt__regions_join(&work->mesh, &work->meter, &work->memory, &work->stats->hull_facets);
     }
     if (status) return status;
     paradt__begin_way(work);
@@ -12226,8 +12235,8 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
 //     points     the points to begin with: its own, and others' in a margin
 //     lend       rows for its cells: a slice of those of the result, where the number of cells can be foreseen
 //     build      inserts them and asks about the cells that could be wrong; in legs, see "the relay"
-//     publish    | regions that would rather be told by others what they lack: each shows what it knows,
-//     learn      | looks at what others show,
+//     publish    | regions that wait for what others know: each publishes its cells,
+//     learn      | looks at what others have published,
 //     complete   | and asks on, until none of them waits
 //     compact    leaves only the cells that the region owns
 //     emit       writes them into the result
@@ -13127,7 +13136,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
     double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
-    paradt__progress progress = paradt__progress_of(&work->meter, &work->told, reading);
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, reading);
     paradt__team team = paradt__team_of(&work->options, work->regions, progress);
     paradt_status status;
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));

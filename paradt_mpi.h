@@ -527,7 +527,7 @@ typedef struct paradt_mpi__work {
     paradt_triangulation local; // made by another method, or at last taken from the engine
     size_t local_bytes;         // that it holds in an account of its own
     paradt__meter meter;        // of the insertion on this rank,
-    uint32_t meter_told;        // all of which is one share
+    uint32_t meter_reported;    // all of which is one share
 } paradt_mpi__work;
 
 // Begins the next step. end: part of the whole call's work that is done when the step ends, 0..1
@@ -2439,8 +2439,8 @@ static paradt_status paradt_mpi__insert(paradt_mpi__work *w) {
     all.count = w->known;
     options = paradt_mpi__local_options(w);
     paradt__meter_begin(&w->meter, &options);
-    w->meter_told = 0;
-    progress = paradt__progress_of(&w->meter, &w->meter_told, 1.0);
+    w->meter_reported = 0;
+    progress = paradt__progress_of(&w->meter, &w->meter_reported, 1.0);
     w->inserting = 1;
     return paradt__known_begin(&w->engine, &all, w->set.count, w->low, w->high, &w->memory, &progress);
 }

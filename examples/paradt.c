@@ -477,6 +477,7 @@ static int triangulate(job *j) {
     options.method = j->s->method;
     options.partition = j->s->partition;
     options.regions = j->regions;
+    options.flags = PARADT_FACETS; // which spares paradt_check the matching of facets
     options.parallel_for = j->jobs > 1 ? parallel_for : NULL;
     options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
     options.user = &w;

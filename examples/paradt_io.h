@@ -109,7 +109,7 @@ int paradt_io_check_place(const char *name, const char *input, paradt_io_error *
 // Checks, too, that the extension is known and that the format can hold points of this dimension (0: not known yet).
 int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error);
 // Writes one output, of up to PARADT_IO_FILES_PER_OUTPUT files, into the stage. The triangulation has to have
-// neighbours, except for .vtu and .npy. Returns 1, or 0 with the error filled in.
+// neighbours as half-facets (PARADT_FACETS), except for .vtu and .npy. Returns 1, or 0 with the error filled in.
 int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
                     const paradt_triangulation *triangulation, paradt_io_error *error);
 // Writes a text into the stage as a file. Returns 1, or 0 with the error filled in.
@@ -1693,27 +1693,30 @@ static void paradt_io__put_node(paradt_io__writer *w) {
     }
 }
 
-// Writes one line a cell: the number of the cell and its row. rows: [cell_count][dim + 1]; NULL: all are -1
-static void paradt_io__put_table(paradt_io__writer *w, const paradt_index *rows) {
+// Writes one line a cell: the number of the cell and its row, each value of it that is not negative over the divisor.
+// rows: [cell_count][dim + 1]
+static void paradt_io__put_table(paradt_io__writer *w, const paradt_index *rows, int divisor) {
     size_t i, columns = (size_t)(w->t->dim + 1), k;
     for (i = 0; i < w->t->cell_count; i++) {
         paradt_io__put_int(&w->out, ' ', (int64_t)i);
-        for (k = 0; k < columns; k++)
-            paradt_io__put_int(&w->out, ' ', rows ? (int64_t)rows[i * columns + k] : -1);
+        for (k = 0; k < columns; k++) {
+            paradt_index value = rows[i * columns + k];
+            paradt_io__put_int(&w->out, ' ', (int64_t)(value < 0 ? value : value / divisor));
+        }
         paradt_io__put(&w->out, "\n", 1);
     }
 }
 
 static void paradt_io__put_ele(paradt_io__writer *w) {
     paradt_io__putf(&w->out, "%zu %d 0\n", w->t->cell_count, w->t->dim + 1);
-    paradt_io__put_table(w, w->t->cells);
+    paradt_io__put_table(w, w->t->cells, 1);
 }
 
 static void paradt_io__put_neigh(paradt_io__writer *w) {
     size_t rows = w->t->neighbors ? w->t->cell_count : 0; // a single point has none
     paradt_io__putf(&w->out, "%zu %d\n", rows, w->t->dim + 1);
     if (rows)
-        paradt_io__put_table(w, w->t->neighbors);
+        paradt_io__put_table(w, w->t->neighbors, w->t->dim + 1); // the cells of half-facets
 }
 
 static int paradt_io__write_ele(paradt_io__writer *w) {

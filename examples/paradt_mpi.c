@@ -574,6 +574,7 @@ static int write_pieces(const char *name, const paradt_mpi_triangulation *t, par
 //   t    all cells
 static int finish_whole(const settings *s, const part *all, const paradt_triangulation *t, paradt_io_error *error) {
     paradt_io_points points;
+    paradt_options options;
     paradt_fault fault = {NULL, -1, -1};
     size_t i;
     memset(&points, 0, sizeof points);
@@ -581,7 +582,9 @@ static int finish_whole(const settings *s, const part *all, const paradt_triangu
     points.count = all->points.count;
     points.coordinates = (double *)all->rows;
     points.weights = all->weights;
-    paradt_status status = s->check ? paradt_check(t, &all->points, NULL, &fault) : PARADT_OK;
+    memset(&options, 0, sizeof options);
+    options.flags = PARADT_FACETS;
+    paradt_status status = s->check ? paradt_check(t, &all->points, &options, &fault) : PARADT_OK;
     if (status)
         return paradt_io__error(error, PARADT_IO_FAILED, "%.900s: the check %s: %s", s->input,
                                 fault.reason ? "found" : "can't be done",
@@ -707,6 +710,7 @@ static int triangulate(const settings *s, const part *p, paradt_mpi_triangulatio
     paradt_io_bar_begin(&bar);
     if (rank == 0 && (s->progress || (!s->quiet && isatty(STDERR_FILENO)))) options.local.progress = show_progress;
     options.local.user = &bar;
+    options.local.flags = PARADT_FACETS;
     options.local.method = s->method;
     options.local.partition = s->partition;
     options.flags = s->replicated ? PARADT_MPI_REPLICATED : 0;

@@ -286,10 +286,10 @@ static int paradt_picture__collect(paradt_picture__scene *s) {
             return 0;
         for (i = 0; corners == 4 && s->shown[c] && i < 4; i++) {
             static const int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-            const paradt_index beyond = s->t->neighbors[c * 4 + i];
+            const paradt_index beyond = s->t->neighbors[c * 4 + i]; // a half-facet
             paradt_index face[3];
             int k;
-            if (s->shrink == 1 && beyond >= 0 && s->shown[beyond])
+            if (s->shrink == 1 && beyond >= 0 && s->shown[beyond / 4])
                 continue;
             for (k = 0; k < 3; k++)
                 face[k] = cell[outward[i][k]];
