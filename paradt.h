@@ -115,7 +115,7 @@
 //
 //     t.cells[i * k + j]        vertex j of cell i
 //     t.neighbors[i * k + j]    the cell opposite that vertex
-//     t.representative[p]       p where p is a vertex; the vertex at the same place; -1 where p is hidden
+//     t.representative[p]       p itself if it is a vertex, else the vertex at the same place; -1 if p is hidden
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
@@ -297,10 +297,10 @@
 //                                       2D, 100,000    3D, 200,000    4D, 5,000    5D, 2,000
 //     PARADT_AUTO                                79            295        1,390        7,280
 //        2 regions                               90            327        2,740       14,560
-//        4 regions                               92            383        2,720       16,570
-//        8 regions                               95            728        2,800       21,640
-//     PARADT_INCODE                             109            295        1,390        7,280
-//        8 regions                              146            550        2,800       21,640
+//        4 regions                               92            371        2,730       15,940
+//        8 regions                               95            728        2,900       20,200
+//     PARADT_INCODE                             109            297        1,390        7,280
+//        8 regions                              146            552        2,900       20,200
 //     PARADT_NO_NEIGHBORS, 8 regions,
 //        one after another                       68            225
 //
