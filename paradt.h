@@ -42,7 +42,8 @@
 //                            disagree. Insertion has no code for SSE2 and AVX2 then
 //     PARADT_MAX_DIM         the largest dimension, 2 to 8; code for larger ones is not compiled. The same in all files
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
-//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a third of the code; PARADT_AUTO inserts in all dimensions
+//     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
+//                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_CHECK        leaves out paradt_check
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
 //                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
@@ -114,7 +115,7 @@
 //
 //     t.cells[i * k + j]        vertex j of cell i
 //     t.neighbors[i * k + j]    the cell opposite that vertex
-//     t.representative[p]       p where p is a vertex; the vertex at the same place; -1 where p is hidden
+//     t.representative[p]       p itself if it is a vertex, else the vertex at the same place; -1 if p is hidden
 //
 // Every cell is positively oriented: the determinant of (v1 - v0, v2 - v0, ...) is positive. So triangles run
 // counterclockwise, and so does the triangle v0 v1 v2 of a tetrahedron when seen from v3, in right-handed coordinates.
@@ -304,9 +305,10 @@
 //     PARADT_NO_NEIGHBORS, 8 regions,
 //        one after another                       68            225
 //
-// The stack is used moderately: the exact predicates take up to 66 KB of it for numbers of extreme exponents. Recursion
-// is as deep as the logarithm of the number of points. 256 KB are enough in every dimension. Linkers for WebAssembly
-// give 64 KB unless they are told otherwise: wasm-ld -z stack-size=262144.
+// A call, compiled with optimisation, takes 30 KB of stack, or up to 45 KB in two and three dimensions and up to 95 KB
+// from four on, where numbers of extreme exponents reach the last exact stage. So 64 KB are enough in two and three
+// dimensions and 128 KB in all; more without optimisation. Recursion is as deep as the logarithm of the number of
+// points. Linkers for WebAssembly give 64 KB unless they are told otherwise: wasm-ld -z stack-size=262144.
 //
 //
 // ERRORS
@@ -632,8 +634,7 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 
 // Computes the triangulation of the points.
 //   out      is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
-//   are
-//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//            are NULL, the counts 0; but error_point, error_text and stats are filled.
 //   points   read during the call only
 //   options  NULL: the defaults
 // Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
@@ -698,8 +699,7 @@ PARADT_DEF int paradt_orient(int dim, const double *const *points /* [dim + 1] *
 // Returns 1 when points[dim + 1] is inside the sphere through the first dim + 1 points, which are positively oriented;
 // 0 when it is on the sphere; -1 when it is outside. Where the first dim + 1 are negatively oriented, the opposite.
 //   weights  NULL, or [dim + 2]: then inside means below the hyperplane through the first dim + 1 when all are lifted
-//   to
-//            |x|^2 - weight (the power test)
+//            to |x|^2 - weight (the power test)
 PARADT_DEF int paradt_insphere(int dim, const double *const *points /* [dim + 2] */, const double *weights);
 
 // Returns the same with ties broken by the perturbation (see DEGENERATE INPUT): 1 in conflict, -1 not, never 0. The

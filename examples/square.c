@@ -5,11 +5,11 @@
 
 int main(void) {
     const double places[5][2] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {1, 1}};
-    paradt_points points = {.data = places, .count = 5, .dim = 2};
+    paradt_points points = paradt_points_f64(places[0], 5, 2);
     paradt_triangulation t;
     if (paradt_triangulate(&t, &points, NULL) != PARADT_OK)
         return 1;
-    const size_t k = (size_t)t.dim + 1;
+    const size_t k = (size_t)(t.dim + 1);
     for (size_t c = 0; c < t.cell_count; c++) {
         printf("triangle %zu:", c);
         for (size_t j = 0; j < k; j++)
