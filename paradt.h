@@ -2913,36 +2913,30 @@ PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const doub
     return paradt__insphere_few(p, 2);
 }
 
-// Points of floats as doubles
-typedef struct paradt__widened {
-    double memory[5][3];
-    const double *points[5];
-} paradt__widened;
-
-PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+// Fills w[count][k] with points of floats.
+static void paradt__widen_points(double *w, const float *const *p, int count, int k) {
     int i, j;
     for (i = 0; i < count; i++) {
         for (j = 0; j < k; j++) {
             uint32_t bits;
             memcpy(&bits, p[i] + j, sizeof bits);
-            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+            *w++ = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
         }
-        w->points[i] = w->memory[i];
     }
 }
 
 PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
     const float *p[] = {a, b, c};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 3, 2);
-    return paradt__orient_few(w.points, 2);
+    double w[3][2];
+    paradt__widen_points(w[0], p, 3, 2);
+    return paradt_orient2(w[0], w[1], w[2]);
 }
 
 PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
     const float *p[] = {a, b, c, q};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 2);
-    return paradt__insphere_few(w.points, 2);
+    double w[4][2];
+    paradt__widen_points(w[0], p, 4, 2);
+    return paradt_insphere2(w[0], w[1], w[2], w[3]);
 }
 
 #if PARADT_MAX_DIM >= 3
@@ -2959,17 +2953,17 @@ PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const doub
 
 PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
     const float *p[] = {a, b, c, d};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 3);
-    return paradt__orient_few(w.points, 3);
+    double w[4][3];
+    paradt__widen_points(w[0], p, 4, 3);
+    return paradt_orient3(w[0], w[1], w[2], w[3]);
 }
 
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
                                  const float q[3]) {
     const float *p[] = {a, b, c, d, q};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 5, 3);
-    return paradt__insphere_few(w.points, 3);
+    double w[5][3];
+    paradt__widen_points(w[0], p, 5, 3);
+    return paradt_insphere3(w[0], w[1], w[2], w[3], w[4]);
 }
 #endif
 
@@ -10280,7 +10274,7 @@ typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index
 
 // Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
-    if (!build->kept) return paradt__insert;
+    if (PARADT_MAX_DIM < 3 || !build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__kept_insert_avx2;
 #endif
@@ -10316,7 +10310,7 @@ static paradt_status paradt__insertion_run(paradt__insertion *build, const parad
             build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
     if (!status) status = paradt__insertion_first_cells(build);
     build->inserted = (size_t)mesh->corners;
-    if (!status && mesh->corners == 4) status = paradt__kept_begin(build);
+    if (!status && PARADT__IS(mesh->corners - 1, 3)) status = paradt__kept_begin(build);
     return status ? status : paradt__insertion_go(build, progress);
 }
 
