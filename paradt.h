@@ -929,6 +929,10 @@ extern "C" {
 #define PARADT_ASSERT(condition) ((void)0)
 #endif
 
+#if defined(PARADT_NO_FRONTS) && defined(PARADT_NO_REGIONS)
+#define PARADT__NO_SEARCH // nobody looks for points in a grid
+#endif
+
 // A function that is not used where a macro leaves out those who use it
 #if defined(__GNUC__)
 #define PARADT__OPTIONAL static __attribute__((unused))
@@ -1062,7 +1066,7 @@ static void paradt__memory_begin(paradt__memory *memory, const paradt_options *o
 }
 
 // Returns the account of one of `shares` tasks that may run concurrently.
-static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
+PARADT__OPTIONAL paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t shares) {
     paradt__memory memory = *parent;
     PARADT_ASSERT(shares > 0);
     memory.held = memory.peak = memory.needed = 0;
@@ -1074,7 +1078,7 @@ static paradt__memory paradt__memory_fork(const paradt__memory *parent, size_t s
 
 // Adds what the child holds to the parent's account, and the child's peak to *sum_of_peaks. The tasks may have run
 // concurrently, so that the sum of their peaks is an upper bound of the true peak.
-static void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
+PARADT__OPTIONAL void paradt__memory_join(paradt__memory *parent, const paradt__memory *child, uint64_t *sum_of_peaks) {
     parent->held += child->held;
     *sum_of_peaks += child->peak;
     if (child->needed > parent->needed) parent->needed = child->needed;
@@ -1524,7 +1528,7 @@ static int paradt__relay_pauses(paradt__relay *relay, size_t done, size_t points
 }
 
 // Puts the pause off: one insertion begins what cannot be paused and takes as long as inserting `points` points.
-static void paradt__relay_waits(paradt__relay *relay, size_t points) {
+PARADT__OPTIONAL void paradt__relay_waits(paradt__relay *relay, size_t points) {
 #if defined(PARADT__ATOMICS)
     if (relay) PARADT__ATOMIC_ADD(&relay->done, -(ptrdiff_t)points);
 #else
@@ -2916,36 +2920,30 @@ PARADT_DEF int paradt_insphere2(const double a[2], const double b[2], const doub
     return paradt__insphere_few(p, 2);
 }
 
-// Points of floats as doubles
-typedef struct paradt__widened {
-    double memory[5][3];
-    const double *points[5];
-} paradt__widened;
-
-PARADT__INLINE void paradt__widen_points(paradt__widened *w, const float *const *p, int count, int k) {
+// Fills w[count][k] with points of floats.
+static void paradt__widen_points(double *w, const float *const *p, int count, int k) {
     int i, j;
     for (i = 0; i < count; i++) {
         for (j = 0; j < k; j++) {
             uint32_t bits;
             memcpy(&bits, p[i] + j, sizeof bits);
-            w->memory[i][j] = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
+            *w++ = bits >> 23 & 255 ? (double)p[i][j] : paradt__widen(bits); // subnormal: see there
         }
-        w->points[i] = w->memory[i];
     }
 }
 
 PARADT_DEF int paradt_orient2f(const float a[2], const float b[2], const float c[2]) {
     const float *p[] = {a, b, c};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 3, 2);
-    return paradt__orient_few(w.points, 2);
+    double w[3][2];
+    paradt__widen_points(w[0], p, 3, 2);
+    return paradt_orient2(w[0], w[1], w[2]);
 }
 
 PARADT_DEF int paradt_insphere2f(const float a[2], const float b[2], const float c[2], const float q[2]) {
     const float *p[] = {a, b, c, q};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 2);
-    return paradt__insphere_few(w.points, 2);
+    double w[4][2];
+    paradt__widen_points(w[0], p, 4, 2);
+    return paradt_insphere2(w[0], w[1], w[2], w[3]);
 }
 
 #if PARADT_MAX_DIM >= 3
@@ -2962,17 +2960,17 @@ PARADT_DEF int paradt_insphere3(const double a[3], const double b[3], const doub
 
 PARADT_DEF int paradt_orient3f(const float a[3], const float b[3], const float c[3], const float d[3]) {
     const float *p[] = {a, b, c, d};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 4, 3);
-    return paradt__orient_few(w.points, 3);
+    double w[4][3];
+    paradt__widen_points(w[0], p, 4, 3);
+    return paradt_orient3(w[0], w[1], w[2], w[3]);
 }
 
 PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float c[3], const float d[3],
                                  const float q[3]) {
     const float *p[] = {a, b, c, d, q};
-    paradt__widened w;
-    paradt__widen_points(&w, p, 5, 3);
-    return paradt__insphere_few(w.points, 3);
+    double w[5][3];
+    paradt__widen_points(w[0], p, 5, 3);
+    return paradt_insphere3(w[0], w[1], w[2], w[3], w[4]);
 }
 #endif
 
@@ -3270,7 +3268,7 @@ static void paradt__curve_begin(paradt__curve *curve, int dim, int levels, const
 }
 
 // Limits the curve to a part of its box.
-static void paradt__curve_limit(paradt__curve *curve, const int64_t *low, const int64_t *high) {
+PARADT__OPTIONAL void paradt__curve_limit(paradt__curve *curve, const int64_t *low, const int64_t *high) {
     int axis;
     for (axis = 0; axis < curve->lattice.dim; axis++) {
         curve->low[axis] = low[axis] > curve->low[axis] ? low[axis] : curve->low[axis];
@@ -3662,7 +3660,7 @@ PARADT__OPTIONAL const paradt__cut *paradt__cuts_nearest(const paradt__cuts *cut
 }
 
 // Writes the bounds of a box into low and high. Where the box has no bound, the value there stays.
-static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
+PARADT__OPTIONAL void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, double *high) {
     size_t first = 0, boxes = cuts->boxes;
     PARADT_ASSERT(box < boxes);
     while (boxes > 1) {
@@ -3679,7 +3677,7 @@ static void paradt__cuts_box(const paradt__cuts *cuts, size_t box, double *low, 
 }
 
 // Position after the last point of a box, in a set of `count` points in the order of the boxes
-static size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
+PARADT__OPTIONAL size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
     return box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : count;
 }
 
@@ -4831,7 +4829,7 @@ PARADT__INLINE paradt_status paradt__list_append(paradt__list *list, paradt_inde
     return status;
 }
 
-static void paradt__list_free(paradt__list *list, paradt__memory *memory) {
+PARADT__OPTIONAL void paradt__list_free(paradt__list *list, paradt__memory *memory) {
     paradt__release(memory, list->items);
     memset(list, 0, sizeof *list);
 }
@@ -4843,7 +4841,7 @@ static void paradt__mesh_begin(paradt__mesh *mesh, int corners, int marked) {
 }
 
 // Frees the marks, which are not needed any more.
-static void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
+PARADT__OPTIONAL void paradt__mesh_free_marks(paradt__mesh *mesh, paradt__memory *memory) {
     paradt__release(memory, mesh->marks);
     mesh->marks = NULL;
     mesh->marked = 0;
@@ -4923,8 +4921,8 @@ PARADT__INLINE paradt_status paradt__mesh_room(paradt__mesh *mesh, paradt__memor
 }
 
 // Lends an empty mesh rows of other arrays. Its marks, which are its own, are not cleared yet.
-static paradt_status paradt__mesh_lend(paradt__mesh *mesh, paradt_index *vertices, paradt_index *links, size_t capacity,
-                                       paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__mesh_lend(paradt__mesh *mesh, paradt_index *vertices, paradt_index *links,
+                                                 size_t capacity, paradt__memory *memory) {
     PARADT_ASSERT(!mesh->count && !mesh->vertices);
     mesh->marks = (unsigned char *)paradt__alloc(memory, capacity, 1);
     if (!mesh->marks) return PARADT_ERROR_MEMORY;
@@ -5110,7 +5108,8 @@ PARADT__INLINE void paradt__star_add(paradt__star *star, paradt_index handle, pa
 // Collects the cells and ghosts around a vertex of the cell at `first`, through the facets that have the vertex. The
 // first is entered by the facet opposite its first other vertex; every vertex of the star but the first cell's stands
 // opposite to an entry.
-static void paradt__star_of(const paradt__mesh *mesh, paradt_index first, paradt_index vertex, paradt__star *star) {
+PARADT__OPTIONAL void paradt__star_of(const paradt__mesh *mesh, paradt_index first, paradt_index vertex,
+                                      paradt__star *star) {
     paradt_index corners = mesh->corners, base = first * corners, i;
     size_t next;
     star->count = 0;
@@ -5207,7 +5206,8 @@ static void paradt__mesh_fill_gaps(const paradt__mesh *mesh, const paradt_index 
 
 // Closes the gaps that free places and `dropped` cells leave. lists: [list_count] these name all dropped cells, and may
 // name others, free places, and places more than once
-static void paradt__mesh_compact(paradt__mesh *mesh, size_t dropped, const paradt__list *lists, size_t list_count) {
+PARADT__OPTIONAL void paradt__mesh_compact(paradt__mesh *mesh, size_t dropped, const paradt__list *lists,
+                                           size_t list_count) {
     size_t end = mesh->count, i;
     mesh->count -= mesh->spare_count + dropped;
     paradt__mesh_fill_gaps(mesh, mesh->spare, mesh->spare_count, &end);
@@ -5305,7 +5305,7 @@ PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t 
 }
 
 // Appends the cells of another mesh, which has no free places.
-static void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
+PARADT__OPTIONAL void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
     size_t corners = (size_t)mesh->corners, i;
     paradt_index offset = (paradt_index)(mesh->count * corners), *to = mesh->links + offset;
     PARADT_ASSERT(mesh->count + part->count <= mesh->capacity && mesh->corners == part->corners);
@@ -5605,8 +5605,9 @@ enum { PARADT__JOINED = 8 }; // facets whose mirrors are looked for together
 
 // Ties open facets to their mirrors, if these were seen before. Each step waits for memory, for all facets together.
 // numbered: links are numbers of cells, as when they are delivered
-static paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *mesh, const paradt_index *handles,
-                                         size_t count, int numbered, paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__facets_join(paradt__facets *facets, paradt__mesh *mesh,
+                                                   const paradt_index *handles, size_t count, int numbered,
+                                                   paradt__memory *memory) {
     const paradt_index divisor = numbered ? mesh->corners : 1;
     paradt_index *chain[PARADT__JOINED];
     paradt__facet_key key[PARADT__JOINED];
@@ -5750,6 +5751,7 @@ static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const 
     }
 }
 
+#ifndef PARADT__NO_SEARCH
 // ---------------------------------------------------------------------------------------------------------------------
 // >>grid
 //
@@ -6064,7 +6066,7 @@ PARADT__OPTIONAL paradt_status paradt__grid_build(paradt__grid *grid, paradt__se
 
 // Lays a grid over the set in the order that it has, for few searches, which begin at the top. The grid has no lanes
 // and no bounds by cuts.
-static paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__grid_lay(paradt__grid *grid, const paradt__set *set, paradt__memory *memory) {
     paradt_status status = paradt__grid_allocate(grid, set, 0, memory);
     if (!status) paradt__grid_fill(grid, set);
     return status;
@@ -6113,9 +6115,9 @@ static paradt_status paradt__grid_list_box(const paradt__grid *grid, const parad
 
 // Appends the positions of the set's points in the closed box [low, high], each plus `offset`. A grid without points
 // need not have been laid.
-static paradt_status paradt__grid_list_within(const paradt__grid *grid, const paradt__set *set, const double *low,
-                                              const double *high, size_t offset, paradt__list *list,
-                                              paradt__memory *memory) {
+PARADT__OPTIONAL paradt_status paradt__grid_list_within(const paradt__grid *grid, const paradt__set *set,
+                                                        const double *low, const double *high, size_t offset,
+                                                        paradt__list *list, paradt__memory *memory) {
     const paradt__within within = {low, high, offset, list, memory};
     int top = grid->levels - 1;
     paradt_status status = PARADT_OK;
@@ -7022,7 +7024,7 @@ PARADT__OPTIONAL void paradt__search_skip_finished(paradt__search *s, uint8_t *c
 }
 
 // The search will be put to points of another grid, too: its heaviest point may be an answer.
-static void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
+PARADT__OPTIONAL void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
     s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
 }
 
@@ -7037,7 +7039,7 @@ static const paradt__counters *paradt__search_counters(const paradt__search *s) 
 }
 
 // Returns how much work the search has done: grid cells visited and predicates evaluated.
-static uint64_t paradt__search_effort(const paradt__search *s) {
+PARADT__OPTIONAL uint64_t paradt__search_effort(const paradt__search *s) {
     return s->grid_cells_visited + s->pencil.space.counters.insphere_calls + s->pencil.space.counters.orient_calls;
 }
 
@@ -7223,7 +7225,7 @@ static void paradt__search_around(paradt__search *s, size_t position) {
 }
 
 // Looks at all points that may matter, from the top of the grid, as no position is near to the facet.
-static void paradt__search_from_top(paradt__search *s) {
+PARADT__OPTIONAL void paradt__search_from_top(paradt__search *s) {
     size_t at;
     if (s->pencil.space.filtered) {
         paradt__search_group(s, s->grid->levels - 1, 0, SIZE_MAX);
@@ -7309,7 +7311,9 @@ PARADT__OPTIONAL paradt_index paradt__search_conflict(paradt__search *s, const p
     paradt__search_around(s, (size_t)cell[0]);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
+#endif // PARADT__NO_SEARCH
 
+#ifndef PARADT_NO_REGIONS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>questions
 //
@@ -7383,6 +7387,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
     paradt__search_from_top(s);
     return s->found ? s->apex : (paradt_index)PARADT__OPEN;
 }
+#endif // PARADT_NO_REGIONS
 
 #ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
@@ -8306,8 +8311,8 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
 
 // Returns the positions of the set's points in the order of insertion, where only the first `own` are along the curve:
 // a new block, or NULL when there is no memory.
-static paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
-                                          paradt__memory *memory) {
+PARADT__OPTIONAL paradt_index *paradt__merged_order(const paradt__set *set, size_t own, const paradt__curve *curve,
+                                                    paradt__memory *memory) {
     size_t others = set->count - own;
     paradt__rounds r;
     paradt__keyed *sorted, *other;
@@ -10255,7 +10260,7 @@ static void paradt__insertion_rest(paradt__insertion *build) {
 }
 
 // Frees everything.
-static void paradt__insertion_end(paradt__insertion *build) {
+PARADT__OPTIONAL void paradt__insertion_end(paradt__insertion *build) {
     paradt__insertion_rest(build);
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
@@ -10276,7 +10281,7 @@ typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index
 
 // Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
-    if (!build->kept) return paradt__insert;
+    if (PARADT_MAX_DIM < 3 || !build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__kept_insert_avx2;
 #endif
@@ -10312,7 +10317,7 @@ static paradt_status paradt__insertion_run(paradt__insertion *build, const parad
             build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
     if (!status) status = paradt__insertion_first_cells(build);
     build->inserted = (size_t)mesh->corners;
-    if (!status && mesh->corners == 4) status = paradt__kept_begin(build);
+    if (!status && PARADT__IS(mesh->corners - 1, 3)) status = paradt__kept_begin(build);
     return status ? status : paradt__insertion_go(build, progress);
 }
 
@@ -10338,8 +10343,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
 
 // Inserts the points from number `inserted` on of `order`, which have been counted in build->count since the points
 // before were inserted, until it pauses.
-static paradt_status paradt__insertion_more(paradt__insertion *build, const paradt_index *order, size_t inserted,
-                                            const paradt__progress *progress) {
+PARADT__OPTIONAL paradt_status paradt__insertion_more(paradt__insertion *build, const paradt_index *order,
+                                                      size_t inserted, const paradt__progress *progress) {
     paradt_status status;
     build->order = order;
     build->inserted = inserted;
@@ -10352,7 +10357,8 @@ static paradt_status paradt__insertion_more(paradt__insertion *build, const para
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
 // is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
-static paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point, paradt_index cell) {
+PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point,
+                                                       paradt_index cell) {
     paradt__kept *kept = build->kept;
     paradt_status status;
     if (cell < 0) {
@@ -10411,7 +10417,7 @@ static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memor
     return status;
 }
 
-#ifndef PARADT_NO_FRONTS
+#if !defined(PARADT_NO_FRONTS) && !defined(PARADT_NO_REGIONS)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of fronts
 //
@@ -10534,8 +10540,9 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt__facets_free(&table, memory);
     return status;
 }
-#endif // PARADT_NO_FRONTS
+#endif // PARADT_NO_FRONTS, PARADT_NO_REGIONS
 
+#ifndef PARADT_NO_REGIONS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>fringe
 //
@@ -11715,6 +11722,7 @@ static paradt_status paradt__patch_take_all(paradt__patch *patch, int facets, co
     if (!status) patch->hull_facets = paradt__mesh_close(&build->scene.mesh, patch->origin, facets, progress->meter);
     return status;
 }
+#endif // PARADT_NO_REGIONS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>known points
@@ -11975,6 +11983,7 @@ enum {
     PARADT__CAN_LIVE = 4     // more points after the first ones
 };
 
+#ifndef PARADT_NO_REGIONS
 // What one region leaves behind
 typedef struct paradt__region {
     paradt__memory memory;
@@ -11991,6 +12000,7 @@ typedef struct paradt__region {
     uint32_t reported; // of its share of the progress
     paradt_stats stats;
 } paradt__region;
+#endif // PARADT_NO_REGIONS
 
 typedef struct paradt__work {
     paradt_options options;
@@ -12008,11 +12018,14 @@ typedef struct paradt__work {
     uint32_t reported; // of the share, while one task does all of it
     // the points
     paradt__set set;
-    paradt__grid grid; // of fronts
+#ifndef PARADT_NO_FRONTS
+    paradt__grid grid;
+#endif                 // PARADT_NO_FRONTS
     paradt__cuts cuts; // between the regions
-    uint32_t *owner;   // [set.count] with fronts: the region of each point
+#ifndef PARADT_NO_REGIONS
     // the regions
     struct paradt__region *region;          // [regions]
+    uint32_t *owner;                        // [set.count] with fronts: the region of each point
     paradt__field *fields;                  // [regions] with insertion
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
     int hollow;                             // the points may be on a surface or a curve
@@ -12020,6 +12033,7 @@ typedef struct paradt__work {
     paradt__relay relay;                    // with insertion
     paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
     paradt__facets open_facets;             // with insertion: of regions, when they are put together
+#endif                                      // PARADT_NO_REGIONS
     // the result
     paradt__mesh mesh;
     int delivered; // the mesh has the caller's indices and final links already
@@ -12036,6 +12050,7 @@ static void paradt__count_predicates(paradt_stats *stats, const paradt__counters
     stats->perturbed += c->perturbed;
 }
 
+#ifndef PARADT_NO_REGIONS
 // Adds the counters of a region.
 static void paradt__count_region(paradt_stats *stats, const paradt_stats *region) {
     stats->distance_evaluations += region->distance_evaluations;
@@ -12049,6 +12064,7 @@ static void paradt__count_region(paradt_stats *stats, const paradt_stats *region
     stats->perturbed += region->perturbed;
     stats->cells_recomputed += region->cells_recomputed;
 }
+#endif // PARADT_NO_REGIONS
 
 // --- progress
 
@@ -12064,6 +12080,7 @@ static paradt__progress paradt__whole_progress(paradt__work *work) {
     return paradt__progress_of(&work->meter, &work->reported, work->share);
 }
 
+#ifndef PARADT_NO_REGIONS
 // The progress of a region, which has an equal part of the share
 static paradt__progress paradt__region_progress(paradt__work *work, size_t index) {
     double share = work->share / (double)work->regions;
@@ -12128,6 +12145,7 @@ static paradt_status paradt__begin_regions(paradt__work *work) {
     paradt__begin_way(work);
     return PARADT_OK;
 }
+#endif // PARADT_NO_REGIONS
 
 #ifndef PARADT_NO_FRONTS
 // ---------------------------------------------------------------------------------------------------------------------
@@ -12155,6 +12173,7 @@ static paradt_status paradt__run_front(paradt__front *front, paradt_status statu
     return status;
 }
 
+#ifndef PARADT_NO_REGIONS
 // Leaves the cells that the region owns in region->mesh.
 static void paradt__front_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
@@ -12190,6 +12209,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     }
     return status;
 }
+#endif // PARADT_NO_REGIONS
 
 // Prepares the set for fronts: sagittas, and the grid.
 static paradt_status paradt__prepare_fronts(paradt__work *work) {
@@ -12200,6 +12220,7 @@ static paradt_status paradt__prepare_fronts(paradt__work *work) {
     return status;
 }
 
+#ifndef PARADT_NO_REGIONS
 // Begins the regions, and finds the region of each point.
 static paradt_status paradt__begin_fronts(paradt__work *work) {
     paradt_status status = paradt__begin_regions(work);
@@ -12209,17 +12230,20 @@ static paradt_status paradt__begin_fronts(paradt__work *work) {
     paradt__regions_assign(&work->set, &work->cuts, work->owner);
     return PARADT_OK;
 }
+#endif // PARADT_NO_REGIONS
 
 static paradt_status paradt__build_by_front(paradt__work *work) {
     const paradt__region_view undivided = {NULL, NULL, 0};
     paradt__front front;
     paradt_status status = paradt__prepare_fronts(work);
+#ifndef PARADT_NO_REGIONS
     if (!status && work->regions > 1) {
         status = paradt__begin_fronts(work);
         if (!status) status = paradt__collect_fronts(work, paradt__run_step(work, PARADT_OK, paradt__front_task));
         return status ? status
                       : paradt__regions_join(&work->mesh, &work->meter, &work->memory, &work->stats->hull_facets);
     }
+#endif // PARADT_NO_REGIONS
     if (status) return status;
     paradt__begin_way(work);
     status = paradt__front_begin(&front, &work->set, &work->grid, &work->memory, undivided, 1.0);
@@ -12229,6 +12253,7 @@ static paradt_status paradt__build_by_front(paradt__work *work) {
 }
 #endif // PARADT_NO_FRONTS
 
+#ifndef PARADT_NO_REGIONS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of insertion
 //
@@ -12756,6 +12781,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
     if (taken) work->regions = 1;
     return status;
 }
+#endif // PARADT_NO_REGIONS
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>methods
@@ -12764,6 +12790,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
 // paradt__release_helpers.
 
+#ifndef PARADT_NO_REGIONS
 // --- do regions pay?
 //
 // On some surfaces and curves many points have neighbours far away. Nearly everything is wrong then that a region
@@ -12829,24 +12856,29 @@ static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     paradt__set_free(&sample, &work->memory);
     return status;
 }
+#endif // PARADT_NO_REGIONS
 
 // --- what a row's function does
 
 // Frees what building cells has taken, except for the set and the mesh.
 static void paradt__release_helpers(paradt__work *work) {
-    paradt__memory *memory = &work->memory;
-    paradt__grid_free(&work->grid, memory);
-    paradt__release(memory, work->owner);
-    paradt__release(memory, work->fields);
-    paradt__release(memory, work->region);
+#ifndef PARADT_NO_FRONTS
+    paradt__grid_free(&work->grid, &work->memory);
     memset(&work->grid, 0, sizeof work->grid);
+#endif
+#ifndef PARADT_NO_REGIONS
+    paradt__release(&work->memory, work->owner);
+    paradt__release(&work->memory, work->fields);
+    paradt__release(&work->memory, work->region);
     work->owner = NULL;
     work->fields = NULL;
     work->region = NULL;
+#endif
+    (void)work;
 }
 
 // Frees what a way of building has made that gave up.
-static void paradt__begin_again(paradt__work *work) {
+PARADT__OPTIONAL void paradt__begin_again(paradt__work *work) {
     paradt__release_helpers(work);
     paradt__mesh_free(&work->mesh, &work->memory);
     work->stats->cells_recomputed = work->stats->hull_facets = 0;
@@ -12868,27 +12900,34 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
 static paradt_status paradt__build_by_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
+#ifndef PARADT_NO_REGIONS
     int in_vain = 0;
     work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
     if (work->hollow) status = paradt__foresee(work, &in_vain);
     if (in_vain) work->regions = 1;
-    if (!status && work->regions > 1) // sagittas are for the questions as well
+    if (!status && work->regions > 1) { // sagittas are for the questions as well
         status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
-    else if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
+        if (!status) status = paradt__build_by_patches(work);
+        if (status != PARADT__GAVE_UP) return status;
+        paradt__close_set(work);
+        paradt__begin_again(work);
+        work->regions = 1;
+        return paradt__insert_undivided(work);
+    }
+#endif
+    if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
         status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
-    if (work->regions == 1) return status ? status : paradt__insert_undivided(work);
-    if (!status) status = paradt__build_by_patches(work);
-    if (status != PARADT__GAVE_UP) return status;
-    paradt__close_set(work);
-    paradt__begin_again(work);
-    work->regions = 1;
-    return paradt__insert_undivided(work);
+    return status ? status : paradt__insert_undivided(work);
 }
 
 // --- the table and the choice
 
 enum {
+#ifdef PARADT_NO_REGIONS
+    PARADT__CAN_ALL = PARADT__CAN_BUILD,
+#else
     PARADT__CAN_ALL = PARADT__CAN_BUILD | PARADT__CAN_REGIONS,
+#endif
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
@@ -12932,7 +12971,8 @@ static void paradt__plan(paradt__work *work, const paradt_points *points) {
     if (work->regions > points->count) work->regions = points->count ? points->count : 1;
     work->one_by_one = work->options.flags & PARADT_NO_NEIGHBORS && points->dim <= 3 && !first->front &&
                        (work->regions == 1 || !work->options.parallel_for);
-    if (work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS) work->regions = ONE_BY_ONE;
+    if (first->can & PARADT__CAN_REGIONS && work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS)
+        work->regions = ONE_BY_ONE;
     work->cuts.boxes = work->regions;
     work->cuts.partition = work->options.partition;
     work->cuts.larger_first = !work->one_by_one && !first->front;
@@ -12963,7 +13003,9 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 #ifndef PARADT_NO_FRONTS
     if (status != PARADT__GAVE_UP) return status;
     paradt__begin_again(work);
+#ifndef PARADT_NO_REGIONS
     if (work->regions > 1) paradt__regions_deal(&work->set, &work->cuts, 0, work->set.count, 0, work->regions);
+#endif
     work->method = paradt__choose_method(wanted, work->set.space.dim, 1);
     status = work->method->build(work);
 #endif

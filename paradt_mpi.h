@@ -230,6 +230,9 @@
 #ifndef PARADT_MPI_H
 #define PARADT_MPI_H
 
+#if defined(PARADT_MPI_IMPLEMENTATION) && defined(PARADT_NO_REGIONS)
+#error "PARADT_NO_REGIONS leaves out what ranks need"
+#endif
 #if defined(PARADT_MPI_IMPLEMENTATION) && !defined(PARADT_IMPLEMENTATION)
 #define PARADT_IMPLEMENTATION
 #endif
