@@ -11973,14 +11973,16 @@ struct paradt__work;
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
     unsigned can;                                        // PARADT__CAN_* bits
+    int least_dim, most_dim;                             // of the points; 0 and 0: this build leaves the method out
     paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
-    paradt_status (*build)(struct paradt__work *work); // builds work->mesh of work->set; NULL: another method is chosen
+    paradt_status (*build)(struct paradt__work *work);   // builds work->mesh of work->set; NULL: AUTO, which chooses
 } paradt__method;
 
 enum {
-    PARADT__CAN_BUILD = 1,   // any triangulation; 0: this build leaves the method out
-    PARADT__CAN_REGIONS = 2, // divided space
-    PARADT__CAN_LIVE = 4     // more points after the first ones
+    PARADT__CAN_WEIGHTS = 1, // regular triangulations
+    PARADT__CAN_LINK = 2,    // neighbours
+    PARADT__CAN_REGIONS = 4, // divided space
+    PARADT__CAN_LIVE = 8     // more points after the first ones
 };
 
 #ifndef PARADT_NO_REGIONS
@@ -12924,26 +12926,26 @@ static paradt_status paradt__build_by_insertion(paradt__work *work) {
 
 enum {
 #ifdef PARADT_NO_REGIONS
-    PARADT__CAN_ALL = PARADT__CAN_BUILD,
+    PARADT__CAN_DIVIDE = 0,
 #else
-    PARADT__CAN_ALL = PARADT__CAN_BUILD | PARADT__CAN_REGIONS,
+    PARADT__CAN_DIVIDE = PARADT__CAN_REGIONS,
 #endif
+    PARADT__CAN_ALL = (int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK | (int)PARADT__CAN_DIVIDE,
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
-// The row of a method. AUTO's row says what all the methods can do that it chooses from. A method that this build
-// leaves out can do nothing.
+// The row of a method. AUTO's row says what all the methods can do that it chooses from.
 static const paradt__method *paradt__method_of(paradt_method method) {
     static const paradt__method rows[PARADT_METHOD_COUNT] = {
-        {PARADT__CAN_ALL, NULL, NULL}, // AUTO
+        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, NULL, NULL}, // AUTO
 #ifdef PARADT_NO_FRONTS
-        {0, NULL, NULL}, // INCODE
-        {0, NULL, NULL}, // DEWALL
+        {0, 0, 0, NULL, NULL}, // INCODE
+        {0, 0, 0, NULL, NULL}, // DEWALL
 #else
-        {PARADT__CAN_ALL, paradt__incode, paradt__build_by_front}, // INCODE
-        {PARADT__CAN_ALL, paradt__dewall, paradt__build_by_front}, // DEWALL
+        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
+        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, NULL, paradt__build_by_insertion}};
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
     return rows + method;
 }
 
@@ -13112,8 +13114,6 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (!(paradt__method_of(options->method)->can & PARADT__CAN_BUILD))
-        return "options.method is left out of this build, by PARADT_NO_FRONTS";
     if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
@@ -13125,12 +13125,25 @@ static const char *paradt__options_fault(const paradt_options *options) {
     return NULL;
 }
 
+// Returns why the method can't do what is asked of it, or NULL.
+static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
+    const paradt__method *method = paradt__method_of(options->method);
+    if (!method->most_dim) return "options.method is left out of this build, by PARADT_NO_FRONTS";
+    if (points->dim < method->least_dim || points->dim > method->most_dim)
+        return "options.method has no triangulations of dimension points.dim";
+    if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
+    if (!(options->flags & PARADT_NO_NEIGHBORS || method->can & PARADT__CAN_LINK))
+        return "options.method gives no neighbours; PARADT_NO_NEIGHBORS does without";
+    return NULL;
+}
+
 // Checks the arguments. Fills *text with what is wrong, or NULL.
 static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
                                              const char **text) {
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     const char *fault = points ? paradt__points_fault(points) : "points is NULL";
     if (!fault && options) fault = paradt__options_fault(options);
+    if (!fault && options) fault = paradt__method_fault(points, options);
     if (fault) {
         *text = fault;
         return PARADT_ERROR_ARGUMENT;
