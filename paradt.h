@@ -814,7 +814,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        608   signs in integers
-//     signs                        250   orientation, in-sphere, the perturbation; the public predicates
+//     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
@@ -825,15 +825,15 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         685   cells, links, ghosts, free places; closing
-//     facets                       256   the table of facets: AFL, ridges, open facets
-//     scene                        115   conflict test, walk, update
+//     mesh                         687   cells, links, ghosts, free places; closing
+//     facets                       257   the table of facets: AFL, ridges, open facets
+//     scene                        116   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       444   the spheres through a facet
-//     search                       353   the apex of a facet, a point in a sphere
-//     questions                     75   the same of cells of others' points
+//     search                       355   the apex of a facet, a point in a sphere
+//     questions                     76   the same of cells of others' points
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
@@ -845,21 +845,21 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    183   insertions from begin to end
+//     inserting                    184   insertions from begin to end
 //   division
-//     regions of fronts            124   owners, joining
+//     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
 //     fields and patches           335   a region's points, its insertion
 //     questions between regions    364   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
-//     results of patches           161   dropping, emitting, taking over
+//     results of patches           162   dropping, emitting, taking over
 //     known points                 234   what a rank builds
-//     call                         180   what one call works with; steps
-//     fronts                        99   InCoDe and DeWall from set to mesh
-//     regions of insertion         525   the steps of a divided insertion
+//     call                         192   what one call works with; steps
+//     fronts                       106   InCoDe and DeWall from set to mesh
+//     regions of insertion         535   the steps of a divided insertion
 //   entry
-//     methods                      212   one row a method; AUTO's choice
-//     triangulate                  345   the entry
+//     methods                      234   one row a method; AUTO's choice
+//     triangulate                  357   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -938,6 +938,16 @@ extern "C" {
 #define PARADT__OPTIONAL static __attribute__((unused))
 #else
 #define PARADT__OPTIONAL static
+#endif
+
+// A function that is called seldom (PARADT__COLD) is made small instead of fast. GCC treats the functions that only it
+// calls likewise, unless they are marked (PARADT__HOT).
+#if defined(__GNUC__) && !defined(__TINYC__)
+#define PARADT__COLD static __attribute__((cold, noinline))
+#define PARADT__HOT  static __attribute__((hot))
+#else
+#define PARADT__COLD PARADT__NOINLINE
+#define PARADT__HOT  static
 #endif
 
 #if defined(__GNUC__)
@@ -2493,8 +2503,8 @@ static int paradt__general_fits(const paradt__determinant *q, const paradt__layo
 }
 
 // whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
-PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
-                                     paradt__wide *sum, int whole) {
+PARADT__COLD int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
+                                 paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2505,14 +2515,14 @@ PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt_
     return paradt__sign(determinant, digits);
 }
 
-PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+PARADT__COLD int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
     PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
+PARADT__COLD int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
@@ -4046,8 +4056,8 @@ static int paradt__sort_cancels(const paradt__loader *loader, size_t task) {
 
 // Sorts points with the same key by a lattice over their own box. Returns 0 if they are equal: the first one's key
 // becomes 0 then, and the others' 1; or if the call is to end. other: scratch for as many.
-static int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
-                             size_t count, int by_steps) {
+PARADT__COLD int paradt__split_run(const paradt__loader *loader, size_t task, paradt__keyed *run, paradt__keyed *other,
+                                   size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
@@ -4680,8 +4690,8 @@ static void paradt__set_grade_bounds(paradt__set *set, double largest) {
 
 // Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
 // nearness: of r^2, the largest size of a sagitta, such as PARADT__NEAR_SPHERE. meter: NULL, or asked now and then.
-static paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
-                                       paradt__memory *memory) {
+PARADT__HOT paradt_status paradt__set_grade(paradt__set *set, double nearness, paradt__meter *meter,
+                                            paradt__memory *memory) {
     double radius2;
     int nearby;
     paradt_status status;
@@ -7793,8 +7803,8 @@ static paradt_status paradt__front_room(paradt__front *front) {
 
 // Begins a front without cells. part: fraction of the set's points for which the front makes cells. After an error
 // paradt__front_end is called as well.
-static paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
-                                         paradt__memory *memory, paradt__region_view view, double part) {
+PARADT__COLD paradt_status paradt__front_begin(paradt__front *front, const paradt__set *set, const paradt__grid *grid,
+                                               paradt__memory *memory, paradt__region_view view, double part) {
     double points = (double)set->count * part;
     memset(front, 0, sizeof *front);
     front->set = set;
@@ -10306,7 +10316,7 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
 
 // Makes the first cells of the points that come first, which span the space, and inserts the others as
 // paradt__insertion_go does.
-static paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
+PARADT__HOT paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     paradt_status status =
@@ -10401,8 +10411,8 @@ static void paradt__insertion_begin(paradt__insertion *build, const paradt__set 
 
 // Makes the closed mesh of a set, whose points are along a curve, by insertion. Vertices are positions in the set.
 // After an error the mesh is empty.
-static paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
-                                           const paradt__progress *progress, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                const paradt__progress *progress, paradt__counters *counters) {
     paradt__insertion build;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
@@ -12289,7 +12299,7 @@ static void paradt__grid_task(void *context, size_t index) {
 }
 
 // Begins the patch of a region with its points.
-static void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
+PARADT__COLD void paradt__begin_patch(paradt__work *work, size_t index, paradt__memory *memory) {
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
     paradt__patch_begin(patch, &work->set, work->fields, work->regions, index, work->first_alone, memory);
@@ -12357,7 +12367,7 @@ static void paradt__end_questions(paradt__work *work, size_t index) {
 
 // Builds the cells of a region, unless it pauses. Regions can learn neighbours in up to three dimensions, where a
 // vertex has few, and without weights, since a hidden point has none.
-static void paradt__build_task(void *context, size_t index) {
+PARADT__COLD void paradt__build_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__patch *patch = &region->patch;
@@ -12827,7 +12837,7 @@ static size_t paradt__count_across(const paradt__mesh *mesh, unsigned char *side
 
 // Would the regions give up? Of a sample's points 0.1 to 0.33 have such neighbours where regions pay (scans, a sphere,
 // a Gaussian, Plummer's cluster), 0.42 on a torus and nearly all on a cylinder or a helix, where they don't.
-static paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
+PARADT__COLD paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     const paradt__set *set = &work->set;
     paradt__set sample = *set;
     paradt__mesh mesh;
@@ -12899,7 +12909,7 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
 }
 
 // Builds by insertion, in regions if these pay. If regions built one by one give up, the set keeps their order.
-static paradt_status paradt__build_by_insertion(paradt__work *work) {
+PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
 #ifndef PARADT_NO_REGIONS
