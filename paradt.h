@@ -2205,8 +2205,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                         const paradt__range *weights) {
+PARADT__COLD int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                     const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -3807,8 +3807,8 @@ static double paradt__cutter_coordinate(const paradt__cutter *c, size_t begin, s
 
 // Divides one box, which has the points [begin, end) of the order, into `boxes`, and writes the cuts between these
 // boxes, which are numbered from `first` on. low, high: bounds of the box, or of all points.
-static void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, const double *low, const double *high,
-                                  size_t first, size_t boxes) {
+PARADT__COLD void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t end, const double *low,
+                                        const double *high, size_t first, size_t boxes) {
     double below[PARADT_MAX_DIM], above[PARADT_MAX_DIM], cut_low[PARADT_MAX_DIM], cut_high[PARADT_MAX_DIM];
     size_t i, middle = begin, bytes = sizeof(double) * (size_t)c->dim;
     paradt__cut *cut = c->cuts->cut + first + boxes / 2;
@@ -12244,7 +12244,7 @@ static paradt_status paradt__begin_fronts(paradt__work *work) {
 }
 #endif // PARADT_NO_REGIONS
 
-static paradt_status paradt__build_by_front(paradt__work *work) {
+PARADT__COLD paradt_status paradt__build_by_front(paradt__work *work) {
     const paradt__region_view undivided = {NULL, NULL, 0};
     paradt__front front;
     paradt_status status = paradt__prepare_fronts(work);
