@@ -856,9 +856,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     known points                 234   what a rank builds
 //     call                         192   what one call works with; steps
 //     fronts                       106   InCoDe and DeWall from set to mesh
-//     regions of insertion         535   the steps of a divided insertion
+//     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      234   one row a method; AUTO's choice
+//     methods                      229   one row a method; AUTO's choice
 //     triangulate                  357   the entry
 //   check
 //     check                        498   the certificate
@@ -2205,8 +2205,8 @@ PARADT__INLINE void paradt__fix_by_set(paradt__fixed *f, const paradt__space *s,
 
 // Fills f->x in the largest unit of which all differences are multiples. Returns 0 if they need more bits, or if a
 // weight needs a smaller unit.
-PARADT__COLD int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
-                                     const paradt__range *weights) {
+PARADT__NOINLINE int paradt__fix_by_bits(paradt__fixed *f, const paradt__determinant *q, int columns,
+                                         const paradt__range *weights) {
     uint64_t top = 0, lost = 0, any = 0, size = 0;
     int spare;
     for (int i = 0; i <= q->n; i++) {
@@ -2503,8 +2503,8 @@ static int paradt__general_fits(const paradt__determinant *q, const paradt__layo
 }
 
 // whole: 1 if paradt__general_fits, so that all minors are made; 0: from halves
-PARADT__COLD int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
-                                 paradt__wide *sum, int whole) {
+PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt__layout *y, paradt__digit *work,
+                                     paradt__wide *sum, int whole) {
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
@@ -2515,14 +2515,14 @@ PARADT__COLD int paradt__general(const paradt__determinant *q, const paradt__lay
     return paradt__sign(determinant, digits);
 }
 
-PARADT__COLD int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_small(const paradt__determinant *q, const paradt__layout *y) {
     PARADT_ASSERT(paradt__general_fits(q, y, PARADT__SMALL_DIGITS, PARADT__SMALL_SUM));
     paradt__digit work[PARADT__SMALL_DIGITS];
     paradt__wide sum[PARADT__SMALL_SUM];
     return paradt__general(q, y, work, sum, 1);
 }
 
-PARADT__COLD int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
+PARADT__NOINLINE int paradt__general_large(const paradt__determinant *q, const paradt__layout *y) {
     paradt__digit work[PARADT__LARGE_DIGITS];
     paradt__wide sum[PARADT__LARGE_SUM];
     int whole = paradt__general_fits(q, y, PARADT__LARGE_DIGITS, PARADT__LARGE_SUM);
