@@ -45,6 +45,8 @@
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_CHECK        leaves out paradt_check
+//     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
+//                            Not with paradt_mpi.h
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
 //                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
