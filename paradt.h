@@ -1101,7 +1101,6 @@ PARADT__OPTIONAL void paradt__memory_join(paradt__memory *parent, const paradt__
 // equal part of, or by the allocator. Returns NULL.
 static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit) {
     uint64_t held = memory->held + bytes;
-    if (held < bytes) held = bytes; // the account is below zero
     memory->needed = memory->base + (by_limit && memory->shares ? held * memory->shares : held);
     return NULL;
 }
@@ -1111,18 +1110,19 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
 static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
     size_t bytes;
     uint64_t held;
+    int stays_below_zero;
     char *block;
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
-    if (bytes > memory->limit || (held > memory->limit && held <= UINT64_MAX / 2))
-        return paradt__refuse(memory, bytes, 1);
+    stays_below_zero = memory->held > UINT64_MAX / 2 && held > UINT64_MAX / 2;
+    if (held > memory->limit && !stays_below_zero) return paradt__refuse(memory, bytes, 1);
     block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
     if (!block) return paradt__refuse(memory, bytes, 0);
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->held = held;
-    if (held > memory->peak && held <= UINT64_MAX / 2) memory->peak = held;
+    if (held > memory->peak && !stays_below_zero) memory->peak = held;
     return block + PARADT__BLOCK_HEADER;
 }
 
