@@ -147,9 +147,13 @@ $(T)/families: tests/programs/families.c
 	@rm -f $@
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
+# These take longest. They start first, so that no processor is left with one of them at the end.
+LONGEST := %/mpi.sh %/hostile_flags.sh %/methods_agree
+STARTED := $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS)
+
 # Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.
 test-list:
-	@for t in $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS); do echo "$$t"; done
+	@for t in $(filter $(LONGEST),$(STARTED)) $(filter-out $(LONGEST),$(STARTED)); do echo "$$t"; done
 	@$(foreach t,$(if $(QUICK),$(QUICK_TESTS),$(C_TESTS)),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
 	@$(if $(QUICK)$(HAVE_THREAD_SANITIZER),,echo "skip races needs a compiler with -fsanitize=thread that runs here")
 	@$(if $(HAVE_SANITIZERS),,echo "skip sanitized needs a compiler with -fsanitize=address$(comma)undefined")
