@@ -827,7 +827,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         687   cells, links, ghosts, free places; closing
+//     mesh                         688   cells, links, ghosts, free places; closing
 //     facets                       257   the table of facets: AFL, ridges, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -3212,7 +3212,7 @@ PARADT__INLINE void paradt__hilbert_table(paradt__hilbert *hilbert, int dim) {
 }
 
 // Fills the tables for about `keys` keys.
-static void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t keys) {
+PARADT__HOT void paradt__hilbert_begin(paradt__hilbert *hilbert, int dim, size_t keys) {
     unsigned orientations = (unsigned)dim << dim, orientation, bits;
     hilbert->dim = dim;
     hilbert->many = dim > 1 && dim < 4 && keys >= PARADT__MANY_KEYS;
@@ -3588,8 +3588,8 @@ static size_t paradt__find_outside(const paradt__set *set, const paradt_index *o
 //             the axes in which the points are independent come first, one fewer than points, then the others
 //   counters  of predicates
 //   meter     NULL, or asked now and then; when it cancels, the rest of the set is not looked at
-static int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
-                             int *axes, paradt__counters *counters, paradt__meter *meter) {
+PARADT__COLD int paradt__set_basis(const paradt__set *set, const paradt_index *order, int given, paradt_index *basis,
+                                   int *axes, paradt__counters *counters, paradt__meter *meter) {
     int unasked[PARADT_MAX_DIM], taken = 0, dim, axis, all = axes ? set->space.ambient : set->space.dim;
     size_t from = given && !order ? (size_t)basis[0] : 0;
     PARADT_ASSERT(given >= 0 && given <= 2 && (size_t)given <= set->count);
@@ -4133,7 +4133,7 @@ static void paradt__refine(const paradt__loader *loader, size_t task, paradt__ke
 
 // Sorts a few points of the sample, evenly chosen, along a curve of so many levels: in loader->keyed, which has memory
 // for twice as many.
-static void paradt__sort_few(const paradt__loader *loader, size_t few, int levels) {
+PARADT__HOT void paradt__sort_few(const paradt__loader *loader, size_t few, int levels) {
     const paradt__space *space = &loader->set->space;
     paradt__curve curve;
     size_t i;
@@ -5298,7 +5298,8 @@ PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_
     return ghosts;
 }
 
-static uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets, paradt__meter *meter) {
+PARADT__HOT uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets,
+                                        paradt__meter *meter) {
     if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
     return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
 }
@@ -8171,8 +8172,8 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
 
 // Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
 // which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
-static paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
-                                        paradt_index *outside) {
+PARADT__COLD paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
+                                              paradt_index *outside) {
     paradt__wall wall;
     paradt_status status;
     wall.begin = begin;
@@ -13150,8 +13151,8 @@ static const char *paradt__method_fault(const paradt_points *points, const parad
 }
 
 // Checks the arguments. Fills *text with what is wrong, or NULL.
-static paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
-                                             const char **text) {
+PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
+                                                   const char **text) {
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     const char *fault = points ? paradt__points_fault(points) : "points is NULL";
     if (!fault && options) fault = paradt__options_fault(options);
