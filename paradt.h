@@ -517,7 +517,10 @@ typedef enum paradt_status { PARADT_STATUS_LIST(PARADT__ENUM_FIRST) PARADT_STATU
     X(PARADT_AUTO, "auto")                                                                                             \
     X(PARADT_INCODE, "incode")                                                                                         \
     X(PARADT_DEWALL, "dewall")                                                                                         \
-    X(PARADT_BOWYER_WATSON, "bowyer-watson")
+    X(PARADT_BOWYER_WATSON, "bowyer-watson")                                                                           \
+    X(PARADT_FLIP, "flip")                                                                                             \
+    X(PARADT_DELAUNAY_TREE, "delaunay-tree")                                                                           \
+    X(PARADT_LIFTED_HULL, "lifted-hull")
 
 typedef enum paradt_method { PARADT_METHOD_LIST(PARADT__ENUM_FIRST) PARADT_METHOD_COUNT } paradt_method;
 
@@ -594,12 +597,14 @@ typedef struct paradt_stats {
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that regions made and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
-    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
-    double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
-    double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
-    double seconds_build;          // making cells, and joining those of regions
-    double seconds_finish;         // finding hidden points, freeing memory
-    double seconds;                // all of it
+    uint64_t history_nodes; // cells that PARADT_FLIP and PARADT_DELAUNAY_TREE made, those that were replaced included
+    uint64_t flips[PARADT_MAX_DIM + 2]; // PARADT_FLIP: flips that replaced so many simplices of a circuit
+    uint64_t needed_bytes; // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
+    double seconds_points; // reading, checking, sorting and merging the points; wall time, like all of these
+    double seconds_grid;   // sorting them into the grid of InCoDe and DeWall
+    double seconds_build;  // making cells, and joining those of regions
+    double seconds_finish; // finding hidden points, freeing memory
+    double seconds;        // all of it
 } paradt_stats;
 
 typedef struct paradt_triangulation {
@@ -12958,7 +12963,15 @@ static const paradt__method *paradt__method_of(paradt_method method) {
         {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
         {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
 #endif
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion}};
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion},
+
+        {0, 0, 0, NULL, NULL}, // FLIP
+
+        {0, 0, 0, NULL, NULL}, // DELAUNAY_TREE
+
+        {0, 0, 0, NULL, NULL}, // LIFTED_HULL
+
+    };
     return rows + method;
 }
 
