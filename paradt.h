@@ -597,14 +597,14 @@ typedef struct paradt_stats {
     uint64_t regions;              // regions built
     uint64_t cells_recomputed;     // cells that regions made and did not own: the duplication
     uint64_t peak_bytes;           // most memory held at any time, result included; with regions an upper bound
-    uint64_t history_nodes; // cells that PARADT_FLIP and PARADT_DELAUNAY_TREE made, those that were replaced included
-    uint64_t flips[PARADT_MAX_DIM + 2]; // PARADT_FLIP: flips that replaced so many simplices of a circuit
-    uint64_t needed_bytes; // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
-    double seconds_points; // reading, checking, sorting and merging the points; wall time, like all of these
-    double seconds_grid;   // sorting them into the grid of InCoDe and DeWall
-    double seconds_build;  // making cells, and joining those of regions
-    double seconds_finish; // finding hidden points, freeing memory
-    double seconds;        // all of it
+    uint64_t needed_bytes;         // PARADT_ERROR_MEMORY: what that would be with the block that was refused; else 0
+    double seconds_points;         // reading, checking, sorting and merging the points; wall time, like all of these
+    double seconds_grid;           // sorting them into the grid of InCoDe and DeWall
+    double seconds_build;          // making cells, and joining those of regions
+    double seconds_finish;         // finding hidden points, freeing memory
+    double seconds;                // all of it
+    uint64_t history_nodes;        // PARADT_FLIP, PARADT_DELAUNAY_TREE: cells made, those that were replaced included
+    uint64_t flips[10];            // PARADT_FLIP: flips that replaced so many simplices of a circuit
 } paradt_stats;
 
 typedef struct paradt_triangulation {
@@ -651,8 +651,8 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 
 // Returns about how many bytes paradt_triangulate would hold at most if it were called with the same arguments: for
 // points spread evenly in all dimensions rather too many than too few, by up to a half in two and three dimensions and
-// up to twice beyond. Other points may take more. Of the points only count and dim matter; data may be NULL. Returns 0
-// where an argument is wrong. Thread-safe.
+// up to twice beyond. Other points may take more. The points are not read; data may be NULL. Returns 0 where an
+// argument is wrong. Thread-safe.
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
 
 // Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
@@ -829,10 +829,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     cuts                         220   boxes of space
 //     reading                      199   the first pass over the points
 //     sorting                      373   along the curve, box after box
-//     scale and axes               102   the scale, the axes that orient
+//     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         688   cells, links, ghosts, free places; closing
+//     mesh                         691   cells, links, ghosts, free places; closing
 //     facets                       257   the table of facets: AFL, ridges, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -852,7 +852,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    184   insertions from begin to end
+//     inserting                    185   insertions from begin to end
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -865,11 +865,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                       106   InCoDe and DeWall from set to mesh
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      229   one row a method; AUTO's choice
-//     triangulate                  357   the entry
+//     methods                      237   one row a method; AUTO's choice
+//     triangulate                  360   the entry
 //   check
-//     check                        498   the certificate
-//   division
+//     check                        500   the certificate
 //     check of the hull            285   ... and of hidden points
 
 #ifdef PARADT_IMPLEMENTATION
@@ -4423,14 +4422,16 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
 // that are parts of one.
 
 // Brings the largest coordinate near 1, if no bit of any coordinate or weight is lost by that: T(P) does not change,
-// and sets far from 1 get the floating-point filter. Weights are squares of lengths. Returns whether it has.
-static int paradt__set_scale(paradt__set *set) {
+// and sets far from 1 get the floating-point filter. Weights are squares of lengths. Returns whether it has. meter:
+// NULL, or asked now and then; when it cancels, the set is left unfinished.
+static int paradt__set_scale(paradt__set *set, paradt__meter *meter) {
     size_t i, pass;
     int axis, ambient = set->space.ambient, shift = 1023 - set->exponent, exact = 1;
     if (shift >= -32 && shift <= 32) return 0;
     for (pass = 0; pass < 2 && exact; pass++) {
         for (i = 0; i < set->count && exact; i++) {
             double *record = set->records + i * set->width;
+            if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) return 0;
             for (axis = 0; axis < (int)set->width; axis++) {
                 double scaled = paradt__scale(record[axis], axis < ambient ? shift : 2 * shift, &exact);
                 if (pass) record[axis] = scaled;
@@ -4503,7 +4504,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
     source.reserve = paradt__cuts_reserve(cuts, points->count);
     status = paradt__set_gather(set, &source, cuts, team, memory, representative, bad);
     if (status) return status;
-    scaled = paradt__set_scale(set);
+    scaled = paradt__set_scale(set, team->progress.meter);
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
     dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
     if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
@@ -4733,7 +4734,7 @@ PARADT__HOT paradt_status paradt__set_grade(paradt__set *set, double nearness, p
 //     - links[links[handle]] is the handle;
 //     - the two handles of a facet name the same vertices, and the cells see it with opposite orientation;
 //     - a ghost has one infinite vertex;
-//     - a place that is free has PARADT__DEAD for its first vertex, and is named once in `spare`, unless the mesh is
+//     - a place that is free has PARADT__DEAD for its first vertex; `spare` names each of them once, unless the mesh is
 //       about to be compacted: then dead places are in no list.
 // Marks are bits of a cell; each has one owner, who clears it.
 //
@@ -5252,8 +5253,8 @@ static paradt__rows paradt__mesh_rows(int corners, int facets, paradt_index *ver
     return to;
 }
 
-// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: not). Returns whether a
-// facet of it has no mirror.
+// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: they are left as they
+// are, which takes that `to` is the mesh itself). Returns whether a facet of it has no mirror.
 PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place, size_t corners,
                                          const paradt_index *origin, const paradt__rows *to) {
     const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
@@ -5374,6 +5375,9 @@ static int paradt__mesh_is_sound_at(const paradt__mesh *mesh, size_t place) {
 // Is the mesh sound? closed: it has ghosts and no open facets; unmarked: these marks are clear.
 static int paradt__mesh_verify(const paradt__mesh *mesh, int closed, unsigned char unmarked) {
     size_t corners = (size_t)mesh->corners, dead = 0, i, j;
+    for (i = 0; i < mesh->spare_count; i++) {
+        if (mesh->vertices[(size_t)mesh->spare[i] * corners] != PARADT__DEAD) return 0;
+    }
     for (i = 0; i < mesh->count; i++) {
         if (mesh->vertices[i * corners] == PARADT__DEAD) {
             dead++;
@@ -5676,7 +5680,7 @@ typedef struct paradt__scene {
     const double *records; // [points][width]
     size_t width;
     paradt__mesh mesh;
-    paradt_index hint; // a cell near the point inserted last
+    paradt_index hint; // a cell near the point inserted last; while spheres are kept, kept->start is that
 } paradt__scene;
 
 // What a change did to the mesh. A cell is named by the handle of any of its facets. Places of killed cells may be
@@ -10271,6 +10275,7 @@ static void paradt__insertion_rest(paradt__insertion *build) {
     paradt__update_free(&build->update, build->memory);
     paradt__release(build->memory, build->rim);
     paradt__facets_free(&build->ridges, build->memory);
+    if (build->kept) build->scene.hint = build->kept->start;
     paradt__kept_free(build->kept, build->memory);
     build->rim = NULL;
     build->rim_count = build->rim_capacity = 0;
@@ -12321,8 +12326,8 @@ static void paradt__points_task(void *context, size_t index) {
 
 // Returns the number of places of a region's slice: somewhat more than uniform points need, since cells that do not fit
 // are copied, which costs more than closing the gap behind those that do. The last slice gets more, as no cells have to
-// be moved behind it. Surfaces may have a tenth more cells a point, solids hardly any. Where there are many
-// points of others there is less to add, as their cells go in the end.
+// be moved behind it. Surfaces may have a tenth more cells a point, solids hardly any. Where there are many points of
+// others there is less to add, as their cells go in the end.
 static size_t paradt__slice_places(const paradt__work *work, size_t index) {
     const paradt__patch *patch = &work->region[index].patch;
     size_t count = patch->build.count, own = patch->fields[index].set.count;
@@ -13180,6 +13185,9 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
     *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
+    *text = "points.count times points.weight_stride is larger than the address space";
+    if (points->weights && points->weight_stride && points->count > SIZE_MAX / points->weight_stride)
+        return PARADT_ERROR_TOO_LARGE;
     *text = NULL;
     return PARADT_OK;
 }
@@ -13218,7 +13226,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
     bytes *= paradt__memory_factor(&work, &given);
     if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
-    return (uint64_t)bytes + FIXED;
+    return bytes < 9e18 ? (uint64_t)bytes + FIXED : UINT64_MAX;
 }
 
 // Reads the points into the set.
@@ -13414,8 +13422,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 //       representative is a vertex, each vertex is its own representative;
 //   (2) each cell is positively oriented;
 //   (3) adjacency is an involution on the facets of cells, two neighbours have all vertices but one in common, and
-//   their
-//       other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
+//       their other vertices lie on opposite sides of the facet (given (2), that is the parity of a permutation);
 //   (4) for each facet with two cells, the vertex opposite in one cell is not in conflict with the other cell;
 //   (5) each hull facet (one with a single cell) has o strictly on the side of its cell;
 //   (6) at each ridge of the hull, where turning around it through the cells leads from one hull facet to another,
@@ -13428,12 +13435,11 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 //   The cells near a facet. Let n(x) be the number of cells that contain a generic x. By (2) and (3) n does not change
 // across a facet of two cells: one cell is left, one entered. Across a hull facet, outward, it falls by one.
 //   The hull is star-shaped. Facets of the hull are paired at ridges: turning around a ridge is an injective map of
-//   flags
-// by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite orientation
-// at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of their ridge.
-// So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the hull n(o) times,
-// each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about o, with n = 1
-// inside and n = 0 outside.
+// flags by (3), so it never runs in circles and ends at another hull facet, which by (2) and (3) has the opposite
+// orientation at the ridge. By (5), when projected from o to the sphere, neighbouring facets lie on opposite sides of
+// their ridge. So the projection covers the sphere equally often everywhere, and any generic ray from o crosses the
+// hull n(o) times, each time outward. By (7) that is once. So the hull is the boundary of one body Q, star-shaped about
+// o, with n = 1 inside and n = 0 outside.
 //   The hull is convex. A section of Q by a generic plane through o is a star-shaped polygon, convex at each corner by
 // (6), and therefore convex; so Q is convex. Q contains all of P: vertices and duplicates by (1), hidden points by (8).
 // So Q = conv(P), and the cells tile it.
@@ -13444,8 +13450,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 // conflict. With perturbed heights "below" is strict except at the vertices of the cell: each cell is a facet of the
 // lower hull of P. Together they tile conv(P), so none is missing; n = 1, so none is there twice.
 //   Conversely T(P) passes: each of (1) to (8) holds for the lower hull. (For (5): the interior of Q contains o.
-//   Nothing
-// else is needed: a second component would have its own hull around o, and n(o) would be 2.)
+// Nothing else is needed: a second component would have its own hull around o, and n(o) would be 2.)
 //
 // This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
 // has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
@@ -13457,7 +13462,8 @@ enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progres
 // The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
     X(READ, 0.0)                                                                                                       \
-    X(LEAD, 0.02)                                                                                                      \
+    X(DIMENSION, 0.02)                                                                                                 \
+    X(LEAD, 0.03)                                                                                                      \
     X(REPRESENT, 0.04)                                                                                                 \
     X(CELLS, 0.06)                                                                                                     \
     X(MATCH, 0.2)                                                                                                      \
@@ -13582,7 +13588,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
         paradt__check_fail(check, "a coordinate or weight is NaN or infinite", -1, (paradt_index)set->count);
         return PARADT_ERROR_NOT_FINITE;
     }
-    paradt__set_scale(set);
+    paradt__set_scale(set, NULL);
     paradt__check_measure(check, points->dim);
     return PARADT_OK;
 }
@@ -13606,10 +13612,14 @@ static paradt_status paradt__check_dimension(paradt__check *check) {
     const double *basis[PARADT_MAX_DIM + 1];
     int axis, taken = 0, ambient = check->set.space.ambient;
     size_t i, n = check->set.count;
+    paradt_status status;
+    check->phase = PARADT__CHECK_DIMENSION;
     if (n) basis[0] = check->set.records;
     for (axis = 0; n && axis < ambient; axis++) {
         paradt__check_set_dim(check, taken + 1);
         for (i = 1; i < n; i++) {
+            status = paradt__check_pace(check, (size_t)axis * n + i, (size_t)ambient * n);
+            if (status) return status;
             basis[taken + 1] = paradt__record(&check->set, (paradt_index)i);
             if (paradt__orient(&check->set.space, basis)) break;
         }

@@ -3959,10 +3959,11 @@ PARADT_DEF uint64_t paradt_mpi_hash(const paradt_mpi_triangulation *t, MPI_Comm 
 }
 
 PARADT_DEF int64_t paradt_mpi_neighbor(const paradt_mpi_triangulation *t, size_t facet) {
-    size_t own = paradt_mpi__own_links(t), link = (size_t)t->neighbors[facet];
+    size_t own = paradt_mpi__own_links(t), link;
     uint64_t first = t->facets ? t->first_cell * ((uint64_t)t->dim + 1) : t->first_cell;
     PARADT_ASSERT(facet < t->cell_count * ((size_t)t->dim + 1));
     if (t->neighbors[facet] < 0) return PARADT__HULL;
+    link = (size_t)t->neighbors[facet];
     PARADT_ASSERT(link < own + t->other_count);
     return link < own ? (int64_t)(first + link) : t->others[link - own];
 }

@@ -158,6 +158,14 @@ report $? every_name_says_that_indices_have_64_bits "$work/log"
 $CC "$work/use_32.o" "$work/all_32.o" "$work/all_64.o" -o "$work/both" -lm >"$work/log" 2>&1 && "$work/both"
 report $? both_implementations_fit_into_one_program "$work/log"
 
+printf '#include <stdio.h>\n#include "paradt.h"\nint main(void) { printf("%%zu %%zu\\n", sizeof(paradt_triangulation), sizeof(paradt_options)); }\n' \
+    >"$work/sizes.c"
+for dim in 2 8; do
+    $CC -DPARADT_MAX_DIM=$dim -I. "$work/sizes.c" -o "$work/sizes_$dim" && "$work/sizes_$dim" >"$work/sizes_$dim.txt"
+done
+[ -s "$work/sizes_2.txt" ] && diff "$work/sizes_2.txt" "$work/sizes_8.txt" >"$work/log"
+report $? structs_do_not_depend_on_the_largest_dimension "$work/log"
+
 for macro in PARADT_STATIC PARADT_INDEX64; do
     printf '#include "paradt.h"\n#define %s\n#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' $macro >"$work/late.c"
     ! $CC -I. -c "$work/late.c" -o "$work/late.o" 2>"$work/log" && grep -q "error.*$macro is defined after" "$work/log"
