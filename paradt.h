@@ -854,7 +854,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    209   insertions from begin to end
-//     Delaunay tree                294   location by the cells that there were
+//     Delaunay tree                315   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -10489,24 +10489,29 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 // on. With points in the order of >>order of insertion it tests few nodes, however many there are.
 //
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
-// to paradt__tree_record. Between the two `at` names the node of each live cell. Nodes take 4 (corners + 8) bytes, 48
-// in space, with 32-bit indices; there are about (dim + 1) nodes for each cell that lives in the end.
+// to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
+// 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
 // Door: paradt__delaunay_tree.
 
-// A node's place in the tree; PARADT__OPEN ends lists
-typedef struct paradt__kin {
-    paradt_index father, son, brother;             // the first of its sons; the next son of its father
-    paradt_index stepfather, stepson, stepbrother; // likewise
-    paradt_index place;                            // of the cell in the mesh; PARADT__NOWHERE: it is dead
-    paradt__tag seen;                              // the last search that has looked at the node
-} paradt__kin;
+// A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
+// infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
+// ends lists.
+typedef struct paradt__tree_node {
+    paradt_index father;
+    paradt_index son, brother;         // the first of its sons; the next son of its father
+    paradt_index stepson, stepbrother; // likewise
+    paradt_index place;                // of the cell in the mesh; PARADT__NOWHERE: it is dead
+    paradt__tag seen;                  // the last search that has looked at the node
+} paradt__tree_node;
+
+enum { PARADT__TREE_SHIFT = 12, PARADT__TREE_BLOCK = 1 << PARADT__TREE_SHIFT }; // nodes a block
 
 typedef struct paradt__tree {
     paradt__memory *memory;
     int corners;
-    paradt_index *vertices; // [capacity][corners] of cells, positively oriented; in ghosts ~v stands for the infinite
-                            // vertex, where v is the vertex opposite the facet in the cell behind it, then
-    paradt__kin *kin;       // [capacity]
+    size_t width;  // bytes of a node and its row
+    char **blocks; // [blocks_capacity] nodes never move, except for those of the first block, which grows
+    size_t blocks_count, blocks_capacity;
     size_t count, capacity; // nodes
     size_t roots;           // of them; they come first
     paradt_index *at;       // [places] the nodes of the cells in the mesh
@@ -10515,75 +10520,104 @@ typedef struct paradt__tree {
     paradt__tag searches; // so far; numbers them
 } paradt__tree;
 
+PARADT__INLINE paradt__tree_node *paradt__tree_at(const paradt__tree *tree, paradt_index node) {
+    char *block = tree->blocks[node >> PARADT__TREE_SHIFT];
+    return (paradt__tree_node *)(void *)(block + (size_t)(node & (PARADT__TREE_BLOCK - 1)) * tree->width);
+}
+
+PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
+    return (paradt_index *)(void *)((char *)(uintptr_t)node + sizeof *node);
+}
+
 static void paradt__tree_free(paradt__tree *tree) {
-    paradt__release(tree->memory, tree->vertices);
-    paradt__release(tree->memory, tree->kin);
+    size_t i;
+    for (i = 0; i < tree->blocks_count; i++) paradt__release(tree->memory, tree->blocks[i]);
+    paradt__release(tree->memory, tree->blocks);
     paradt__release(tree->memory, tree->at);
     paradt__list_free(&tree->waiting, tree->memory);
 }
 
-// Makes room for more nodes, and for a node at each place of the mesh. expected: how many nodes there may be in the end
-static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more, size_t expected) {
-    size_t needed = tree->count + more, capacity = needed + needed / 2, corners = (size_t)tree->corners;
-    void *vertices = tree->vertices, *kin = tree->kin, *at = tree->at;
-    if (needed > (size_t)PARADT__NOWHERE) return PARADT_ERROR_TOO_LARGE;
+// Makes room for some more nodes: doubles the first block until it is full, then adds blocks.
+static paradt_status paradt__tree_grow(paradt__tree *tree) {
+    enum { FEW = 64 };
+    size_t first = tree->capacity < FEW ? (size_t)FEW : 2 * tree->capacity;
+    void *block = tree->blocks_count ? tree->blocks[0] : NULL, *blocks = tree->blocks;
+    if (tree->capacity > (size_t)PARADT__NOWHERE - PARADT__TREE_BLOCK) return PARADT_ERROR_TOO_LARGE;
+    if (tree->blocks_count == tree->blocks_capacity) {
+        size_t more = 2 * tree->blocks_capacity + 4;
+        if (!paradt__grow(tree->memory, &blocks, tree->blocks_count, more, sizeof *tree->blocks))
+            return PARADT_ERROR_MEMORY;
+        tree->blocks = (char **)blocks;
+        tree->blocks_capacity = more;
+    }
+    if (tree->capacity < PARADT__TREE_BLOCK) {
+        if (!paradt__grow(tree->memory, &block, tree->count, first, tree->width)) return PARADT_ERROR_MEMORY;
+        tree->blocks[0] = (char *)block;
+        tree->blocks_count = 1;
+        tree->capacity = first;
+        return PARADT_OK;
+    }
+    block = paradt__alloc_filled(tree->memory, PARADT__TREE_BLOCK, tree->width);
+    if (!block) return PARADT_ERROR_MEMORY;
+    tree->blocks[tree->blocks_count++] = (char *)block;
+    tree->capacity += PARADT__TREE_BLOCK;
+    return PARADT_OK;
+}
+
+// Makes room for so many more nodes, and for the node at each place of the mesh.
+static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
+    paradt_status status = PARADT_OK;
+    void *at = tree->at;
     if (!PARADT__LIKELY(mesh->count <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
             return PARADT_ERROR_MEMORY;
         tree->at = (paradt_index *)at;
         tree->places = mesh->capacity;
     }
-    if (PARADT__LIKELY(needed <= tree->capacity)) return PARADT_OK;
-    if (capacity < expected) capacity = expected;
-    if (!paradt__grow(tree->memory, &vertices, tree->count * corners, capacity * corners, sizeof *tree->vertices))
-        return PARADT_ERROR_MEMORY;
-    tree->vertices = (paradt_index *)vertices;
-    if (!paradt__grow(tree->memory, &kin, tree->count, capacity, sizeof *tree->kin)) return PARADT_ERROR_MEMORY;
-    tree->kin = (paradt__kin *)kin;
-    tree->capacity = capacity;
-    return PARADT_OK;
+    while (!PARADT__LIKELY(tree->count + more <= tree->capacity) && !status) status = paradt__tree_grow(tree);
+    return status;
 }
 
-// Fills the row of a node with the vertices of the cell at a place.
-PARADT__INLINE void paradt__tree_fill(const paradt__tree *tree, const paradt__mesh *mesh, paradt_index node,
-                                      size_t place) {
-    size_t corners = (size_t)tree->corners, i;
-    const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
-    paradt_index *row = tree->vertices + (size_t)node * corners;
+// Makes a node that of the cell at a place.
+PARADT__INLINE void paradt__tree_fill(const paradt__tree *tree, const paradt__mesh *mesh, paradt_index number,
+                                      paradt_index place) {
+    size_t corners = (size_t)tree->corners, base = (size_t)place * corners, i;
+    paradt__tree_node *node = paradt__tree_at(tree, number);
+    paradt_index *row = paradt__tree_row(node);
     for (i = 0; i < corners; i++) {
-        row[i] = vertices[i];
-        if (!PARADT__LIKELY(vertices[i] >= 0)) row[i] = ~mesh->vertices[links[i]];
+        row[i] = mesh->vertices[base + i];
+        if (!PARADT__LIKELY(row[i] >= 0)) row[i] = ~mesh->vertices[mesh->links[base + i]];
     }
+    node->place = place;
+    tree->at[place] = number;
 }
 
 // Begins the tree: the cells of the mesh are its roots. After an error it may be freed.
 static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *mesh, paradt__memory *memory) {
-    const paradt__kin lone = {PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, 0, 0};
+    const paradt__tree_node root = {PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, 0, 0};
     paradt_status status;
-    size_t i;
     memset(tree, 0, sizeof *tree);
     tree->memory = memory;
     tree->corners = mesh->corners;
-    status = paradt__tree_room(tree, mesh, mesh->count, 0);
-    if (status) return status;
-    for (i = 0; i < mesh->count; i++) {
-        PARADT_ASSERT(mesh->vertices[i * (size_t)mesh->corners] != PARADT__DEAD);
-        tree->kin[i] = lone;
-        tree->kin[i].place = tree->at[i] = (paradt_index)i;
-        paradt__tree_fill(tree, mesh, (paradt_index)i, i);
+    tree->width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    status = paradt__tree_room(tree, mesh, mesh->count);
+    for (; tree->count < mesh->count && !status; tree->count++) {
+        PARADT_ASSERT(mesh->vertices[tree->count * (size_t)mesh->corners] != PARADT__DEAD);
+        *paradt__tree_at(tree, (paradt_index)tree->count) = root;
+        paradt__tree_fill(tree, mesh, (paradt_index)tree->count, (paradt_index)tree->count);
     }
-    tree->count = tree->roots = mesh->count;
-    return PARADT_OK;
+    tree->roots = tree->count;
+    return status;
 }
 
 // --- location
 
 // Is a node in conflict with x? Of the cell behind a ghost's facet the tie depends on the facet alone, see >>scene; so
 // any point on its inner side will do for the cell's last vertex.
-static int paradt__tree_conflicts(const paradt__tree *tree, paradt__scene *scene, paradt_index node, const double *x) {
-    const paradt_index *row = tree->vertices + (size_t)node * (size_t)tree->corners;
+static int paradt__tree_conflicts(paradt__scene *scene, const paradt__tree_node *node, const double *x) {
+    const paradt_index *row = paradt__tree_row(node);
     const double *p[PARADT_MAX_DIM + 2], *behind;
-    int corners = tree->corners, infinite = -1, i, side;
+    int corners = scene->mesh.corners, infinite = -1, i, side;
     for (i = 0; i < corners; i++) {
         if (row[i] < 0) infinite = i;
         p[i] = paradt__scene_record(scene, row[i] < 0 ? ~row[i] : row[i]);
@@ -10608,31 +10642,31 @@ static void paradt__tree_begin_search(paradt__tree *tree) {
     size_t i;
     tree->waiting.count = 0;
     if (PARADT__LIKELY(++tree->searches)) return;
-    for (i = 0; i < tree->count; i++) tree->kin[i].seen = 0;
+    for (i = 0; i < tree->count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
     tree->searches = 1;
 }
 
 // Lets the sons and stepsons of a node wait.
-static paradt_status paradt__tree_wait(paradt__tree *tree, paradt_index node) {
+static paradt_status paradt__tree_wait(paradt__tree *tree, const paradt__tree_node *node) {
     paradt_status status = PARADT_OK;
-    paradt_index next = tree->kin[node].stepson;
-    for (; next >= 0 && !status; next = tree->kin[next].stepbrother)
+    paradt_index next = node->stepson;
+    for (; next >= 0 && !status; next = paradt__tree_at(tree, next)->stepbrother)
         status = paradt__list_append(&tree->waiting, next, tree->memory);
-    for (next = tree->kin[node].son; next >= 0 && !status; next = tree->kin[next].brother)
+    for (next = node->son; next >= 0 && !status; next = paradt__tree_at(tree, next)->brother)
         status = paradt__list_append(&tree->waiting, next, tree->memory);
     return status;
 }
 
 // Looks for a live cell in conflict with x among a node and those below it, depth first through nodes in conflict.
-static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *scene, paradt_index node, const double *x,
-                                          paradt_index *found) {
-    paradt_status status = paradt__list_append(&tree->waiting, node, tree->memory);
+static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *scene, paradt_index number,
+                                          const double *x, paradt_index *found) {
+    paradt_status status = paradt__list_append(&tree->waiting, number, tree->memory);
     while (tree->waiting.count && !status) {
-        node = tree->waiting.items[--tree->waiting.count];
-        if (tree->kin[node].seen == tree->searches) continue;
-        tree->kin[node].seen = tree->searches;
-        if (!paradt__tree_conflicts(tree, scene, node, x)) continue;
-        *found = tree->kin[node].place;
+        paradt__tree_node *node = paradt__tree_at(tree, tree->waiting.items[--tree->waiting.count]);
+        if (node->seen == tree->searches) continue;
+        node->seen = tree->searches;
+        if (!paradt__tree_conflicts(scene, node, x)) continue;
+        *found = node->place;
         if (*found != PARADT__NOWHERE) return PARADT_OK;
         status = paradt__tree_wait(tree, node);
     }
@@ -10647,7 +10681,7 @@ static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scen
     size_t i;
     *found = PARADT__NOWHERE;
     paradt__tree_begin_search(tree);
-    for (; node >= 0 && *found == PARADT__NOWHERE && !status; node = tree->kin[node].father)
+    for (; node >= 0 && *found == PARADT__NOWHERE && !status; node = paradt__tree_at(tree, node)->father)
         status = paradt__tree_descend(tree, scene, node, x, found);
     for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
         status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
@@ -10663,50 +10697,37 @@ PARADT__INLINE paradt_index paradt__tree_rim_facet(const paradt__mesh *mesh, par
     return facet;
 }
 
-// Enters a new node, whose father and stepfather are given, into their lists.
-PARADT__INLINE void paradt__tree_enter(paradt__tree *tree, paradt_index node, paradt_index father,
+// Gives a new node its father and stepfather, and them a new son and stepson.
+PARADT__INLINE void paradt__tree_enter(const paradt__tree *tree, paradt_index number, paradt_index father,
                                        paradt_index stepfather) {
-    paradt__kin *kin = tree->kin + node;
-    kin->son = kin->stepson = PARADT__OPEN;
-    kin->father = father;
-    kin->brother = tree->kin[father].son;
-    kin->stepfather = stepfather;
-    kin->stepbrother = tree->kin[stepfather].stepson;
-    kin->seen = 0;
-    tree->kin[father].son = node;
-    tree->kin[stepfather].stepson = node;
+    paradt__tree_node *node = paradt__tree_at(tree, number), *from = paradt__tree_at(tree, father),
+                      *beside = paradt__tree_at(tree, stepfather);
+    node->father = father;
+    node->son = node->stepson = PARADT__OPEN;
+    node->brother = from->son;
+    node->stepbrother = beside->stepson;
+    node->seen = 0;
+    from->son = beside->stepson = number;
 }
 
-// How many nodes there may be in the end, at the rate at which there are more and more; 0: it is too early to tell
-static size_t paradt__tree_expected(const paradt__tree *tree, const paradt__insertion *build) {
-    enum { JUDGED_PART = 32 };
-    double all = (double)(build->count + build->later), inserted = (double)build->inserted;
-    if (inserted < all / JUDGED_PART) return 0;
-    return (size_t)((double)tree->count / inserted * all * 1.06);
-}
-
-// The thesis' `creation`: enters the cells that the insertion of the last point has made. Cells die in both lists
-// before new ones have their places.
+// Enters the cells that the insertion of a point has made, the thesis' `creation`. Fathers and stepfathers are found by
+// their places before new cells have these.
 static paradt_status paradt__tree_record(paradt__tree *tree, const paradt__insertion *build, paradt_index point) {
     const paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
     size_t i, first = tree->count;
-    paradt_status status = paradt__tree_room(tree, mesh, update->made_count, paradt__tree_expected(tree, build));
+    paradt_status status = paradt__tree_room(tree, mesh, update->made_count);
     if (status) return status;
     PARADT_ASSERT(update->made_count == 0 || update->made_count == build->rim_count);
     for (i = 0; i < update->killed_count; i++)
-        tree->kin[tree->at[paradt__mesh_cell(mesh, update->killed[i])]].place = PARADT__NOWHERE;
+        paradt__tree_at(tree, tree->at[paradt__mesh_cell(mesh, update->killed[i])])->place = PARADT__NOWHERE;
     for (i = 0; i < update->made_count; i++) {
         paradt_index outer = mesh->links[paradt__tree_rim_facet(mesh, update->made[i], point)];
         paradt__tree_enter(tree, (paradt_index)(first + i), tree->at[paradt__mesh_cell(mesh, build->rim[i])],
                            tree->at[paradt__mesh_cell(mesh, outer)]);
     }
-    for (i = 0; i < update->made_count; i++) {
-        paradt_index node = (paradt_index)(first + i), place = paradt__mesh_cell(mesh, update->made[i]);
-        tree->at[place] = node;
-        tree->kin[node].place = place;
-        paradt__tree_fill(tree, mesh, node, (size_t)place);
-    }
+    for (i = 0; i < update->made_count; i++)
+        paradt__tree_fill(tree, mesh, (paradt_index)(first + i), paradt__mesh_cell(mesh, update->made[i]));
     tree->count += update->made_count;
     return PARADT_OK;
 }
