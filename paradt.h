@@ -45,6 +45,7 @@
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_CHECK        leaves out paradt_check
+//     PARADT_NO_TREE         leaves out the Delaunay tree: PARADT_DELAUNAY_TREE is PARADT_ERROR_ARGUMENT
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
@@ -848,11 +849,12 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
-//     insertion                    255   dig and star, in any dimension
+//     insertion                    259   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    185   insertions from begin to end
+//     inserting                    210   insertions from begin to end
+//     Delaunay tree                315   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -865,7 +867,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                       106   InCoDe and DeWall from set to mesh
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      237   one row a method; AUTO's choice
+//     methods                      263   one row a method; AUTO's choice
 //     triangulate                  360   the entry
 //   check
 //     check                        500   the certificate
@@ -8386,7 +8388,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert.
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert, paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
 
@@ -8576,18 +8578,22 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
     return PARADT_OK;
 }
 
+// Inserts a point, with which `cell` is in conflict: dig, star.
+static paradt_status paradt__insert_at(paradt__insertion *build, paradt_index point, paradt_index cell) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt_status status = paradt__cavity_dig(build, cell, x);
+    if (!status) status = paradt__cavity_star(build, point);
+    return status ? status : paradt__cavity_clear(build);
+}
+
 // Inserts a point: walk, dig, star.
 static paradt_status paradt__insert(paradt__insertion *build, paradt_index point) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_index cell = paradt__walk(&build->scene, build->scene.hint, x);
-    paradt_status status;
     build->scene.hint = cell;
     build->update.killed_count = build->update.made_count = 0;
     if (build->scene.space.weighted && !paradt__conflicts(&build->scene, cell, x)) return PARADT_OK; // hidden
-    status = paradt__cavity_dig(build, cell, x);
-    if (!status) status = paradt__cavity_star(build, point);
-    if (!status) status = paradt__cavity_clear(build);
-    return status;
+    return paradt__insert_at(build, point, cell);
 }
 
 // --- the first cells
@@ -10264,11 +10270,12 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 //
 // An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
 // by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
-// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. paradt__insertion_rest
-// frees all but the mesh, paradt__insertion_end everything.
+// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. Who finds himself a cell
+// in conflict with each point calls paradt__insertion_first instead, and paradt__insert_next for the points that are
+// left. paradt__insertion_rest frees all but the mesh, paradt__insertion_end everything.
 // Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
-// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__insertion_start,
-// paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
+// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__insertion_first, paradt__insert_next,
+// paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
@@ -10327,9 +10334,8 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
     return status;
 }
 
-// Makes the first cells of the points that come first, which span the space, and inserts the others as
-// paradt__insertion_go does.
-PARADT__HOT paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
+// Makes the first cells of the points that come first, which span the space.
+static paradt_status paradt__insertion_first(paradt__insertion *build) {
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     paradt_status status =
@@ -10341,8 +10347,33 @@ PARADT__HOT paradt_status paradt__insertion_run(paradt__insertion *build, const 
     if (!status) status = paradt__insertion_first_cells(build);
     build->inserted = (size_t)mesh->corners;
     if (!status && PARADT__IS(mesh->corners - 1, 3)) status = paradt__kept_begin(build);
+    return status;
+}
+
+// Makes the first cells, and inserts the other points as paradt__insertion_go does.
+PARADT__HOT paradt_status paradt__insertion_run(paradt__insertion *build, const paradt__progress *progress) {
+    paradt_status status = paradt__insertion_first(build);
     return status ? status : paradt__insertion_go(build, progress);
 }
+
+#ifndef PARADT_NO_TREE
+// Inserts the point that is next in the order. cell: a cell in conflict with it; PARADT__NOWHERE: it is hidden
+static paradt_status paradt__insert_next(paradt__insertion *build, paradt_index cell) {
+    paradt_index point = paradt__insertion_point(build, build->inserted);
+    paradt_status status = PARADT_OK;
+    if (cell == PARADT__NOWHERE) {
+        build->update.killed_count = build->update.made_count = 0;
+    } else if (!build->kept) {
+        status = paradt__insert_at(build, point, cell);
+    } else {
+        build->kept->start = cell;
+        status = paradt__choose_inserter(build)(build, point);
+    }
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    build->inserted++;
+    return status;
+}
+#endif
 
 // Returns a cell near the point that was inserted last.
 PARADT__INLINE paradt_index paradt__insertion_start(const paradt__insertion *build) {
@@ -10439,6 +10470,321 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
     if (status) paradt__mesh_free(mesh, memory);
     return status;
 }
+
+#ifndef PARADT_NO_TREE
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Delaunay tree
+//
+// Insertion that locates points by the cells that there were (Boissonnat and Teillaud, "A hierarchical representation
+// of objects: the Delaunay tree", SCG 1986, and "On the randomized construction of the Delaunay tree", TCS 112, 1993;
+// thesis, section 3.2). Every cell and ghost ever made is a node. A cell is made on a facet of the rim, between a cell
+// that the point kills and one that it leaves: the node is a son of the first, its father, and a stepson of the second,
+// its stepfather.
+//
+// A point in conflict with a node is in conflict with its father or its stepfather. For the new cell's lifted
+// hyperplane contains the lifted facet, and the new point, which is below the father's hyperplane and above the
+// stepfather's. So it is between these two, and what is below it is below one of them. That is true of ghosts, too,
+// whose infinite vertex is a point of unlimited height, and of perturbed heights, which are heights. So all cells in
+// conflict with a point are reached from the roots, the first cells, through nodes in conflict with it; those that live
+// now are its cavity.
+//
+// To insert a point, one cell in conflict with it suffices, as >>insertion finds the others through links. So the
+// search does not begin at the roots. It begins at a cell near the point that was inserted last, climbs from son to
+// father up to a node in conflict, and goes down from there, depth first; where that ends at dead cells alone it climbs
+// on. With points in the order of >>order of insertion it tests few nodes, however many there are.
+//
+// The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
+// to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
+// 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
+// Door: paradt__delaunay_tree.
+
+// A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
+// infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
+// ends lists.
+typedef struct paradt__tree_node {
+    paradt_index father;
+    paradt_index son, brother;         // the first of its sons; the next son of its father
+    paradt_index stepson, stepbrother; // likewise
+    paradt_index place;                // of the cell in the mesh; PARADT__NOWHERE: it is dead
+    paradt__tag seen;                  // the last search that has looked at the node
+} paradt__tree_node;
+
+enum { PARADT__TREE_SHIFT = 12, PARADT__TREE_BLOCK = 1 << PARADT__TREE_SHIFT }; // nodes a block
+
+typedef struct paradt__tree {
+    paradt__memory *memory;
+    int corners;
+    size_t width;  // bytes of a node and its row
+    char **blocks; // [blocks_capacity] nodes never move, except for those of the first block, which grows
+    size_t blocks_count, blocks_capacity;
+    size_t count, capacity; // nodes
+    size_t roots;           // of them; they come first
+    paradt_index *at;       // [places] the nodes of the cells in the mesh
+    size_t places;
+    paradt__list waiting; // nodes that the search has yet to look at
+    paradt__tag searches; // so far; numbers them
+} paradt__tree;
+
+PARADT__INLINE paradt__tree_node *paradt__tree_at(const paradt__tree *tree, paradt_index node) {
+    char *block = tree->blocks[node >> PARADT__TREE_SHIFT];
+    return (paradt__tree_node *)(void *)(block + (size_t)(node & (PARADT__TREE_BLOCK - 1)) * tree->width);
+}
+
+PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
+    return (paradt_index *)(void *)((char *)(uintptr_t)node + sizeof *node);
+}
+
+static void paradt__tree_free(paradt__tree *tree) {
+    size_t i;
+    for (i = 0; i < tree->blocks_count; i++) paradt__release(tree->memory, tree->blocks[i]);
+    paradt__release(tree->memory, tree->blocks);
+    paradt__release(tree->memory, tree->at);
+    paradt__list_free(&tree->waiting, tree->memory);
+}
+
+// Makes room for some more nodes: doubles the first block until it is full, then adds blocks.
+static paradt_status paradt__tree_grow(paradt__tree *tree) {
+    enum { FEW = 64 };
+    size_t first = tree->capacity < FEW ? (size_t)FEW : 2 * tree->capacity;
+    void *block = tree->blocks_count ? tree->blocks[0] : NULL, *blocks = tree->blocks;
+    if (tree->capacity > (size_t)PARADT__NOWHERE - PARADT__TREE_BLOCK) return PARADT_ERROR_TOO_LARGE;
+    if (tree->blocks_count == tree->blocks_capacity) {
+        size_t more = 2 * tree->blocks_capacity + 4;
+        if (!paradt__grow(tree->memory, &blocks, tree->blocks_count, more, sizeof *tree->blocks))
+            return PARADT_ERROR_MEMORY;
+        tree->blocks = (char **)blocks;
+        tree->blocks_capacity = more;
+    }
+    if (tree->capacity < PARADT__TREE_BLOCK) {
+        if (!paradt__grow(tree->memory, &block, tree->count, first, tree->width)) return PARADT_ERROR_MEMORY;
+        tree->blocks[0] = (char *)block;
+        tree->blocks_count = 1;
+        tree->capacity = first;
+        return PARADT_OK;
+    }
+    block = paradt__alloc_filled(tree->memory, PARADT__TREE_BLOCK, tree->width);
+    if (!block) return PARADT_ERROR_MEMORY;
+    tree->blocks[tree->blocks_count++] = (char *)block;
+    tree->capacity += PARADT__TREE_BLOCK;
+    return PARADT_OK;
+}
+
+// Makes room for so many more nodes, and for the node at each place of the mesh.
+static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
+    paradt_status status = PARADT_OK;
+    void *at = tree->at;
+    if (!PARADT__LIKELY(mesh->count <= tree->places)) {
+        if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
+            return PARADT_ERROR_MEMORY;
+        tree->at = (paradt_index *)at;
+        tree->places = mesh->capacity;
+    }
+    while (!PARADT__LIKELY(tree->count + more <= tree->capacity) && !status) status = paradt__tree_grow(tree);
+    return status;
+}
+
+// Makes a node that of the cell at a place.
+PARADT__INLINE void paradt__tree_fill(const paradt__tree *tree, const paradt__mesh *mesh, paradt_index number,
+                                      paradt_index place) {
+    size_t corners = (size_t)tree->corners, base = (size_t)place * corners, i;
+    paradt__tree_node *node = paradt__tree_at(tree, number);
+    paradt_index *row = paradt__tree_row(node);
+    for (i = 0; i < corners; i++) {
+        row[i] = mesh->vertices[base + i];
+        if (!PARADT__LIKELY(row[i] >= 0)) row[i] = ~mesh->vertices[mesh->links[base + i]];
+    }
+    node->place = place;
+    tree->at[place] = number;
+}
+
+// Begins the tree: the cells of the mesh are its roots. After an error it may be freed.
+static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *mesh, paradt__memory *memory) {
+    const paradt__tree_node root = {PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, 0, 0};
+    paradt_status status;
+    memset(tree, 0, sizeof *tree);
+    tree->memory = memory;
+    tree->corners = mesh->corners;
+    tree->width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    status = paradt__tree_room(tree, mesh, mesh->count);
+    for (; tree->count < mesh->count && !status; tree->count++) {
+        PARADT_ASSERT(mesh->vertices[tree->count * (size_t)mesh->corners] != PARADT__DEAD);
+        *paradt__tree_at(tree, (paradt_index)tree->count) = root;
+        paradt__tree_fill(tree, mesh, (paradt_index)tree->count, (paradt_index)tree->count);
+    }
+    tree->roots = tree->count;
+    return status;
+}
+
+// --- location
+
+// Is a node in conflict with x? Of the cell behind a ghost's facet the tie depends on the facet alone, see >>scene; so
+// any point on its inner side will do for the cell's last vertex.
+static int paradt__tree_conflicts(paradt__scene *scene, const paradt__tree_node *node, const double *x) {
+    const paradt_index *row = paradt__tree_row(node);
+    const double *p[PARADT_MAX_DIM + 2], *behind;
+    int corners = scene->mesh.corners, infinite = -1, i, side;
+    for (i = 0; i < corners; i++) {
+        if (row[i] < 0) infinite = i;
+        p[i] = paradt__scene_record(scene, row[i] < 0 ? ~row[i] : row[i]);
+    }
+    p[corners] = x;
+    if (PARADT__LIKELY(infinite < 0)) return paradt__conflict(&scene->space, p);
+    behind = p[infinite];
+    p[infinite] = x;
+    side = paradt__orient(&scene->space, p);
+    if (side) return side > 0;
+    p[infinite] = p[0]; // the cell behind the facet is oriented the other way
+    p[0] = behind;
+    if (infinite == 0) {
+        p[0] = p[1];
+        p[1] = behind;
+    }
+    return paradt__conflict(&scene->space, p);
+}
+
+// Begins a search: no node has been looked at.
+static void paradt__tree_begin_search(paradt__tree *tree) {
+    size_t i;
+    tree->waiting.count = 0;
+    if (PARADT__LIKELY(++tree->searches)) return;
+    for (i = 0; i < tree->count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
+    tree->searches = 1;
+}
+
+// Lets the sons and stepsons of a node wait.
+static paradt_status paradt__tree_wait(paradt__tree *tree, const paradt__tree_node *node) {
+    paradt_status status = PARADT_OK;
+    paradt_index next = node->stepson;
+    for (; next >= 0 && !status; next = paradt__tree_at(tree, next)->stepbrother)
+        status = paradt__list_append(&tree->waiting, next, tree->memory);
+    for (next = node->son; next >= 0 && !status; next = paradt__tree_at(tree, next)->brother)
+        status = paradt__list_append(&tree->waiting, next, tree->memory);
+    return status;
+}
+
+// Looks for a live cell in conflict with x among a node and those below it, depth first through nodes in conflict.
+static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *scene, paradt_index number,
+                                          const double *x, paradt_index *found) {
+    paradt_status status = paradt__list_append(&tree->waiting, number, tree->memory);
+    while (tree->waiting.count && !status) {
+        paradt__tree_node *node = paradt__tree_at(tree, tree->waiting.items[--tree->waiting.count]);
+        if (node->seen == tree->searches) continue;
+        node->seen = tree->searches;
+        if (!paradt__tree_conflicts(scene, node, x)) continue;
+        *found = node->place;
+        if (*found != PARADT__NOWHERE) return PARADT_OK;
+        status = paradt__tree_wait(tree, node);
+    }
+    return status;
+}
+
+// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none. start: a cell to begin at
+static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scene, paradt_index start, const double *x,
+                                         paradt_index *found) {
+    paradt_status status = PARADT_OK;
+    paradt_index node = tree->at[start];
+    size_t i;
+    *found = PARADT__NOWHERE;
+    paradt__tree_begin_search(tree);
+    for (; node >= 0 && *found == PARADT__NOWHERE && !status; node = paradt__tree_at(tree, node)->father)
+        status = paradt__tree_descend(tree, scene, node, x, found);
+    for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
+        status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
+    return status;
+}
+
+// --- creation
+
+// Returns the handle of the facet that a new cell, named by any handle, has in common with the rim.
+PARADT__INLINE paradt_index paradt__tree_rim_facet(const paradt__mesh *mesh, paradt_index handle, paradt_index point) {
+    paradt_index facet = handle - handle % mesh->corners;
+    while (mesh->vertices[facet] != point) facet++;
+    return facet;
+}
+
+// Gives a new node its father and stepfather, and them a new son and stepson.
+PARADT__INLINE void paradt__tree_enter(const paradt__tree *tree, paradt_index number, paradt_index father,
+                                       paradt_index stepfather) {
+    paradt__tree_node *node = paradt__tree_at(tree, number), *from = paradt__tree_at(tree, father),
+                      *beside = paradt__tree_at(tree, stepfather);
+    node->father = father;
+    node->son = node->stepson = PARADT__OPEN;
+    node->brother = from->son;
+    node->stepbrother = beside->stepson;
+    node->seen = 0;
+    from->son = beside->stepson = number;
+}
+
+// Enters the cells that the insertion of a point has made, the thesis' `creation`. Fathers and stepfathers are found by
+// their places before new cells have these.
+static paradt_status paradt__tree_record(paradt__tree *tree, const paradt__insertion *build, paradt_index point) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt__update *update = &build->update;
+    size_t i, first = tree->count;
+    paradt_status status = paradt__tree_room(tree, mesh, update->made_count);
+    if (status) return status;
+    PARADT_ASSERT(update->made_count == 0 || update->made_count == build->rim_count);
+    for (i = 0; i < update->killed_count; i++)
+        paradt__tree_at(tree, tree->at[paradt__mesh_cell(mesh, update->killed[i])])->place = PARADT__NOWHERE;
+    for (i = 0; i < update->made_count; i++) {
+        paradt_index outer = mesh->links[paradt__tree_rim_facet(mesh, update->made[i], point)];
+        paradt__tree_enter(tree, (paradt_index)(first + i), tree->at[paradt__mesh_cell(mesh, build->rim[i])],
+                           tree->at[paradt__mesh_cell(mesh, outer)]);
+    }
+    for (i = 0; i < update->made_count; i++)
+        paradt__tree_fill(tree, mesh, (paradt_index)(first + i), paradt__mesh_cell(mesh, update->made[i]));
+    tree->count += update->made_count;
+    return PARADT_OK;
+}
+
+// --- construction
+
+// Inserts the points that are left, each located by the tree.
+static paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__insertion *build,
+                                             const paradt__progress *progress) {
+    enum { REPORTED = 1 << 14 }; // nodes between two reports of progress
+    size_t due = REPORTED;
+    paradt_status status = PARADT_OK;
+    while (build->inserted < build->count && !status) {
+        paradt_index point = paradt__insertion_point(build, build->inserted), cell;
+        if (tree->count >= due) {
+            due = tree->count + REPORTED;
+            if (paradt__progress_cancels(progress, (double)build->inserted / (double)build->count))
+                return PARADT_ERROR_CANCELLED;
+        }
+        status = paradt__tree_locate(tree, &build->scene, paradt__insertion_start(build),
+                                     paradt__scene_record(&build->scene, point), &cell);
+        if (!status) status = paradt__insert_next(build, cell);
+        if (!status) status = paradt__tree_record(tree, build, point);
+    }
+    return status;
+}
+
+// Makes the closed mesh of a set as paradt__bowyer_watson does. nodes: gets the number of cells ever made
+PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                const paradt__progress *progress, paradt__counters *counters,
+                                                uint64_t *nodes) {
+    paradt__insertion build;
+    paradt__tree tree;
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt_status status;
+    if (!order) return PARADT_ERROR_MEMORY;
+    paradt__insertion_begin(&build, set, order, memory);
+    status = paradt__insertion_first(&build);
+    if (!status) {
+        status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
+        if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
+        *nodes = tree.count;
+        paradt__tree_free(&tree);
+    }
+    *counters = build.scene.space.counters;
+    paradt__insertion_rest(&build);
+    paradt__release(memory, order);
+    *mesh = build.scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+#endif
 
 #if !defined(PARADT_NO_FRONTS) && !defined(PARADT_NO_REGIONS)
 // ---------------------------------------------------------------------------------------------------------------------
@@ -12921,9 +13267,15 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
     return status;
 }
 
+// Gives the records sagittas if the points are in space and so close to a sphere that kept spheres are doubtful.
+static paradt_status paradt__grade_for_insertion(paradt__work *work) {
+    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
+    if (work->set.space.dim != 3 || work->set.count < WORTHWHILE) return PARADT_OK;
+    return paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
+}
+
 // Builds by insertion, in regions if these pay. If regions built one by one give up, the set keeps their order.
 PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
-    enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
     paradt_status status = PARADT_OK;
 #ifndef PARADT_NO_REGIONS
     int in_vain = 0;
@@ -12940,10 +13292,25 @@ PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
         return paradt__insert_undivided(work);
     }
 #endif
-    if (!status && work->set.space.dim == 3 && work->set.count >= WORTHWHILE)
-        status = paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
+    if (!status) status = paradt__grade_for_insertion(work);
     return status ? status : paradt__insert_undivided(work);
 }
+
+#ifndef PARADT_NO_TREE
+PARADT__COLD paradt_status paradt__build_by_tree(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status = paradt__grade_for_insertion(work);
+    if (status) return status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__delaunay_tree(&work->set, &work->memory, &work->mesh, &progress, &counters,
+                                   &work->stats->history_nodes);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+#endif
 
 // --- the table and the choice
 
@@ -12972,7 +13339,12 @@ static const paradt__method *paradt__method_of(paradt_method method) {
 
         {0, 0, 0, NULL, NULL}, // FLIP
 
+#ifdef PARADT_NO_TREE
         {0, 0, 0, NULL, NULL}, // DELAUNAY_TREE
+#else
+        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL,
+         paradt__build_by_tree}, // DELAUNAY_TREE
+#endif
 
         {0, 0, 0, NULL, NULL}, // LIFTED_HULL
 
@@ -13159,7 +13531,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
 // Returns why the method can't do what is asked of it, or NULL.
 static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
     const paradt__method *method = paradt__method_of(options->method);
-    if (!method->most_dim) return "options.method is left out of this build, by PARADT_NO_FRONTS";
+    if (!method->most_dim) return "options.method is left out of this build, by a macro PARADT_NO_*";
     if (points->dim < method->least_dim || points->dim > method->most_dim)
         return "options.method has no triangulations of dimension points.dim";
     if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
