@@ -10465,7 +10465,7 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 // beyond a facet of the cell, and empty where p is in the cell and no vertex yet: then the flip inserts p.
 // After Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986; the circuits and
 // their links: de Loera, Rambau, Santos, "Triangulations", 2010, section 4.4.
-// Doors: paradt__flipper_*, paradt__flip_signs, paradt__flip_collect, paradt__flip.
+// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip.
 
 // The signs of a cell's coefficients, a bit for each place in its row. Both masks are 0 where no flip is wanted.
 typedef struct paradt__signs {
@@ -10506,32 +10506,17 @@ static paradt_status paradt__flipper_numbers(paradt__flipper *f) {
     return PARADT_OK;
 }
 
-// The signs of p's coefficients in a cell, or a ghost whose hull facet has p in its plane. The infinite vertex has the
-// coefficient 0. Where a neighbour joins p with a facet, that facet has the cell on its other side: this sign is known.
-PARADT__INLINE paradt__signs paradt__flip_signs(paradt__scene *scene, paradt_index cell, paradt_index point,
-                                                int corners) {
+// The sign of p's coefficient at a vertex of a cell, or of a ghost whose hull facet has p in its plane; i: the vertex's
+// place, not that of the infinite vertex, whose coefficient is 0
+PARADT__INLINE int paradt__flip_sign(paradt__scene *scene, paradt_index cell, int i, const double *x, int corners) {
     const paradt__mesh *mesh = &scene->mesh;
-    const paradt_index *vertices = paradt__mesh_row(mesh, cell), *finite = vertices;
-    const double *p[PARADT_MAX_DIM + 1], *x = paradt__scene_record(scene, point), *corner;
-    paradt__signs signs = {0, 0};
-    int ghost = paradt__ghost_place(vertices, corners), i, at, side;
+    const paradt_index *finite = paradt__mesh_row(mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_index vertex = finite[i];
+    int ghost = paradt__ghost_place(finite, corners), j;
     if (ghost >= 0) finite = paradt__mesh_row(mesh, mesh->links[cell * corners + ghost] / corners);
-    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(scene, finite[i]);
-    for (i = 0; i < corners; i++) {
-        if (i == ghost) continue;
-        if (mesh->vertices[mesh->links[cell * corners + i]] == point) {
-            signs.negative |= (uint16_t)(1u << i);
-            continue;
-        }
-        for (at = i; finite[at] != vertices[i];) at = at + 1 < corners ? at + 1 : 0;
-        corner = p[at];
-        p[at] = x;
-        side = paradt__orient(&scene->space, p);
-        p[at] = corner;
-        signs.negative |= (uint16_t)((unsigned)(side < 0) << i);
-        signs.positive |= (uint16_t)((unsigned)(side > 0) << i);
-    }
-    return signs;
+    for (j = 0; j < corners; j++) p[j] = finite[j] == vertex ? x : paradt__scene_record(scene, finite[j]);
+    return paradt__orient(&scene->space, p);
 }
 
 // Adds a cell to the star.
@@ -10666,7 +10651,8 @@ PARADT__INLINE void paradt__flip_link(paradt__flipper *f, size_t i, int j, int c
     }
 }
 
-// Flips what was collected. Fills the update: killed, with the collected cell first; made, by the facets opposite p.
+// Flips what was collected. Fills the update: killed, for each cell of the star that cell and then the others
+// that have its part of the link; made, for each cell of the star, by the facets opposite p.
 // Places of killed cells are free afterwards.
 PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
     paradt__insertion *build = &f->build;
@@ -10803,18 +10789,58 @@ PARADT__INLINE int paradt__history_contains(paradt__scene *scene, const paradt_i
     return 1;
 }
 
-// The one of the siblings from `first` on that contains x, of which one does; so the last is not asked
-PARADT__INLINE paradt_index paradt__history_choose(const paradt__history *h, paradt__scene *scene, paradt_index first,
-                                                   const double *x, int corners) {
+// The one of the cells made together, from `first` on, that contains x, of which one does; so the last is not asked
+static paradt_index paradt__history_any(const paradt__history *h, paradt__scene *scene, paradt_index first,
+                                        const double *x) {
     const paradt_index *row = paradt__history_node(h, first);
     paradt_index parent = row[PARADT__NODE_PARENT], node = first;
     for (;; node++) {
         const paradt_index *next;
         if ((size_t)node + 1 == h->count) return node;
         next = paradt__history_node(h, node + 1);
-        if (next[PARADT__NODE_PARENT] != parent || paradt__history_contains(scene, row, x, corners)) return node;
+        if (next[PARADT__NODE_PARENT] != parent ||
+            paradt__history_contains(scene, row, x, (int)h->width - PARADT__NODE_VERTICES))
+            return node;
         row = next;
     }
+}
+
+// On which side of the facet between two cells that a flip made is x? Not negative: on that of the first cell, or on
+// the facet. Their rows differ in two places, with the flip's point at one of them in each.
+PARADT__INLINE int paradt__history_between(paradt__scene *scene, const paradt_index *one, const paradt_index *two,
+                                           const double *x, int corners) {
+    const double *p[PARADT_MAX_DIM + 1];
+    int i, low = -1, high = 0;
+    for (i = 0; i < corners; i++) {
+        p[i] = paradt__scene_record(scene, one[i]);
+        if (one[i] == two[i]) continue;
+        if (low < 0) low = i;
+        high = i;
+    }
+    p[one[low] == two[high] ? high : low] = x;
+    return paradt__orient(&scene->space, p);
+}
+
+// The child, from `first` on, that contains x. The children of a cell are those made of its part of the circuit's star:
+// this part covers x, and only vertices in Q may have negative coefficients for x in one of them. Add a multiple of the
+// circuit's relation to a combination of x by all points of the circuit with no negative coefficient: those of Q fall,
+// and the first to become zero tells which vertex the cell that contains x does not have. So two of the children are
+// compared by the facet between them, and the best of all contains x.
+PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, paradt__scene *scene, paradt_index first,
+                                                  const double *x, int corners) {
+    const paradt_index *row = paradt__history_node(h, first), *next;
+    paradt_index parent = row[PARADT__NODE_PARENT], best = first, node;
+    if (paradt__ghost_place(paradt__history_node(h, parent) + PARADT__NODE_VERTICES, corners) >= 0)
+        return paradt__history_any(h, scene, first, x);
+    for (node = first + 1; (size_t)node < h->count; node++) {
+        next = paradt__history_node(h, node);
+        if (next[PARADT__NODE_PARENT] != parent) break;
+        if (paradt__history_between(scene, row + PARADT__NODE_VERTICES, next + PARADT__NODE_VERTICES, x, corners) >= 0)
+            continue;
+        best = node;
+        row = next;
+    }
+    return best;
 }
 
 // Finds the living cell, or ghost, that contains x. Returns its place. node: where to start
@@ -10823,11 +10849,11 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, par
     const paradt_index *row = paradt__history_node(h, node);
     while (!paradt__history_contains(scene, row, x, corners)) {
         node = row[PARADT__NODE_PARENT];
-        row = paradt__history_node(h, node < 0 ? paradt__history_choose(h, scene, 0, x, corners) : node);
+        row = paradt__history_node(h, node < 0 ? paradt__history_any(h, scene, 0, x) : node);
         if (node < 0) break;
     }
     while (row[PARADT__NODE_CHILD] >= 0)
-        row = paradt__history_node(h, paradt__history_choose(h, scene, row[PARADT__NODE_CHILD], x, corners));
+        row = paradt__history_node(h, paradt__history_child(h, scene, row[PARADT__NODE_CHILD], x, corners));
     return -1 - row[PARADT__NODE_CHILD];
 }
 
@@ -10857,8 +10883,10 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, par
 typedef struct paradt__flip_place {
     paradt_index node;   // of the cell there, in the history
     paradt_index asked;  // the point that was compared with it last, + 1,
-    paradt__signs signs; // and with what result: not in conflict, or these
+    paradt__signs signs; // and with what result: not in conflict, or these, or PARADT__NO_SIGNS
 } paradt__flip_place;
+
+enum { PARADT__NO_SIGNS = 0xffff }; // for the mask of negative signs: in conflict, but the signs are not known yet
 
 typedef struct paradt__flips {
     paradt__flipper flipper;
@@ -10889,25 +10917,46 @@ static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
     return status;
 }
 
-// Enters a change into the history, and the link facets of the new cells into the list.
-PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
+// Enters a cell that was made, of a parent, and the facet of the handle: it is opposite p.
+PARADT__INLINE void paradt__flips_enter(paradt__flips *f, paradt_index handle, paradt_index parent, int corners) {
     const paradt__mesh *mesh = &f->flipper.build.scene.mesh;
+    paradt_index place = handle / corners;
+    f->recent = paradt__history_add(&f->history, parent, place, mesh->vertices + place * corners, corners);
+    f->at[place].node = f->recent;
+    f->facets.items[f->facets.count++] = handle;
+    f->facets.items[f->facets.count++] = f->recent;
+}
+
+// Makes the next node the first child of the cell of a handle.
+PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, int corners) {
+    paradt_index node = f->at[handle / corners].node;
+    paradt__history_node(&f->history, node)[PARADT__NODE_CHILD] = (paradt_index)f->history.count;
+}
+
+// Enters a flip: a cell of the star, and the cells killed with it, have the children that were made of the cell.
+PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
     const paradt__update *update = &f->flipper.build.update;
+    const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
     paradt_status status = paradt__flips_room(f, update->made_count);
-    paradt_index parent, first = (paradt_index)f->history.count;
-    size_t i;
-    if (status) return status;
-    parent = f->at[update->killed[0] / corners].node;
-    for (i = 0; i < update->killed_count; i++)
-        paradt__history_node(&f->history, f->at[update->killed[i] / corners].node)[PARADT__NODE_CHILD] = first;
-    for (i = 0; i < update->made_count; i++) {
-        paradt_index handle = update->made[i], place = handle / corners;
-        f->recent = paradt__history_add(&f->history, parent, place, mesh->vertices + place * corners, corners);
-        f->at[place].node = f->recent;
-        f->facets.items[f->facets.count++] = handle;
-        f->facets.items[f->facets.count++] = f->recent;
+    size_t i, j;
+    for (i = 0; i < f->flipper.star.count && !status; i++) {
+        paradt_index parent = f->at[update->killed[i * each] / corners].node;
+        for (j = 0; j < each; j++) paradt__flips_bury(f, update->killed[i * each + j], corners);
+        for (j = 0; j < positive; j++) paradt__flips_enter(f, update->made[i * positive + j], parent, corners);
     }
-    return PARADT_OK;
+    return status;
+}
+
+// Enters the cells that connect a point: they are children of all the ghosts killed.
+static paradt_status paradt__flips_record_star(paradt__flips *f) {
+    const paradt__update *update = &f->flipper.build.update;
+    int corners = f->flipper.build.scene.mesh.corners;
+    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_index parent = f->at[update->killed[0] / corners].node;
+    size_t i;
+    for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
+    for (i = 0; i < update->made_count && !status; i++) paradt__flips_enter(f, update->made[i], parent, corners);
+    return status;
 }
 
 // Flips the cell and p, if that can be done.
@@ -10924,21 +10973,55 @@ PARADT__INLINE paradt_status paradt__flips_try(paradt__flips *f, paradt_index ce
     return status;
 }
 
-// Looks at the last facet of the list. A ghost on a facet of a cell that contains p has p on its inner side.
-PARADT__INLINE paradt_status paradt__flips_next(paradt__flips *f, paradt_index point, int corners) {
+// Compares a cell with p, unless that was done. Returns what is kept with its place.
+PARADT__INLINE paradt__flip_place *paradt__flips_ask(paradt__flips *f, paradt_index cell, paradt_index point) {
+    paradt__flip_place *at = f->at + cell;
     paradt__scene *scene = &f->flipper.build.scene;
-    paradt_index node = f->facets.items[--f->facets.count], handle = f->facets.items[--f->facets.count], other;
-    paradt__flip_place *at;
-    if (paradt__history_node(&f->history, node)[PARADT__NODE_CHILD] >= 0) return PARADT_OK; // dead
-    other = scene->mesh.links[handle] / corners;
-    at = f->at + other;
-    if (at->asked != point + 1) {
-        at->asked = point + 1;
-        at->signs.negative = at->signs.positive = 0;
-        if (paradt__conflicts(scene, other, paradt__scene_record(scene, point)))
-            at->signs = paradt__flip_signs(scene, other, point, corners);
+    if (at->asked == point + 1) return at;
+    at->asked = point + 1;
+    at->signs.positive = 0;
+    at->signs.negative = 0;
+    if (paradt__conflicts(scene, cell, paradt__scene_record(scene, point))) at->signs.negative = PARADT__NO_SIGNS;
+    return at;
+}
+
+// Finds the signs of a cell that is in conflict with p. Most follow from its neighbours. The cells in conflict are a
+// star-shaped cavity: p is strictly on the inner side of its rim. Where the neighbour is in the cavity, too, and has
+// signs, it sees the facet from the other side; and where the neighbour joins p with the facet, p is beyond it.
+PARADT__INLINE void paradt__flips_sign(paradt__flips *f, paradt_index cell, paradt_index point, int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const double *x = paradt__scene_record(scene, point);
+    paradt__signs signs = {0, 0};
+    int i, side;
+    for (i = 0; i < corners; i++) {
+        paradt_index mirror = mesh->links[cell * corners + i];
+        const paradt__flip_place *at;
+        if (mesh->vertices[cell * corners + i] == PARADT__INFINITE) continue;
+        if (mesh->vertices[mirror] == point) {
+            side = -1;
+        } else {
+            at = paradt__flips_ask(f, mirror / corners, point);
+            if (!at->signs.negative) side = 1;
+            else if (at->signs.negative == PARADT__NO_SIGNS) side = paradt__flip_sign(scene, cell, i, x, corners);
+            else side = (at->signs.negative >> mirror % corners & 1) - (at->signs.positive >> mirror % corners & 1);
+        }
+        signs.negative |= (uint16_t)((unsigned)(side < 0) << i);
+        signs.positive |= (uint16_t)((unsigned)(side > 0) << i);
     }
-    return at->signs.negative ? paradt__flips_try(f, other, point, at->signs, corners) : PARADT_OK;
+    f->at[cell].signs = signs;
+}
+
+// Looks at the last facet of the list.
+PARADT__INLINE paradt_status paradt__flips_next(paradt__flips *f, paradt_index point, int corners) {
+    paradt_index node = f->facets.items[--f->facets.count], handle = f->facets.items[--f->facets.count], other;
+    const paradt__flip_place *at;
+    if (paradt__history_node(&f->history, node)[PARADT__NODE_CHILD] >= 0) return PARADT_OK; // dead
+    other = f->flipper.build.scene.mesh.links[handle] / corners;
+    at = paradt__flips_ask(f, other, point);
+    if (!at->signs.negative) return PARADT_OK;
+    if (at->signs.negative == PARADT__NO_SIGNS) paradt__flips_sign(f, other, point, corners);
+    return paradt__flips_try(f, other, point, at->signs, corners);
 }
 
 // Fills update.killed with the ghosts on the hull facets that have the point strictly beyond them, and the rim with the
@@ -10982,7 +11065,7 @@ static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first,
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
     if (!status) status = paradt__cavity_star(build, point);
-    if (!status) status = paradt__flips_record(f, build->scene.mesh.corners);
+    if (!status) status = paradt__flips_record_star(f);
     if (!status) status = paradt__cavity_clear(build);
     if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
     return status;
@@ -10996,8 +11079,9 @@ PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_
     f->recent = f->at[cell].node;
     if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
         return paradt__flips_connect(f, cell, point);
-    if (scene->space.weighted && !paradt__conflicts(scene, cell, x)) return PARADT_OK; // hidden
-    return paradt__flips_try(f, cell, point, paradt__flip_signs(scene, cell, point, corners), corners);
+    if (scene->space.weighted && !paradt__flips_ask(f, cell, point)->signs.negative) return PARADT_OK; // hidden
+    paradt__flips_sign(f, cell, point, corners);
+    return paradt__flips_try(f, cell, point, f->at[cell].signs, corners);
 }
 
 // Inserts the points after the first ones.
