@@ -952,13 +952,16 @@ extern "C" {
 #endif
 
 // A function that is called seldom (PARADT__COLD) is made small instead of fast. GCC treats the functions that only it
-// calls likewise, unless they are marked (PARADT__HOT).
+// calls likewise, unless they are marked (PARADT__HOT), and what follows a call of it; so a loop that is to be fast
+// there is a function that is not inlined (PARADT__HOT_LOOP).
 #if defined(__GNUC__) && !defined(__TINYC__)
-#define PARADT__COLD static __attribute__((cold, noinline))
-#define PARADT__HOT  static __attribute__((hot))
+#define PARADT__COLD     static __attribute__((cold, noinline))
+#define PARADT__HOT      static __attribute__((hot))
+#define PARADT__HOT_LOOP static __attribute__((hot, noinline))
 #else
-#define PARADT__COLD PARADT__NOINLINE
-#define PARADT__HOT  static
+#define PARADT__COLD     PARADT__NOINLINE
+#define PARADT__HOT      static
+#define PARADT__HOT_LOOP static
 #endif
 
 #if defined(__GNUC__)
@@ -11085,7 +11088,7 @@ PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_
 }
 
 // Inserts the points after the first ones.
-PARADT__INLINE paradt_status paradt__flips_go(paradt__flips *f, const paradt__progress *progress, int corners) {
+PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt__progress *progress, int corners) {
     enum { PACE = 1024 }; // points and flips between two looks at whether the call is cancelled
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = PARADT_OK;
@@ -11105,6 +11108,11 @@ PARADT__INLINE paradt_status paradt__flips_go(paradt__flips *f, const paradt__pr
         build->inserted++;
     }
     return status;
+}
+
+PARADT__HOT_LOOP paradt_status paradt__flips_go(paradt__flips *f, const paradt__progress *progress) {
+    int corners = f->flipper.build.scene.mesh.corners;
+    return corners == 4 ? paradt__flips_go_any(f, progress, 4) : paradt__flips_go_any(f, progress, corners);
 }
 
 // Makes the first cells, and roots of the history of them.
@@ -11142,9 +11150,7 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
     f.counts = stats->flips;
     paradt__insertion_begin(build, set, order, memory);
     status = paradt__flips_begin(&f);
-    if (!status)
-        status = PARADT__IS(set->space.dim, 3) ? paradt__flips_go(&f, progress, 4)
-                                               : paradt__flips_go(&f, progress, build->scene.mesh.corners);
+    if (!status) status = paradt__flips_go(&f, progress);
     stats->history_nodes = f.history.count;
     *counters = build->scene.space.counters;
     paradt__history_free(&f.history, memory);
