@@ -854,9 +854,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
-//     flips                        258   circuits and their flips, in any dimension
-//     history                      132   the dag of all cells, by which points are located
-//     insertion by flips           244   search, split, collect, flip
+//     flips                        245   circuits and their flips, in any dimension
+//     history                      170   the dag of all cells, by which points are located
+//     insertion by flips           308   search, split, collect, flip
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -10691,19 +10691,19 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>history
 //
-// The history dag: all cells that an incremental construction ever made. When a change replaces cells by others, these
-// become the children of each cell that it killed, and one of the killed cells, the first, is their parent. The cells
-// made by a change cover those that it killed. So whoever wants to know which cell contains a point x goes from a cell
-// that does, living or dead, to a child that does, until the cell lives. Here "contains" is for a cell that x is in it
-// or on its boundary; for a ghost that x is strictly beyond its hull facet. For both the children cover their parents:
-// if x is strictly beyond a facet that a new point was connected to, then either x is in a cell that joins the point
-// with such a facet, or the segment from x to the facet enters the new hull through one of its new facets.
+// The history dag: all cells that an incremental construction ever made. When a flip replaces cells by others, those
+// that were made of one part of its star become the children of each cell that it killed there. They cover it. So
+// whoever wants to know which cell contains a point x goes from a cell that does, living or dead, to a child that does,
+// until the cell lives. Here "contains" is for a cell that x is in it or on its boundary; for a ghost that x is
+// strictly beyond its hull facet. A point outside is connected to many hull facets by many cells, all of which would
+// have to be asked; there a walk finds the cell in a few steps.
 //
 // The thesis starts at the root. But points come in rounds, along a curve in each round, so the last one is nearby.
-// Hence location climbs first, from the cell made last to its parent and on, until there is a cell that contains x. A
-// round's points are an (almost) random sample, and the cells that the round found are small where the sample is dense:
-// each round makes the cells about 16 times smaller, so a path is as long as that of a randomized order, O(log n) at
-// worst, but the part that lies above the last point's neighbourhood is not walked.
+// Hence location climbs first, from the cell made last to its parent and on, until there is a cell that contains x: to
+// the parent, one of the killed cells, which was there before the point whose flip killed it. So a path has a few steps
+// for each point that was inserted nearby since the cell at its top was made. The rounds are random samples as far as
+// places are concerned, each 16 times larger than the one before: the expected number of such points is a constant for
+// each round, and the number of rounds is O(log n), as in a random order.
 //
 // A node has the vertices of its cell, which stay, while its place is used again. Nodes stand in blocks, so that they
 // need not be copied when there are more. Siblings follow each other and have the same parent.
@@ -10792,20 +10792,12 @@ PARADT__INLINE int paradt__history_contains(paradt__scene *scene, const paradt_i
     return 1;
 }
 
-// The one of the cells made together, from `first` on, that contains x, of which one does; so the last is not asked
-static paradt_index paradt__history_any(const paradt__history *h, paradt__scene *scene, paradt_index first,
-                                        const double *x) {
-    const paradt_index *row = paradt__history_node(h, first);
-    paradt_index parent = row[PARADT__NODE_PARENT], node = first;
-    for (;; node++) {
-        const paradt_index *next;
-        if ((size_t)node + 1 == h->count) return node;
-        next = paradt__history_node(h, node + 1);
-        if (next[PARADT__NODE_PARENT] != parent ||
-            paradt__history_contains(scene, row, x, (int)h->width - PARADT__NODE_VERTICES))
-            return node;
-        row = next;
-    }
+// The first cell, or ghost on one of its facets, that contains x
+static paradt_index paradt__history_root(const paradt__history *h, paradt__scene *scene, const double *x) {
+    int corners = (int)h->width - PARADT__NODE_VERTICES;
+    paradt_index node = 0;
+    while (node < corners && !paradt__history_contains(scene, paradt__history_node(h, node), x, corners)) node++;
+    return node; // the last need not be asked
 }
 
 // On which side of the facet between two cells that a flip made is x? Not negative: on that of the first cell, or on
@@ -10833,8 +10825,7 @@ PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, para
                                                   const double *x, int corners) {
     const paradt_index *row = paradt__history_node(h, first), *next;
     paradt_index parent = row[PARADT__NODE_PARENT], best = first, node;
-    if (paradt__ghost_place(paradt__history_node(h, parent) + PARADT__NODE_VERTICES, corners) >= 0)
-        return paradt__history_any(h, scene, first, x);
+    if (paradt__ghost_place(row + PARADT__NODE_VERTICES, corners) >= 0) return first; // all of them contain x
     for (node = first + 1; (size_t)node < h->count; node++) {
         next = paradt__history_node(h, node);
         if (next[PARADT__NODE_PARENT] != parent) break;
@@ -10846,17 +10837,24 @@ PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, para
     return best;
 }
 
-// Finds the living cell, or ghost, that contains x. Returns its place. node: where to start
+// Finds the living cell, or ghost, that contains x. Returns its place; or PARADT__OPEN where all that is known is that
+// x is beyond a hull facet that a point was connected to. node: where to start
 PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, paradt__scene *scene, paradt_index node,
                                                    const double *x, int corners) {
-    const paradt_index *row = paradt__history_node(h, node);
+    const paradt_index *row = paradt__history_node(h, node), *parent;
     while (!paradt__history_contains(scene, row, x, corners)) {
         node = row[PARADT__NODE_PARENT];
-        row = paradt__history_node(h, node < 0 ? paradt__history_any(h, scene, 0, x) : node);
+        row = paradt__history_node(h, node < 0 ? paradt__history_root(h, scene, x) : node);
         if (node < 0) break;
     }
-    while (row[PARADT__NODE_CHILD] >= 0)
-        row = paradt__history_node(h, paradt__history_child(h, scene, row[PARADT__NODE_CHILD], x, corners));
+    while (row[PARADT__NODE_CHILD] >= 0) {
+        parent = row;
+        row = paradt__history_node(h, row[PARADT__NODE_CHILD]);
+        if (paradt__ghost_place(parent + PARADT__NODE_VERTICES, corners) >= 0 &&
+            paradt__ghost_place(row + PARADT__NODE_VERTICES, corners) < 0)
+            return PARADT__OPEN;
+        row = paradt__history_node(h, paradt__history_child(h, scene, parent[PARADT__NODE_CHILD], x, corners));
+    }
     return -1 - row[PARADT__NODE_CHILD];
 }
 
@@ -11048,11 +11046,12 @@ static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, con
             status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity,
                                        build->rim_count + (size_t)corners, build->memory);
         if (status) return status;
+        build->rim[build->rim_count++] = base + ghost; // so the first cell made is not a ghost
         for (i = 0; i < corners; i++) {
             paradt_index mirror = mesh->links[base + i], other = mirror / corners;
-            if (i != ghost && mesh->marks[other] & PARADT__CONFLICT) continue;
-            if (i != ghost && paradt__side(&build->scene, other,
-                                           paradt__ghost_place(mesh->vertices + other * corners, corners), x) > 0) {
+            if (i == ghost || mesh->marks[other] & PARADT__CONFLICT) continue;
+            if (paradt__side(&build->scene, other, paradt__ghost_place(mesh->vertices + other * corners, corners), x) >
+                0) {
                 mesh->marks[other] |= PARADT__CONFLICT;
                 update->killed[update->killed_count++] = mirror;
             } else {
@@ -11078,7 +11077,9 @@ static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first,
 PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, int corners) {
     paradt__scene *scene = &f->flipper.build.scene;
     const double *x = paradt__scene_record(scene, point);
+    paradt_index start = -1 - paradt__history_node(&f->history, f->recent)[PARADT__NODE_CHILD];
     paradt_index cell = paradt__history_locate(&f->history, scene, f->recent, x, corners);
+    if (cell < 0) cell = paradt__walk(scene, start, x);
     f->recent = f->at[cell].node;
     if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
         return paradt__flips_connect(f, cell, point);
