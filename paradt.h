@@ -10435,6 +10435,26 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
     return status;
 }
 
+#ifndef PARADT_NO_HULLS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>hull of points
+//
+// The facets of the convex hull of a set, as a mesh. Doors: paradt__hull_facets.
+
+// Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k corners
+// a cell, all links complete, no ghosts. Vertices are positions in the set; points on the hull that are no vertex of it
+// in T(P) occur in no facet. Coplanar parts are triangulated as T(P) does (with the weights, where there are any).
+//
+// The facet's vertices v[0..k-1] and any point x of the set that is not in its plane: orient(v[0..k-1], x) < 0; so
+// orient(v[0..k-1], beyond) > 0 for what is strictly outside. For k = 1 there are two facets of one vertex: place 0
+// has the smallest point, place 1 the largest, and each is the other's link.
+//   team      tasks that may run concurrently, and their progress; `memory` is divided among them meanwhile
+//   counters  of predicates: is added to
+// After an error the mesh is empty. Errors: MEMORY, TOO_LARGE, CANCELLED.
+static paradt_status paradt__hull_facets(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                         paradt__mesh *facets, paradt__counters *counters);
+#endif // PARADT_NO_HULLS
+
 #if !defined(PARADT_NO_FRONTS) && !defined(PARADT_NO_REGIONS)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of fronts
