@@ -10822,9 +10822,23 @@ typedef struct paradt__ridges {
     size_t used; // slots that are not empty
 } paradt__ridges;
 
-// The slot where the search for a facet begins. key: of the facet, by sums of paradt__vertex_key
+// A vertex' part of the key of a facet, which is the sum of these: far from linear, for sums of the vertices themselves
+// are equal for very many of the facets of a few hundred points.
+PARADT__INLINE uint64_t paradt__ridge_part(paradt_index vertex) {
+    uint64_t h = ((uint64_t)vertex + 2) * UINT64_C(0x9e3779b97f4a7c15);
+    return (h ^ h >> 32) * UINT64_C(0xd6e8feb86659fd93);
+}
+
+PARADT__INLINE uint64_t paradt__ridge_sum(const paradt_index *row, int corners) {
+    uint64_t sum = 0;
+    int i;
+    for (i = 0; i < corners; i++) sum += paradt__ridge_part(row[i]);
+    return sum;
+}
+
+// The slot where the search for a facet begins
 PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
-    return (size_t)((key ^ key >> 29) * UINT64_C(0xbf58476d1ce4e5b9) >> 20);
+    return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
 }
 
 // Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
@@ -10866,7 +10880,7 @@ static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__m
         uint64_t key;
         if (old[i] < 0) continue;
         row = paradt__mesh_row(mesh, old[i] / mesh->corners);
-        key = paradt__cell_sum(row, mesh->corners) - paradt__vertex_key(row[old[i] % mesh->corners]);
+        key = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[old[i] % mesh->corners]);
         for (j = paradt__ridge_slot(key) & ridges->mask; slots[j] >= 0;) j = (j + 1) & ridges->mask;
         slots[j] = old[i];
     }
@@ -11203,13 +11217,13 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, old);
-    sum = paradt__cell_sum(row, corners);
+    sum = paradt__ridge_sum(row, corners);
     paradt__mesh_tie(mesh, base + place, mirror);
     if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
     for (i = 0; i < corners && !status; i++) {
         paradt_index other;
         if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, mesh->vertices, sum - paradt__vertex_key(row[i]), base + i, corners,
+        other = paradt__ridges_match(&g->ridges, mesh->vertices, sum - paradt__ridge_part(row[i]), base + i, corners,
                                      &task->entered);
         if (other < 0) continue;
         paradt__mesh_tie(mesh, base + i, other);
