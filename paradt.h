@@ -11307,7 +11307,21 @@ static paradt_status paradt__graph_room(paradt__graph *g) {
     return status ? status : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->memory);
 }
 
-// Ends a round: settled places may be taken, and facets that are ready are shared again.
+// Moves the first `count` of a task's facets to those that all share.
+static paradt_status paradt__graph_share(paradt__graph *g, paradt__graph_task *task, size_t count) {
+    paradt__list *shared = &g->ready, *own = &task->ready;
+    paradt_status status =
+        paradt__list_room(&shared->items, shared->count, &shared->capacity, shared->count + count, g->memory);
+    if (status || !count) return status;
+    memcpy(shared->items + shared->count, own->items, count * sizeof *own->items);
+    shared->count += count;
+    own->count -= count;
+    memmove(own->items, own->items + count, own->count * sizeof *own->items);
+    return PARADT_OK;
+}
+
+// Ends a round: settled places may be taken; and of several tasks each shares the older half of the facets that it has
+// left, and keeps those that are likely to be in its cache.
 static paradt_status paradt__graph_collect(paradt__graph *g) {
     size_t left = 0, i;
     paradt_status status = PARADT_OK;
@@ -11320,26 +11334,28 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
         task->entered = 0;
         status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
                                    task->spare.count + task->settled.count, g->memory);
-        if (!status)
-            status = paradt__list_room(&g->ready.items, g->ready.count, &g->ready.capacity,
-                                       g->ready.count + task->ready.count, g->memory);
-        if (status) break;
-        if (task->settled.count)
+        if (!status && task->settled.count) {
             memcpy(task->spare.items + task->spare.count, task->settled.items,
                    task->settled.count * sizeof(paradt_index));
-        if (task->ready.count)
-            memcpy(g->ready.items + g->ready.count, task->ready.items, task->ready.count * sizeof(paradt_index));
-        task->spare.count += task->settled.count;
-        g->ready.count += task->ready.count;
-        task->settled.count = task->ready.count = 0;
+            task->spare.count += task->settled.count;
+            task->settled.count = 0;
+        }
+        if (!status && g->team->tasks > 1) status = paradt__graph_share(g, task, (task->ready.count + 1) / 2);
     }
     return status;
+}
+
+// Is there a facet that is ready?
+static int paradt__graph_is_busy(const paradt__graph *g) {
+    size_t i, count = g->ready.count;
+    for (i = 0; i < g->team->tasks; i++) count += g->task[i].ready.count;
+    return count > 0;
 }
 
 // Works on facets until none is ready: then all are final.
 static paradt_status paradt__graph_run(paradt__graph *g) {
     paradt_status status = PARADT_OK;
-    while (g->ready.count && !status) {
+    while (!status && paradt__graph_is_busy(g)) {
         status = paradt__graph_room(g);
         if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
         if (!status) status = paradt__graph_collect(g);
