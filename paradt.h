@@ -11028,7 +11028,7 @@ typedef struct paradt__graph_task {
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
     size_t entered; // ridges entered in this round
-    size_t made;    // cells
+    size_t work;    // done in this round, in points tested
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11049,8 +11049,16 @@ typedef struct paradt__graph {
     size_t next;              // and the number of them that tasks have taken
     paradt__graph_task *task; // [team->tasks]
     size_t round_cells;       // cells that a task may make in a round
-    double expected;          // cells made in all, for the progress
+    double expected;          // places taken in the end, for the progress
 } paradt__graph;
+
+enum {
+    PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
+    PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
+    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
+    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
+};
 
 // --- who is in conflict
 
@@ -11192,6 +11200,35 @@ PARADT__INLINE paradt_status paradt__graph_ready(paradt__graph *g, paradt__graph
     return status ? status : paradt__graph_settle(g, task, b);
 }
 
+// Fetches what matching a facet is going to read: first the slot, later what stands in it.
+PARADT__INLINE void paradt__graph_fetch_slot(const paradt__graph *g, uint64_t key) {
+    PARADT__PREFETCH(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+}
+
+PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t key, int corners) {
+    paradt_index there = PARADT__ATOMIC_SEE(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+    if (there < 0) return;
+    PARADT__PREFETCH(g->mesh.vertices + there);
+    PARADT__PREFETCH(g->mesh.links + there);
+    PARADT__PREFETCH(g->cells + there / corners);
+}
+
+// Matches the facets of a new cell, but for the one at `place`. keys: of the facets
+PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph_task *task, paradt_index base,
+                                                 int place, const uint64_t *keys, int corners) {
+    int i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < corners && !status; i++) {
+        paradt_index other;
+        if (i == place) continue;
+        other = paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered);
+        if (other < 0) continue;
+        paradt__mesh_tie(&g->mesh, base + i, other);
+        status = paradt__graph_ready(g, task, base + i, other, corners);
+    }
+    return status;
+}
+
 // Makes the cell that takes the place of the one whose facet this is, which is ready.
 PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
                                                   int dim, int terms) {
@@ -11205,31 +11242,29 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     paradt_index *row = mesh->vertices + base;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)g->cells[old].count + (size_t)g->cells[beside].count;
-    uint64_t sum;
+    uint64_t keys[PARADT_MAX_DIM + 1], sum;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
+    if (status) return status;
     memcpy(row, mesh->vertices + old * corners, (size_t)corners * sizeof *row);
     row[place] = point;
-    if (status) return status;
+    sum = paradt__ridge_sum(row, corners);
+    for (i = 0; i < corners; i++) {
+        keys[i] = sum - paradt__ridge_part(row[i]);
+        if (i != place) paradt__graph_fetch_slot(g, keys[i]);
+    }
+    task->work += count + PARADT__CELL_WORK;
     count = paradt__graph_merge(g->cells + old, g->cells + beside, task->merged);
+    for (i = 0; i < corners; i++)
+        if (i != place) paradt__graph_fetch_mirror(g, keys[i], corners);
     count = paradt__graph_filter(g, &task->space, row, task->merged, count, point, &cell->first, dim, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, old);
-    sum = paradt__ridge_sum(row, corners);
     paradt__mesh_tie(mesh, base + place, mirror);
     if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
-    for (i = 0; i < corners && !status; i++) {
-        paradt_index other;
-        if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, mesh->vertices, sum - paradt__ridge_part(row[i]), base + i, corners,
-                                     &task->entered);
-        if (other < 0) continue;
-        paradt__mesh_tie(mesh, base + i, other);
-        status = paradt__graph_ready(g, task, base + i, other, corners);
-    }
-    return status;
+    return status ? status : paradt__graph_match(g, task, base, place, keys, corners);
 }
 
 static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_task *task, paradt_index handle) {
@@ -11238,17 +11273,13 @@ static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_ta
     if (dim == 2 && terms == 2) return paradt__graph_expand(g, task, handle, 2, 2);
     if (PARADT__IS(dim, 3) && terms == 4) return paradt__graph_expand(g, task, handle, 3, 4);
     if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_expand(g, task, handle, 3, 3);
+    if (PARADT__IS(dim, 4) && terms == 5) return paradt__graph_expand(g, task, handle, 4, 5);
+    if (PARADT__IS(dim, 5) && terms == 6) return paradt__graph_expand(g, task, handle, 5, 6);
+    if (PARADT__IS(dim, 5) && terms == 5) return paradt__graph_expand(g, task, handle, 5, 5);
     return paradt__graph_expand(g, task, handle, dim, terms);
 }
 
 // --- rounds
-
-enum {
-    PARADT__ROUND_WORK = 1 << 21,  // points merged in a round, by each task
-    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
-    PARADT__ROUND_PACE = 1 << 8    // cells between two looks at whether the call is cancelled
-};
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
 PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_task *task) {
@@ -11262,18 +11293,17 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
 static void paradt__graph_task_round(void *context, size_t index) {
     paradt__graph *g = (paradt__graph *)context;
     paradt__graph_task *task = g->task + index;
-    size_t cells, work = 0, checked = 0;
-    for (cells = 0; cells < g->round_cells && work < PARADT__ROUND_WORK && !task->status; cells++) {
+    size_t cells, check = 0;
+    task->work = 0;
+    for (cells = 0; cells < g->round_cells && task->work < PARADT__ROUND_WORK && !task->status; cells++) {
         paradt_index handle = paradt__graph_take(g, task);
         if (handle < 0) break;
-        work += (size_t)g->cells[handle / g->mesh.corners].count;
         task->status = paradt__graph_expand_one(g, task, handle);
-        if (work - checked < PARADT__ROUND_WORK / 4 && cells % PARADT__ROUND_PACE) continue;
-        checked = work;
-        if (paradt__team_cancels(g->team, index, (double)g->mesh.count / g->expected))
+        if (task->work < check) continue;
+        check = task->work + PARADT__CHECK_WORK;
+        if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
             task->status = PARADT_ERROR_CANCELLED;
     }
-    task->made += cells;
 }
 
 // Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
@@ -11565,7 +11595,7 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.order = order;
     g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
     if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
-    g.expected = (double)set->count * paradt__cells_a_point(dim) * (dim + 1) + 1.0;
+    g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
     status = order ? paradt__graph_arrays(&g) : PARADT_ERROR_MEMORY;
