@@ -535,7 +535,8 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
     PARADT_FACETS = 2,       // neighbors are half-facets (see RESULT), not cells; not with PARADT_NO_NEIGHBORS
-    PARADT_FULL_DIM = 4      // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
+    PARADT_FULL_DIM = 4,     // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
+    PARADT_FURTHEST_SITE = 8 // the furthest-site triangulation, by PARADT_LIFTED_HULL (see paradt_triangulate)
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
@@ -576,7 +577,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at any time; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM, PARADT_FURTHEST_SITE
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -647,6 +648,11 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 //   options  NULL: the defaults
 // Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
 // with its own `out`. Cost: sorting the points, and expected constant time a cell for points without structure.
+//
+// With PARADT_FURTHEST_SITE the cells are those whose sphere has all points inside or on it, ties broken by the same
+// rule: a cell is there when paradt_insphere_perturbed says for every other point that it is in conflict. They are the
+// upper side of the lifted points, and triangulate the convex hull; their vertices are on the hull, and all other
+// points are hidden. The method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
@@ -676,7 +682,7 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 //   triangulation  of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
 //   points         those that it was made from
 //   options        NULL: the defaults. allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags,
-//                  which says what neighbors hold. The rest is only checked.
+//                  which says what neighbors hold; PARADT_FURTHEST_SITE is an error. The rest is only checked.
 //   fault          NULL: not wanted. It says which argument is wrong, too.
 // Errors: INVALID; and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
 // Thread safety: any number of concurrent calls. Cost: expected linear time. It shares the predicates with
@@ -14201,7 +14207,8 @@ PARADT__COLD paradt_status paradt__build_lifted_hull(paradt__work *work) {
     team = paradt__team_of(&work->options, tasks, paradt__whole_progress(work));
     memset(&counters, 0, sizeof counters);
     work->regions = 1;
-    status = paradt__lifted_hull(&work->set, 0, &team, &work->memory, &work->mesh, &counters);
+    status = paradt__lifted_hull(&work->set, (work->options.flags & PARADT_FURTHEST_SITE) != 0, &team, &work->memory,
+                                 &work->mesh, &counters);
     paradt__count_predicates(work->stats, &counters);
     return status;
 }
@@ -14259,12 +14266,17 @@ static const paradt__method *paradt__choose_method(paradt_method wanted, int dim
     return paradt__method_of(incode_pays && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
 }
 
+// The method that the options ask for. AUTO leaves furthest-site triangulations to the one method that has them.
+static paradt_method paradt__wanted_method(const paradt_options *options) {
+    return options->flags & PARADT_FURTHEST_SITE ? PARADT_LIFTED_HULL : options->method;
+}
+
 // Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
 // order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
 // and makes some for that of many points: each gives its links back before the next one begins.
 static void paradt__plan(paradt__work *work, const paradt_points *points) {
     enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
-    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     work->facets = (work->options.flags & PARADT_FACETS) != 0;
     work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
     if (work->regions > points->count) work->regions = points->count ? points->count : 1;
@@ -14293,7 +14305,7 @@ static paradt_status paradt__build_trivial(paradt__work *work) {
 
 // Builds the mesh, by another method where the first gives up.
 static paradt_status paradt__build_mesh(paradt__work *work) {
-    paradt_method wanted = work->options.method;
+    paradt_method wanted = paradt__wanted_method(&work->options);
     paradt_status status;
     if (work->set.space.dim <= 0) return paradt__build_trivial(work);
     work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
@@ -14411,7 +14423,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM | PARADT_FURTHEST_SITE))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
         return "options.flags has PARADT_FACETS, which is about neighbours, and PARADT_NO_NEIGHBORS";
@@ -14425,7 +14437,13 @@ static const char *paradt__options_fault(const paradt_options *options) {
 // Returns why the method can't do what is asked of it, or NULL.
 static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
     const paradt__method *method = paradt__method_of(options->method);
-    if (!method->most_dim) return "options.method is left out of this build, by PARADT_NO_FRONTS";
+    if (!method->most_dim) return "options.method is left out of this build, by a PARADT_NO_... macro";
+    if (options->flags & PARADT_FURTHEST_SITE) {
+        if (options->method != PARADT_AUTO && options->method != PARADT_LIFTED_HULL)
+            return "options.method has no furthest-site triangulations; PARADT_LIFTED_HULL has";
+        if (!paradt__method_of(PARADT_LIFTED_HULL)->most_dim)
+            return "options.flags has PARADT_FURTHEST_SITE, which PARADT_NO_HULLS leaves out of this build";
+    }
     if (points->dim < method->least_dim || points->dim > method->most_dim)
         return "options.method has no triangulations of dimension points.dim";
     if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
@@ -14457,7 +14475,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
 
 // Returns the most bytes that a call holds, as a multiple of the result's with neighbours. Measured on uniform points.
 static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
-    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     double each = (double)points->count / (double)work->regions;
     int several = work->regions > 1;
     if (first->front) {
@@ -14529,7 +14547,7 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     const paradt__mesh *mesh = &work->mesh;
     size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
-    if (!work->set.space.weighted) return PARADT_OK;
+    if (!work->set.space.weighted && !(work->options.flags & PARADT_FURTHEST_SITE)) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
@@ -15434,7 +15452,9 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     memset(check.fault, 0, sizeof *check.fault);
     status = paradt__check_arguments(points, options, &check.fault->reason);
     if (!status) {
-        check.fault->reason = paradt__check_triangulation(triangulation);
+        check.fault->reason = options && options->flags & PARADT_FURTHEST_SITE
+                                  ? "options.flags has PARADT_FURTHEST_SITE: no such triangulation is certified"
+                                  : paradt__check_triangulation(triangulation);
         if (check.fault->reason) status = PARADT_ERROR_ARGUMENT;
     }
     if (status) {
