@@ -863,6 +863,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     known points                 234   what a rank builds
 //     call                         192   what one call works with; steps
 //     fronts                       106   InCoDe and DeWall from set to mesh
+//     parallel dewall              106   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      229   one row a method; AUTO's choice
@@ -5322,15 +5323,17 @@ PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t 
     return place;
 }
 
-// Appends the cells of another mesh, which has no free places.
-PARADT__OPTIONAL void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
-    size_t corners = (size_t)mesh->corners, i;
-    paradt_index offset = (paradt_index)(mesh->count * corners), *to = mesh->links + offset;
-    PARADT_ASSERT(mesh->count + part->count <= mesh->capacity && mesh->corners == part->corners);
-    if (!part->count) return;
-    memcpy(mesh->vertices + offset, part->vertices, part->count * corners * sizeof *to);
-    for (i = 0; i < part->count * corners; i++) to[i] = part->links[i] < 0 ? part->links[i] : part->links[i] + offset;
-    mesh->count += part->count;
+// Appends the cells from `first` on of another mesh, which has no free places. Their links to cells before these are
+// the caller's to replace.
+PARADT__OPTIONAL void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part, size_t first) {
+    size_t corners = (size_t)mesh->corners, count = part->count - first, i;
+    paradt_index *to = mesh->links + mesh->count * corners, *from = part->links + first * corners;
+    paradt_index offset = ((paradt_index)mesh->count - (paradt_index)first) * (paradt_index)corners;
+    PARADT_ASSERT(mesh->corners == part->corners && first <= part->count && mesh->count + count <= mesh->capacity);
+    if (!count) return;
+    memcpy(mesh->vertices + mesh->count * corners, part->vertices + first * corners, count * corners * sizeof *to);
+    for (i = 0; i < count * corners; i++) to[i] = from[i] < 0 ? from[i] : from[i] + offset;
+    mesh->count += count;
 }
 
 // --- the validator
@@ -7660,9 +7663,9 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 //
 // A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
 // while it is in a list stays there, and is passed over when it comes up.
-// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
-// paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
-// paradt__list_pop.
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_adopt, paradt__front_expand,
+// paradt__front_next_seed, paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin,
+// paradt__list_push, paradt__list_pop.
 
 typedef struct paradt__node {
     paradt_index handle, next; // next: PARADT__OPEN at the end
@@ -7942,6 +7945,27 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
     return status;
 }
 
+// Begins with an active facet of a cell that another front has made. A copy of that cell, of which only this facet can
+// be tied, stands for it; its place is as many as have been adopted before.
+PARADT__OPTIONAL paradt_status paradt__front_adopt(paradt__front *front, const paradt_index *cell, int opposite,
+                                                   paradt__activate activate, void *method) {
+    paradt__mesh *mesh = &front->mesh;
+    int corners = mesh->corners, i;
+    paradt_index base = (paradt_index)mesh->count * corners, handle = base + opposite;
+    paradt__facet_key key;
+    paradt_status status = paradt__mesh_room(mesh, front->memory);
+    if (!status) status = paradt__facets_room(&front->active, 1, front->memory);
+    if (status) return status;
+    for (i = 0; i < corners; i++) {
+        mesh->vertices[base + i] = cell[i];
+        mesh->links[base + i] = i == opposite ? (paradt_index)PARADT__OPEN : (paradt_index)PARADT__HULL;
+    }
+    mesh->count++;
+    key = paradt__facet_key_of(&front->active, mesh, handle);
+    paradt__facets_tie(&front->active, mesh, key, handle, corners);
+    return activate(front, method, handle);
+}
+
 // The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
 // cell; if there is none the facet is one of the hull's.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
@@ -8095,8 +8119,8 @@ static paradt_status paradt__incode(paradt__front *front) {
 // of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
 //
 // A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
-// positions in the set.
-// Doors: paradt__dewall.
+// positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
+// paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
 enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
 
@@ -8175,30 +8199,43 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     return 0;
 }
 
+// Begins the wall of a range across the grid's plane; a small range is left whole, and a wall's one side is all of it.
+static paradt__wall paradt__wall_of(size_t begin, size_t end) {
+    paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+    wall.begin = begin;
+    wall.cut = end - begin > PARADT__WALL_SMALL ? paradt__grid_cut(begin, end) : end;
+    wall.end = end;
+    return wall;
+}
+
+// Adds a cell that crosses the plane, if there are active facets in the range and none of them crosses it.
+static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall) {
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    if (wall->alpha >= 0 || wall->cut == wall->end || front->view.owner) return PARADT_OK;
+    if ((wall->one < 0 && wall->two < 0) || !paradt__wall_seed(front, wall, cell)) return PARADT_OK;
+    return paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
+}
+
+// Makes the cells of the wall, those of the range where it is left whole.
+static paradt_status paradt__wall_raise(paradt__front *front, paradt__wall *wall) {
+    paradt_status status;
+    if (!front->view.owner) paradt__search_limit(&front->search, wall->begin, wall->end);
+    status = paradt__wall_expand(front, wall, &wall->alpha);
+    return !status && wall->cut == wall->end ? paradt__wall_expand(front, wall, &wall->one) : status;
+}
+
 // Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
 // which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
 PARADT__COLD paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
                                               paradt_index *outside) {
-    paradt__wall wall;
+    paradt__wall wall = paradt__wall_of(begin, end);
     paradt_status status;
-    wall.begin = begin;
-    wall.end = wall.cut = end;
-    wall.alpha = wall.one = wall.two = PARADT__OPEN;
     wall.outside = *outside;
-    if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    PARADT_ASSERT(begin < wall.cut && wall.cut <= end);
     status = paradt__wall_distribute(front, &wall, head);
-    if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
-        paradt_index cell[PARADT_MAX_DIM + 1];
-        if (paradt__wall_seed(front, &wall, cell)) {
-            status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-        }
-    }
+    if (!status) status = paradt__wall_begin(front, &wall);
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
-        status = paradt__wall_expand(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_expand(front, &wall, &wall.one);
+        status = paradt__wall_raise(front, &wall);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
         if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
         if (!status) status = paradt__wall_distribute(front, &wall, &back);
@@ -11450,7 +11487,7 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
     if (status) return status;
     for (field = patch->fields + 1; field < end; field++) {
-        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam, 0);
     }
     facets = (paradt_index)count * corners;
     for (facet = 0; facet < facets; facet++) {
@@ -11987,6 +12024,7 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
 
 struct paradt__front;
 struct paradt__work;
+struct paradt__level;
 
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
@@ -12000,7 +12038,8 @@ enum {
     PARADT__CAN_WEIGHTS = 1, // regular triangulations
     PARADT__CAN_LINK = 2,    // neighbours
     PARADT__CAN_REGIONS = 4, // divided space
-    PARADT__CAN_LIVE = 8     // more points after the first ones
+    PARADT__CAN_LIVE = 8,    // more points after the first ones
+    PARADT__CAN_HALVE = 16   // divides space by planes of its own; only a region that is built alone has a box
 };
 
 #ifndef PARADT_NO_REGIONS
@@ -12047,6 +12086,7 @@ typedef struct paradt__work {
     struct paradt__region *region;          // [regions]
     uint32_t *owner;                        // [set.count] with fronts: the region of each point
     paradt__field *fields;                  // [regions] with insertion
+    struct paradt__level *level;            // with DeWall, instead of regions: the ranges of points that are tasks
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
     int hollow;                             // the points may be on a surface or a curve
     int first_alone;                        // with insertion: the first region has its own points alone
@@ -12224,7 +12264,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
         if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
-        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh, 0);
         paradt__mesh_free(&work->region[i].mesh, &work->memory);
     }
     return status;
@@ -12270,6 +12310,272 @@ PARADT__COLD paradt_status paradt__build_by_front(paradt__work *work) {
     front.progress = paradt__whole_progress(work);
     front.impatient = work->impatient;
     return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+
+#ifndef PARADT_NO_REGIONS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>parallel dewall
+//
+// DeWall by tasks (thesis, chapter 4): the walls of the first levels are built, and then what they have left is built
+// by one task for each range of points. It takes no merge, and no cell is made twice, for whatever a task makes has all
+// its vertices in the task's range, and is no part of a wall.
+//
+// Level by level, a task for each range builds the wall that halves the range, in a mesh of its own. Between two levels
+// these meshes are appended to the result, and the active facets that a wall has left on either side go to the two
+// halves. A facet comes to its task with a copy of the cell that it belongs to; when the task's cells are appended,
+// what was tied to the copy is tied to the cell itself, and the copy stays behind.
+//
+// The planes are those of the grid, which do not halve exactly: one half has a power of two of grid cells, the other
+// has what is left. So ranges are halved until there are several times as many as regions were asked for: tasks of
+// about equal size, and some smaller ones. All walls but the first are tasks too.
+// Doors: paradt__build_by_dewall.
+
+enum { PARADT__RANGES_A_REGION = 4 };
+
+// A range of points in which cells are still to be made
+typedef struct paradt__half {
+    size_t begin, end;    // positions
+    paradt__list facets;  // the active facets in it: handles in work->mesh
+    paradt__list left[2]; // those that its wall has left in either half: handles in the mesh of the task
+    double share;         // of the progress, for the range with all that is in it,
+    double wall;          // and the part of the share that is the wall's
+} paradt__half;
+
+// The ranges of a level, in the order of their points
+typedef struct paradt__level {
+    paradt__half *ranges; // [capacity]
+    size_t count, capacity;
+    size_t most; // points in a range that is not halved
+    int last;    // all that is left is to be made
+} paradt__level;
+
+static int paradt__half_is_whole(const paradt__level *level, const paradt__half *range) {
+    return range->end - range->begin <= level->most;
+}
+
+static void paradt__half_free(paradt__half *range, paradt__memory *memory) {
+    paradt__list_free(&range->facets, memory);
+    paradt__list_free(&range->left[0], memory);
+    paradt__list_free(&range->left[1], memory);
+}
+
+// Begins the front of a range with its active facets, or with a first cell of all.
+static paradt_status paradt__half_begin(const paradt__work *work, const paradt__half *range, paradt__front *front,
+                                        paradt__wall *wall) {
+    const paradt__mesh *mesh = &work->mesh;
+    paradt_status status = PARADT_OK;
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    size_t i;
+    for (i = 0; i < range->facets.count && !status; i++) {
+        int opposite = (int)(range->facets.items[i] % mesh->corners);
+        status = paradt__front_adopt(front, mesh->vertices + (range->facets.items[i] - opposite), opposite,
+                                     paradt__wall_activate, wall);
+    }
+    if (!range->facets.count && paradt__front_seed(front, cell))
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
+    return status;
+}
+
+// Moves the facets of a work list that are still active to a list that outlives the front.
+static paradt_status paradt__half_leave(paradt__front *front, paradt_index *head, paradt__list *left) {
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) {
+        paradt_index handle = paradt__list_pop(&front->lists, head);
+        if (front->mesh.links[handle] == PARADT__OPEN) status = paradt__list_append(left, handle, front->memory);
+    }
+    return status;
+}
+
+// Builds the wall that halves a range, or all cells of the range.
+static paradt_status paradt__half_build(const paradt__work *work, paradt__half *range, paradt__front *front) {
+    paradt__wall wall = paradt__wall_of(range->begin, range->end);
+    paradt_index outside = PARADT__OPEN;
+    paradt_status status;
+    if (work->level->last) wall.cut = wall.end;
+    status = paradt__half_begin(work, range, front, &wall);
+    if (!status && work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, &outside);
+    if (!status) status = paradt__wall_begin(front, &wall);
+    if (!status) status = paradt__wall_raise(front, &wall);
+    if (!status) status = paradt__half_leave(front, &wall.one, &range->left[0]);
+    if (!status) status = paradt__half_leave(front, &wall.two, &range->left[1]);
+    return status;
+}
+
+// A range's task at a level. Ranges that are not halved wait for the last level.
+static void paradt__half_task(void *context, size_t index) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__half *range = work->level->ranges + index;
+    paradt__progress progress;
+    paradt__front front;
+    double part = (double)(range->end - range->begin) / (double)work->set.count, share = range->share;
+    if (!work->level->last) {
+        if (paradt__half_is_whole(work->level, range)) return;
+        part *= range->wall;
+        share *= range->wall;
+    }
+    progress = paradt__progress_of(&work->meter, &region->reported, share);
+    region->status = paradt__front_begin(&front, &work->set, &work->grid, &region->memory, undivided, part);
+    front.progress = paradt__progress_of_task(progress, index);
+    if (!region->status) region->status = paradt__half_build(work, range, &front);
+    paradt__count_front(&region->stats, &front);
+    region->stats.hull_facets = front.hull_facets;
+    paradt__front_end(&front);
+    region->mesh = front.mesh;
+}
+
+// Appends the cells that a task has made, and ties the facets that were handed to it. Afterwards the facets that it has
+// left are handles in the result's mesh.
+static void paradt__half_append(paradt__mesh *mesh, const paradt__mesh *part, paradt__half *range) {
+    const paradt_index *facets = range->facets.items;
+    paradt_index corners = mesh->corners, adopted = (paradt_index)range->facets.count * corners;
+    paradt_index base = (paradt_index)mesh->count * corners, offset = base - adopted, i;
+    size_t j;
+    int half;
+    paradt__mesh_append(mesh, part, range->facets.count);
+    for (i = 0; i < (paradt_index)range->facets.count; i++) {
+        paradt_index facet = facets[i], mirror = part->links[i * corners + facet % corners];
+        mesh->links[facet] = mirror < 0 ? mirror : mirror + offset;
+        if (mirror >= 0) mesh->links[mirror + offset] = facet;
+    }
+    for (half = 0; half < 2; half++) {
+        for (j = 0; j < range->left[half].count; j++) {
+            paradt_index *handle = range->left[half].items + j;
+            *handle = *handle < adopted ? facets[*handle / corners] : *handle + offset;
+        }
+    }
+}
+
+// Appends the cells of all tasks of a level, and frees their meshes.
+static paradt_status paradt__level_append(paradt__work *work, paradt_status status) {
+    paradt__level *level = work->level;
+    size_t total = work->mesh.count, i;
+    for (i = 0; i < level->count; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->stats.hull_facets;
+        if (region->mesh.count) total += region->mesh.count - level->ranges[i].facets.count;
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < level->count; i++) {
+        paradt__region *region = work->region + i;
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status && region->mesh.count) paradt__half_append(&work->mesh, &region->mesh, level->ranges + i);
+        paradt__mesh_free(&region->mesh, &work->memory);
+        memset(&region->stats, 0, sizeof region->stats);
+        region->reported = 0;
+    }
+    return status;
+}
+
+// About which part of the cells of so many points a plane that halves them crosses. Measured on uniform points.
+static double paradt__wall_part(double points, int dim) {
+    double part = 1.5 * pow(points, -1.0 / dim);
+    return part < 0.8 ? part : 0.8;
+}
+
+// Adds a range, if there are facets in it, and takes these over.
+static void paradt__level_add(paradt__level *level, size_t begin, size_t end, paradt__list *facets, double share,
+                              int dim) {
+    paradt__half *range = level->ranges + level->count;
+    if (!facets->count) return;
+    PARADT_ASSERT(level->count < level->capacity);
+    memset(range, 0, sizeof *range);
+    range->begin = begin;
+    range->end = end;
+    range->facets = *facets;
+    range->share = share;
+    range->wall = paradt__wall_part((double)(end - begin), dim);
+    memset(facets, 0, sizeof *facets);
+    level->count++;
+}
+
+// Replaces the ranges whose walls have been built by their halves.
+static paradt_status paradt__level_halve(paradt__work *work, paradt__level *level) {
+    int dim = work->set.space.dim;
+    size_t i;
+    paradt__level next = *level;
+    next.count = 0;
+    next.capacity = 2 * level->count;
+    next.last = 1;
+    next.ranges = (paradt__half *)paradt__alloc(&work->memory, next.capacity, sizeof *next.ranges);
+    if (!next.ranges) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < level->count; i++) {
+        paradt__half *range = level->ranges + i;
+        size_t begin = range->begin, end = range->end, cut;
+        if (paradt__half_is_whole(level, range)) {
+            paradt__level_add(&next, begin, end, &range->facets, range->share, dim);
+        } else {
+            double rest = range->share * (1.0 - range->wall) / (double)(end - begin);
+            cut = paradt__grid_cut(begin, end);
+            paradt__level_add(&next, begin, cut, &range->left[0], rest * (double)(cut - begin), dim);
+            paradt__level_add(&next, cut, end, &range->left[1], rest * (double)(end - cut), dim);
+        }
+        paradt__half_free(range, &work->memory);
+    }
+    for (i = 0; i < next.count; i++) next.last &= paradt__half_is_whole(level, next.ranges + i);
+    paradt__release(&work->memory, level->ranges);
+    *level = next;
+    return PARADT_OK;
+}
+
+// Begins with one range, of all points, for so many regions as were asked for. Ranges take the places of regions. Cut
+// off at powers of two, all but the last have more than half the points of those that are just not halved.
+static paradt_status paradt__level_begin(paradt__work *work, paradt__level *level) {
+    size_t count = work->set.count;
+    paradt_status status;
+    memset(level, 0, sizeof *level);
+    level->most = count / (work->regions * PARADT__RANGES_A_REGION);
+    if (level->most < PARADT__WALL_SMALL) level->most = PARADT__WALL_SMALL;
+    work->regions = count / level->most * 2 + 2;
+    status = paradt__begin_regions(work);
+    level->ranges = (paradt__half *)paradt__alloc(&work->memory, 1, sizeof *level->ranges);
+    if (status || !level->ranges) return PARADT_ERROR_MEMORY;
+    memset(level->ranges, 0, sizeof *level->ranges);
+    level->count = level->capacity = 1;
+    level->ranges->end = count;
+    level->ranges->share = work->share;
+    level->ranges->wall = paradt__wall_part((double)count, work->set.space.dim);
+    return PARADT_OK;
+}
+
+// Builds level after level.
+static paradt_status paradt__build_levels(paradt__work *work) {
+    paradt__level level;
+    size_t i;
+    int last = 0;
+    paradt_status status = paradt__level_begin(work, &level);
+    work->level = &level;
+    while (!status && !last && level.count) {
+        last = level.last;
+        PARADT_ASSERT(level.count <= work->set.count / level.most * 2 + 2);
+        work->regions = level.count;
+        status = paradt__level_append(work, paradt__run_step(work, PARADT_OK, paradt__half_task));
+        if (!status && !last) status = paradt__level_halve(work, &level);
+    }
+    for (i = 0; i < level.count; i++) paradt__half_free(level.ranges + i, &work->memory);
+    paradt__release(&work->memory, level.ranges);
+    work->level = NULL;
+    return status;
+}
+#endif // PARADT_NO_REGIONS
+
+// DeWall from the set to the mesh. On a line there are no walls; small sets are not halved.
+PARADT__COLD paradt_status paradt__build_by_dewall(paradt__work *work) {
+#ifndef PARADT_NO_REGIONS
+    size_t asked = work->regions;
+    paradt_status status;
+    if (asked > 1 && work->set.space.dim > 1 && work->set.count > PARADT__WALL_SMALL) {
+        status = paradt__prepare_fronts(work);
+        if (!status) status = paradt__build_levels(work);
+        work->regions = asked;
+        if (!status) PARADT__VERIFY(&work->mesh, 0, 0);
+        return status;
+    }
+    work->regions = 1;
+#endif // PARADT_NO_REGIONS
+    return paradt__build_by_front(work);
 }
 #endif // PARADT_NO_FRONTS
 
@@ -12709,7 +13015,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     largest->hull_facets = largest->patch.hull_facets;
     if (!status && own->lent) {
         status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
-        if (!status) paradt__mesh_append(&work->mesh, own);
+        if (!status) paradt__mesh_append(&work->mesh, own, 0);
     } else if (!status) {
         work->mesh = *own;
         memset(own, 0, sizeof *own);
@@ -12961,7 +13267,7 @@ static const paradt__method *paradt__method_of(paradt_method method) {
         {0, 0, 0, NULL, NULL}, // DEWALL
 #else
         {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
-        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front}, // DEWALL
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_HALVE, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_dewall},
 #endif
         {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion},
 
@@ -13001,7 +13307,7 @@ static void paradt__plan(paradt__work *work, const paradt_points *points) {
                        (work->regions == 1 || !work->options.parallel_for);
     if (first->can & PARADT__CAN_REGIONS && work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS)
         work->regions = ONE_BY_ONE;
-    work->cuts.boxes = work->regions;
+    work->cuts.boxes = first->can & PARADT__CAN_HALVE ? 1 : work->regions;
     work->cuts.partition = work->options.partition;
     work->cuts.larger_first = !work->one_by_one && !first->front;
     work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
@@ -13369,6 +13675,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.boxes = work.regions;
     work.cuts.larger_first = work.cuts.gaps = 0;
     work.method = paradt__method_of(options->method);
     if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
