@@ -45,6 +45,7 @@
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_CHECK        leaves out paradt_check
+//     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
@@ -494,6 +495,10 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_orient3f           paradt_orient3f_64
 #define paradt_insphere2f         paradt_insphere2f_64
 #define paradt_insphere3f         paradt_insphere3f_64
+#define paradt_circumsphere       paradt_circumsphere_64
+#define paradt_enclosing_sphere   paradt_enclosing_sphere_64
+#define paradt_is_self_centred    paradt_is_self_centred_64
+#define paradt_volume             paradt_volume_64
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
@@ -729,6 +734,37 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
                                  const float q[3]);
 #endif
 
+#ifndef PARADT_NO_MEASURES
+// Measures of a cell: of dim + 1 points, each a pointer to dim coordinates, finite doubles; dim is 2..PARADT_MAX_DIM.
+// Every number is the double nearest to the true one (a tie to the even), whatever the order of the vertices and the
+// compiler's flags: infinity beyond the largest double, 0 for what is nearer to 0 than to any other. What is said of a
+// point is the exact sign. No memory is allocated. Thread-safe. A call costs some microseconds in 2 and 3 dimensions,
+// milliseconds at worst in 8; it takes 48 KB of stack in 2 and 3 dimensions, up to 200 KB in more where exponents are
+// far apart.
+
+// Fills the centre and the squared radius of the sphere through all vertices. Returns 1, or 0 with nothing filled if
+// the points are flat.
+//   weights  NULL, or [dim + 1]: then |x - centre|^2 - weight = *radius2 for all vertices, and *radius2 may be negative
+//   centre   [dim]
+PARADT_DEF int paradt_circumsphere(int dim, const double *const *points /* [dim + 1] */, const double *weights,
+                                   double *centre, double *radius2);
+
+// Fills the centre and the squared radius of the smallest sphere that contains the points, which may be flat (the
+// min-containment sphere). Returns which of them are on it, bit i for points[i].
+//   centre   [dim]
+PARADT_DEF unsigned paradt_enclosing_sphere(int dim, const double *const *points /* [dim + 1] */, double *centre,
+                                            double *radius2);
+
+// Returns 1 when the centre of paradt_circumsphere is in the cell or on its boundary, else 0; 0 if the points are flat.
+// A triangulation whose cells are all self-centred is the Delaunay triangulation. Mostly decided by a filter, in less
+// than a microsecond.
+//   weights  NULL, or [dim + 1]
+PARADT_DEF int paradt_is_self_centred(int dim, const double *const *points /* [dim + 1] */, const double *weights);
+
+// Returns the signed volume: positive where paradt_orient is 1.
+PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1] */);
+#endif
+
 #ifdef __cplusplus
 }
 #endif
@@ -820,7 +856,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        608   signs in integers
+//     exact                        618   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -832,7 +868,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         688   cells, links, ghosts, free places; closing
+//     mesh                         690   cells, links, ghosts, free places; closing
 //     facets                       257   the table of facets: AFL, ridges, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -844,9 +880,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
-//     front                        408   what facet by facet has in common
+//     front                        429   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       145   divide and conquer, merge first
+//     dewall                       158   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
@@ -861,13 +897,15 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     seam                         226   what of the first region's cells is right
 //     results of patches           162   dropping, emitting, taking over
 //     known points                 234   what a rank builds
-//     call                         192   what one call works with; steps
-//     fronts                       106   InCoDe and DeWall from set to mesh
-//     parallel dewall              106   DeWall by tasks
+//     call                         195   what one call works with; steps
+//     fronts                       105   InCoDe and DeWall from set to mesh
+//     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      229   one row a method; AUTO's choice
-//     triangulate                  357   the entry
+//     methods                      237   one row a method; AUTO's choice
+//     triangulate                  358   the entry
+//   use
+//     measures of a cell           665   spheres and volumes, rounded once
 //   check
 //     check                        498   the certificate
 //   division
@@ -2148,7 +2186,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
-// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -2479,10 +2518,11 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// The whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
 // first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
 // a sixth of the room and six times as long.
-static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
+static const paradt__digit *paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum,
+                                                   int digits) {
     int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
@@ -2498,7 +2538,16 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
     paradt__store_any(work, sum, digits);
-    return paradt__sign(work, digits);
+    return work;
+}
+
+// Computes the determinant. Returns its digits, in work, and their number in *digits. whole: by all minors, see
+// paradt__general_fits; 0: from halves
+static const paradt__digit *paradt__determinant_digits(paradt__minors *m, paradt__digit *work, paradt__wide *sum,
+                                                       int whole, int *digits) {
+    *digits = paradt__minor_digits(m, m->whole->n);
+    if (!whole) return paradt__general_halves(m, work, sum, *digits);
+    return paradt__minor(m, (1u << m->whole->n) - 1, work, sum, digits);
 }
 
 // Do all minors fit together into so many digits, and the sums into so many elements?
@@ -2516,10 +2565,9 @@ PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt_
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
-    int digits = paradt__minor_digits(&m, q->n);
+    int digits;
     paradt__load_rows(work, sum, q, y);
-    if (!whole) return paradt__general_halves(&m, free_work, sum, digits);
-    determinant = paradt__minor(&m, (1u << q->n) - 1, free_work, sum, &digits);
+    determinant = paradt__determinant_digits(&m, free_work, sum, whole, &digits);
     return paradt__sign(determinant, digits);
 }
 
@@ -12214,7 +12262,7 @@ static paradt_status paradt__begin_regions(paradt__work *work) {
 // InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
 // task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
 // different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
-// paradt__front_task.
+// paradt__front_task, paradt__count_front.
 
 static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
     paradt__search_add_counts(&front->search, stats);
@@ -13702,6 +13750,671 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
+
+#ifndef PARADT_NO_MEASURES
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures of a cell
+//
+// Spheres and volumes: numbers instead of signs. Every number is the double nearest to the true one, a tie to the even,
+// so that whoever computes the same number gets the same bits: from whichever cell, in whatever order of its vertices,
+// with whatever compiler flags. It is computed in integers, as a quotient, and rounded once. Floating point has a guess
+// of the quotient, which integers correct.
+//
+// A face with the vertices p0..pk has u_i = p_i - p0 and lifts l_i = |u_i|^2 - (w_i - w0). Its centre, from which all
+// its vertices have the same power, is c = p0 + sum t_i u_i with 2 G t = l, G the Gram matrix u_i . u_j. By Cramer's
+// rule t_i = L_i / (2 det G), where L_i is det G with l for its column i. So, for all k up to the dimension,
+//
+//     centre    (2 det G p0 + sum L_i u_i) / (2 det G)
+//     radius^2  (sum L_i l_i - 4 det G w0) / (4 det G), for |c - p0|^2 = sum t_i u_i . (c - p0) = sum t_i l_i / 2
+//
+// and t_i and 1 - sum t_i are the centre's barycentric coordinates. A point p0 + v is no farther from the centre than
+// p0 if |v|^2 det G <= sum L_i u_i . v.
+//
+// The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
+// inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
+// the signs of these conditions confirm it; where they don't, all faces are tried.
+// Doors: the public functions.
+
+// Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
+//   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
+//          12 71 for G and l, 4 211 for det G and L, and 672 for what comes and goes, together 2683, and sums of 290
+//          elements. With digits of 28 bits: 5723 and 610.
+//   large  Every face fits: with k = 8 it takes 15800 digits and sums of 850 elements, or 33700 and 1810.
+#define PARADT__SMALL_FACE_DIGITS (25600 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_FACE_SUM    (18000 / PARADT__RADIX)
+#define PARADT__LARGE_FACE_DIGITS (136000 / (int)sizeof(paradt__digit))
+#define PARADT__LARGE_FACE_SUM    (54000 / PARADT__RADIX)
+
+// --- quotients
+
+typedef struct paradt__integer {
+    const paradt__digit *digits;
+    int count;
+} paradt__integer;
+
+// A quotient, and what it is computed with
+typedef struct paradt__quotient {
+    paradt__integer a, b; // neither is 0
+    int a_sign, b_sign;
+    int exponent;        // the quotient is 2^exponent a / b
+    paradt__digit *work; // room for the longer of a and b, and 4 digits more,
+    paradt__wide *sum;   // and for as many elements
+} paradt__quotient;
+
+static int paradt__integer_sign(paradt__integer x) {
+    return paradt__sign(x.digits, x.count);
+}
+
+// Returns the leading digits of an integer other than 0: its size is about that times 2^*exponent.
+static double paradt__leading(paradt__integer x, int *exponent) {
+    const double base = paradt__power(PARADT__RADIX);
+    double value = 0;
+    int i = x.count, last;
+    while (!x.digits[i - 1]) i--;
+    last = paradt__max(i - 4, 0);
+    while (i-- > last) value = value * base + (double)x.digits[i];
+    *exponent = last * PARADT__RADIX;
+    return paradt__abs(value);
+}
+
+// The sign of the quotient's size less half 2^unit, which is of about the same size.
+static int paradt__quotient_compare(const paradt__quotient *q, uint64_t half, int unit) {
+    enum { MOST = 128 / PARADT__RADIX + 1 };
+    int shift = unit - q->exponent, left = shift < 0 ? -shift : 0, right = shift > 0 ? shift : 0, length;
+    paradt__wide one[MOST] = {0}, halves[MOST] = {0};
+    paradt__digit x[MOST], y[MOST];
+    paradt__add_shifted(one, 1, 1, left % PARADT__RADIX);
+    paradt__add_shifted(halves, 1, half, right % PARADT__RADIX);
+    paradt__store_any(x, one, MOST);
+    paradt__store_any(y, halves, MOST);
+    left /= PARADT__RADIX;
+    right /= PARADT__RADIX;
+    length = paradt__max(q->a.count + left, q->b.count + right) + MOST;
+    paradt__clear_any(q->sum, length);
+    paradt__multiply_add_any(q->sum + left, q->a_sign, x, MOST, q->a.digits, q->a.count);
+    paradt__multiply_add_any(q->sum + right, -q->b_sign, y, MOST, q->b.digits, q->b.count);
+    paradt__store_any(q->work, q->sum, length);
+    return paradt__sign(q->work, length);
+}
+
+// Returns the double nearest to the quotient, a tie to the even one: infinity beyond all doubles, 0 for what is nearer
+// to 0 than to all others. The guess is about right; where arithmetic is less precise, growing steps lead from it.
+static double paradt__quotient_round(const paradt__quotient *q) {
+    const uint64_t least = (uint64_t)1 << 52;
+    uint64_t mantissa, step = 1;
+    int unit, a_exponent, b_exponent, before = 0;
+    double guess;
+    guess = paradt__leading(q->a, &a_exponent);
+    guess = paradt__rounded(guess / paradt__leading(q->b, &b_exponent));
+    mantissa = paradt__split(guess, &unit);
+    unit += a_exponent - b_exponent + q->exponent;
+    if (unit < -1140) return 0;
+    for (; unit < -1074; unit++) mantissa /= 2;
+    for (;;) {
+        int towards = 0, above;
+        for (; mantissa < least && mantissa && unit > -1074; unit--) mantissa *= 2;
+        for (; mantissa >= 2 * least; unit++) mantissa /= 2;
+        if (unit > 971) break;
+        above = paradt__quotient_compare(q, 2 * mantissa + 1, unit - 1);
+        if (above > 0 || (!above && mantissa & 1)) {
+            towards = 1;
+        } else if (mantissa == least && unit > -1074) { // below it doubles are denser
+            if (paradt__quotient_compare(q, 4 * mantissa - 1, unit - 2) >= 0) break;
+            mantissa = 2 * least - 1;
+            step = 1;
+            unit--;
+            continue;
+        } else if (mantissa) {
+            above = paradt__quotient_compare(q, 2 * mantissa - 1, unit - 1);
+            if (above < 0 || (!above && mantissa & 1)) towards = -1;
+        }
+        if (!towards) break;
+        step = towards == before ? step * 2 : 1;
+        if (towards < 0 && step >= mantissa) step = mantissa > 1 ? mantissa - 1 : 1;
+        mantissa += towards < 0 ? 0 - step : step;
+        before = towards;
+    }
+    mantissa = unit > 971         ? (uint64_t)2047 << 52
+               : mantissa < least ? mantissa
+                                  : mantissa - least + ((uint64_t)(unit + 1075) << 52);
+    if (!mantissa) return 0;
+    return paradt__from_bits(mantissa | (uint64_t)(q->a_sign != q->b_sign) << 63);
+}
+
+// --- the integers of a face
+
+typedef struct paradt__face {
+    int dim, edges; // d; k, the vertices but one
+    int weighted;
+    const double *p[PARADT_MAX_DIM + 1]; // [k + 1] the vertices; those of the cell that are not the face's follow
+    double w[PARADT_MAX_DIM + 1];
+    int unit;              // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits, digits;      // of the coordinates and their differences
+    int lift_digits;       // of the lifts, and of the entries of G, a determinant of one row
+    paradt__layout layout; // of G
+    // made by paradt__face_solve
+    paradt__digit *u, *gram, *lift;           // [k][d], [k][k], [k] integers
+    paradt__integer determinant;              // of G
+    paradt__integer solution[PARADT_MAX_DIM]; // [k] L
+    // memory
+    paradt__digit *work; // what is left
+    paradt__wide *sum;
+    int room; // digits left
+} paradt__face;
+
+// Begins a face of all vertices of a cell. weights: NULL: none
+static void paradt__face_begin(paradt__face *face, int dim, const double *const *points, const double *weights) {
+    paradt__range x = paradt__no_range, w = paradt__no_range;
+    int i, j;
+    memset(face, 0, sizeof *face);
+    face->dim = face->edges = dim;
+    face->weighted = weights != NULL;
+    for (i = 0; i <= dim; i++) {
+        face->p[i] = points[i];
+        for (j = 0; j < dim; j++) paradt__measure(&x, points[i][j]);
+        if (weights) paradt__measure(&w, weights[i]);
+        face->w[i] = weights ? weights[i] : 0;
+    }
+    if (x.unit > x.top) x.unit = x.top = 0;
+    face->unit = paradt__min(x.unit, (w.unit - (w.unit & 1)) / 2);
+    face->bits = x.top + 1 - face->unit;
+    face->digits = paradt__digit_count(face->bits);
+    // a sum of up to 8 squares, and the difference of two weights
+    face->layout.bits = paradt__max(2 * face->bits + 3, w.top + 1 - 2 * face->unit) + face->weighted;
+    face->layout.digits = face->lift_digits = paradt__digit_count(face->layout.bits);
+}
+
+// k rows of k integers of one length, as the general stage takes them
+static paradt__determinant paradt__face_square(const paradt__face *face) {
+    const paradt__determinant square = {face->edges, face->edges, face->edges, 0, NULL, NULL};
+    return square;
+}
+
+// Takes memory for so many digits.
+static paradt__digit *paradt__face_take(paradt__face *face, int digits) {
+    paradt__digit *taken = face->work;
+    face->work += digits;
+    face->room -= digits;
+    PARADT_ASSERT(face->room >= 0);
+    return taken;
+}
+
+// Stores x - y as a number of face->digits.
+static void paradt__face_difference(const paradt__face *face, paradt__digit *out, double x, double y) {
+    paradt__clear_any(face->sum, face->digits);
+    paradt__add_difference(face->sum, 1, x, y, face->unit);
+    paradt__store_any(out, face->sum, face->digits);
+}
+
+// Stores the product a . b less the difference of two weights.
+static void paradt__face_product(const paradt__face *face, paradt__digit *out, const paradt__digit *a,
+                                 const paradt__digit *b, double w, double w0) {
+    int used = 8, j; // the weights add less than 8 products
+    paradt__clear_any(face->sum, face->lift_digits);
+    for (j = 0; j < face->dim; j++, a += face->digits, b += face->digits) {
+        paradt__make_room(face->sum, face->lift_digits, &used, face->digits);
+        paradt__multiply_add_any(face->sum, 1, a, face->digits, b, face->digits);
+    }
+    if (face->weighted) paradt__add_difference(face->sum, -1, w, w0, 2 * face->unit);
+    paradt__store_any(out, face->sum, face->lift_digits);
+}
+
+// Exchanges column i of G with the lifts.
+static void paradt__face_exchange(const paradt__face *face, int i) {
+    int row, j;
+    for (row = 0; row < face->edges; row++) {
+        paradt__digit *a = face->gram + (row * face->edges + i) * face->lift_digits;
+        paradt__digit *b = face->lift + row * face->lift_digits;
+        for (j = 0; j < face->lift_digits; j++) {
+            paradt__digit digit = a[j];
+            a[j] = b[j];
+            b[j] = digit;
+        }
+    }
+}
+
+// Computes the determinant of k rows of k integers, into memory of its own.
+static paradt__integer paradt__face_determinant(paradt__face *face, const paradt__digit *rows,
+                                                const paradt__layout *layout) {
+    const paradt__determinant square = paradt__face_square(face);
+    const paradt__minors m = {&square, layout, rows, 0};
+    paradt__minors copy = m;
+    int k = face->edges, whole;
+    const paradt__digit *made;
+    paradt__digit *kept = paradt__face_take(face, paradt__minor_digits(&m, k));
+    paradt__integer x;
+    whole = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1) <= face->room;
+    made = paradt__determinant_digits(&copy, face->work, face->sum, whole, &x.count);
+    memcpy(kept, made, (size_t)x.count * sizeof *kept);
+    while (x.count > 1 && !kept[x.count - 1]) x.count--;
+    x.digits = kept;
+    return x;
+}
+
+// Makes u.
+static void paradt__face_subtract(paradt__face *face) {
+    int d = face->dim, i;
+    face->u = paradt__face_take(face, face->edges * d * face->digits);
+    for (i = 0; i < face->edges * d; i++)
+        paradt__face_difference(face, face->u + i * face->digits, face->p[i / d + 1][i % d], face->p[0][i % d]);
+}
+
+// Makes the integers of the face. Returns 0 if it is flat.
+static int paradt__face_solve(paradt__face *face) {
+    int k = face->edges, row = face->dim * face->digits, n = face->lift_digits, i;
+    paradt__face_subtract(face);
+    face->gram = paradt__face_take(face, k * k * n);
+    face->lift = paradt__face_take(face, k * n);
+    for (i = 0; i < k * k; i++)
+        paradt__face_product(face, face->gram + i * n, face->u + i / k * row, face->u + i % k * row, 0, 0);
+    for (i = 0; i < k; i++)
+        paradt__face_product(face, face->lift + i * n, face->u + i * row, face->u + i * row, face->w[i + 1],
+                             face->w[0]);
+    face->determinant = paradt__face_determinant(face, face->gram, &face->layout);
+    if (!paradt__integer_sign(face->determinant)) return 0;
+    for (i = 0; i < k; i++) {
+        paradt__face_exchange(face, i);
+        face->solution[i] = paradt__face_determinant(face, face->gram, &face->layout);
+        paradt__face_exchange(face, i);
+    }
+    return 1;
+}
+
+// Adds times * a * b to the sum of `length` elements. *used: as for paradt__make_room
+static void paradt__face_add(const paradt__face *face, int times, paradt__integer a, const paradt__digit *b,
+                             int b_count, int length, int *used) {
+    int i;
+    for (i = 0; i < times || i < -times; i++) {
+        paradt__make_room(face->sum, length, used, paradt__min(a.count, b_count));
+        paradt__multiply_add_any(face->sum, times < 0 ? -1 : 1, b, b_count, a.digits, a.count);
+    }
+}
+
+// The number of elements that the sum of products of a solution and a number takes
+static int paradt__face_length(const paradt__face *face, int count) {
+    int longest = face->determinant.count, i;
+    for (i = 0; i < face->edges; i++) longest = paradt__max(longest, face->solution[i].count);
+    return longest + count + 1;
+}
+
+// Returns a / b times 2^exponent. The digits from `work` on are free.
+static double paradt__face_quotient(const paradt__face *face, paradt__integer a, paradt__integer b, paradt__digit *work,
+                                    int exponent) {
+    paradt__quotient q;
+    while (a.count > 1 && !a.digits[a.count - 1]) a.count--;
+    q.a = a;
+    q.b = b;
+    q.a_sign = paradt__integer_sign(a);
+    q.b_sign = paradt__integer_sign(b);
+    q.exponent = exponent;
+    q.work = work;
+    q.sum = face->sum;
+    return q.a_sign ? paradt__quotient_round(&q) : 0;
+}
+
+// Returns the sum by det G times 2^exponent.
+static double paradt__face_sum_quotient(const paradt__face *face, paradt__digit *work, int length, int exponent) {
+    paradt__integer a;
+    a.digits = work;
+    a.count = length;
+    paradt__store_any(work, face->sum, length);
+    return paradt__face_quotient(face, a, face->determinant, work + length, exponent);
+}
+
+// Fills the centre and returns the squared radius of a face that has been solved.
+static double paradt__face_sphere(const paradt__face *face, double *centre) {
+    int k = face->edges, n = face->digits, length = paradt__face_length(face, n), used, i, j;
+    paradt__digit *base = face->work, *work = base + face->lift_digits;
+    for (j = 0; j < face->dim; j++) {
+        paradt__face_difference(face, base, face->p[0][j], 0);
+        paradt__clear_any(face->sum, length);
+        used = 0;
+        paradt__face_add(face, 2, face->determinant, base, n, length, &used);
+        for (i = 0; i < k; i++)
+            paradt__face_add(face, 1, face->solution[i], face->u + (i * face->dim + j) * n, n, length, &used);
+        centre[j] = paradt__face_sum_quotient(face, work, length, face->unit - 1);
+    }
+    n = face->lift_digits;
+    length = paradt__face_length(face, n);
+    paradt__clear_any(face->sum, n);
+    paradt__add_difference(face->sum, 1, face->w[0], 0, 2 * face->unit);
+    paradt__store_any(base, face->sum, n);
+    paradt__clear_any(face->sum, length);
+    used = 0;
+    for (i = 0; i < k; i++) paradt__face_add(face, 1, face->solution[i], face->lift + i * n, n, length, &used);
+    if (face->weighted) paradt__face_add(face, -4, face->determinant, base, n, length, &used);
+    return paradt__face_sum_quotient(face, work, length, 2 * face->unit - 2);
+}
+
+// Is the centre of a face that has been solved in the face? Its boundary is part of it.
+static int paradt__face_holds_centre(const paradt__face *face) {
+    static const paradt__digit one[] = {1};
+    int length = paradt__face_length(face, 1), used = 0, i;
+    for (i = 0; i < face->edges; i++) {
+        if (paradt__integer_sign(face->solution[i]) < 0) return 0;
+    }
+    paradt__clear_any(face->sum, length);
+    paradt__face_add(face, 2, face->determinant, one, 1, length, &used);
+    for (i = 0; i < face->edges; i++) paradt__face_add(face, -1, face->solution[i], one, 1, length, &used);
+    paradt__store_any(face->work, face->sum, length);
+    return paradt__sign(face->work, length) >= 0;
+}
+
+// Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
+static int paradt__face_side(const paradt__face *face, const double *x) {
+    int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
+    int used = 0, i;
+    paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
+    for (i = 0; i < face->dim; i++) paradt__face_difference(face, v + i * n, x[i], face->p[0][i]);
+    for (i = 0; i <= face->edges; i++)
+        paradt__face_product(face, products + i * m, v, i < face->edges ? face->u + i * row : v, 0, 0);
+    paradt__clear_any(face->sum, length);
+    paradt__face_add(face, 1, face->determinant, products + face->edges * m, m, length, &used);
+    for (i = 0; i < face->edges; i++) paradt__face_add(face, -1, face->solution[i], products + i * m, m, length, &used);
+    paradt__store_any(work, face->sum, length);
+    return paradt__sign(work, length);
+}
+
+// Does the small room suffice?
+static int paradt__face_is_small(const paradt__face *face) {
+    const paradt__determinant square = paradt__face_square(face);
+    const paradt__minors m = {&square, &face->layout, NULL, 0};
+    int k = face->edges, d = face->dim, n = face->digits, products = face->lift_digits;
+    int longest = paradt__minor_digits(&m, k), numerator = longest + products + 5;
+    int digits = k * d * n + k * (k + 1) * products + (k + 1) * longest;
+    int minors = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1);
+    int more = paradt__max(minors, paradt__max(products + numerator, d * n + (k + 1) * products) + numerator);
+    return digits + more <= PARADT__SMALL_FACE_DIGITS && numerator <= PARADT__SMALL_FACE_SUM;
+}
+
+// What is done with a face. Returns 0 if it can't be done.
+typedef int (*paradt__face_use)(paradt__face *face, void *out);
+
+PARADT__NOINLINE int paradt__face_in_small(paradt__face *face, paradt__face_use use, void *out) {
+    paradt__digit work[PARADT__SMALL_FACE_DIGITS];
+    paradt__wide sum[PARADT__SMALL_FACE_SUM];
+    face->work = work;
+    face->sum = sum;
+    face->room = PARADT__SMALL_FACE_DIGITS;
+    return use(face, out);
+}
+
+PARADT__NOINLINE int paradt__face_in_large(paradt__face *face, paradt__face_use use, void *out) {
+    paradt__digit work[PARADT__LARGE_FACE_DIGITS];
+    paradt__wide sum[PARADT__LARGE_FACE_SUM];
+    face->work = work;
+    face->sum = sum;
+    face->room = PARADT__LARGE_FACE_DIGITS;
+    return use(face, out);
+}
+
+static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out) {
+    if (PARADT_MAX_DIM <= 3 || face->dim <= 3 || paradt__face_is_small(face)) {
+        PARADT_ASSERT(paradt__face_is_small(face));
+        return paradt__face_in_small(face, use, out);
+    }
+    return paradt__face_in_large(face, use, out);
+}
+
+// --- floating point
+
+// The signs of a face's solution in floating point
+typedef struct paradt__estimate {
+    int k;
+    double gram[PARADT_MAX_DIM][PARADT_MAX_DIM], lift[PARADT_MAX_DIM];
+} paradt__estimate;
+
+// The determinant of a square whose column `replaced` is the lifts; -1: none is. minor[mask] is the determinant of the
+// rows in the mask and of as many first columns.
+static double paradt__estimate_determinant(const paradt__estimate *e, int replaced) {
+    double minor[1 << PARADT_MAX_DIM];
+    unsigned mask, rest;
+    minor[0] = 1;
+    for (mask = 1; mask < 1u << e->k; mask++) {
+        double sum = 0;
+        int column = 0, i;
+        for (rest = mask & (mask - 1); rest; rest &= rest - 1) column++;
+        for (rest = mask; rest; rest &= rest - 1) {
+            i = paradt__trailing_zeros(rest);
+            sum = (column == replaced ? e->lift[i] : e->gram[i][column]) * minor[mask ^ 1u << i] - sum;
+        }
+        minor[mask] = sum;
+    }
+    return minor[(1 << e->k) - 1];
+}
+
+// The same for two and three rows: fills L, and returns det G.
+static double paradt__estimate_few(const paradt__estimate *e, double *solution) {
+    const double(*g)[PARADT_MAX_DIM] = e->gram;
+    const double *l = e->lift;
+    double c00, c01, c02, c11, c12, c22;
+    if (e->k == 2) {
+        solution[0] = l[0] * g[1][1] - l[1] * g[0][1];
+        solution[1] = l[1] * g[0][0] - l[0] * g[0][1];
+        return g[0][0] * g[1][1] - g[0][1] * g[0][1];
+    }
+    c00 = g[1][1] * g[2][2] - g[1][2] * g[1][2];
+    c01 = g[0][2] * g[1][2] - g[0][1] * g[2][2];
+    c02 = g[0][1] * g[1][2] - g[0][2] * g[1][1];
+    c11 = g[0][0] * g[2][2] - g[0][2] * g[0][2];
+    c12 = g[0][1] * g[0][2] - g[0][0] * g[1][2];
+    c22 = g[0][0] * g[1][1] - g[0][1] * g[0][1];
+    solution[0] = c00 * l[0] + c01 * l[1] + c02 * l[2];
+    solution[1] = c01 * l[0] + c11 * l[1] + c12 * l[2];
+    solution[2] = c02 * l[0] + c12 * l[1] + c22 * l[2];
+    return g[0][0] * c00 + g[0][1] * c01 + g[0][2] * c02;
+}
+
+// Is the centre of a cell in the cell? 1, 0 or PARADT__UNDECIDED. With |u_i| <= r_i <= r, entries of the column i of G
+// are at most r_i r in size, lifts r^2 + v if v is the largest difference of two weights. An entry errs by at most
+// (d + 6) u times that: a square has the errors of two differences, a product and d sums. A determinant has k! terms of
+// k factors, which are rounded at most k (k + 1) / 2 times more. A half more is for errors of higher order.
+static int paradt__filter_centre(int dim, const double *const *points, const double *weights) {
+    static const double factorial[] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320};
+    const double small = paradt__power(-50), large = paradt__power(50);
+    double u[PARADT_MAX_DIM][PARADT_MAX_DIM], r[PARADT_MAX_DIM], solution[PARADT_MAX_DIM];
+    double longest = 0, heavy = 0, product = 1, error, bound, determinant, rest, sum_of_bounds = 0;
+    paradt__estimate e;
+    int i, j, h, sign = 1;
+    e.k = dim;
+    for (i = 0; i < dim; i++) {
+        double square = 0;
+        for (j = 0; j < dim; j++) {
+            u[i][j] = points[i + 1][j] - points[0][j];
+            square += u[i][j] * u[i][j];
+        }
+        e.lift[i] = e.gram[i][i] = square;
+        r[i] = sqrt(square) * 1.001;
+        if (!(r[i] > small && r[i] < large)) return PARADT__UNDECIDED;
+        longest = paradt__larger(longest, r[i]);
+        if (!weights) continue;
+        if (!(paradt__abs(weights[i + 1]) < large && paradt__abs(weights[0]) < large)) return PARADT__UNDECIDED;
+        heavy = paradt__larger(heavy, paradt__abs(weights[i + 1]) + paradt__abs(weights[0]));
+        e.lift[i] -= weights[i + 1] - weights[0];
+    }
+    if (!paradt__precise()) return PARADT__UNDECIDED;
+    for (i = 0; i < dim; i++) {
+        for (j = 0; j < i; j++) {
+            double dot = 0;
+            for (h = 0; h < dim; h++) dot += u[i][h] * u[j][h];
+            e.gram[i][j] = e.gram[j][i] = dot;
+        }
+        product *= r[i] * longest;
+    }
+    error = PARADT__ROUNDOFF * 1.5 * factorial[dim] * dim * ((dim + 6) + 0.5 * (dim + 1));
+    if (dim <= 3) determinant = paradt__estimate_few(&e, solution);
+    else determinant = paradt__estimate_determinant(&e, -1);
+    rest = 2 * determinant;
+    for (i = 0; i < dim; i++) {
+        if (dim > 3) solution[i] = paradt__estimate_determinant(&e, i);
+        bound = error * product / (r[i] * longest) * (longest * longest + heavy) * 1.001;
+        if (solution[i] < -bound) return 0;
+        if (solution[i] <= bound) sign = PARADT__UNDECIDED;
+        rest -= solution[i];
+        sum_of_bounds += bound + PARADT__ROUNDOFF * dim * paradt__abs(solution[i]);
+    }
+    sum_of_bounds += (2 * error + 4 * PARADT__ROUNDOFF * dim) * product;
+    if (rest < -sum_of_bounds) return 0;
+    return rest <= sum_of_bounds ? PARADT__UNDECIDED : sign;
+}
+
+// Returns the squared radius of a face, or -1 if its centre seems to be outside of it or it seems flat. Any errors.
+static double paradt__guess_sphere(int dim, double u[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], unsigned face) {
+    double m[PARADT_MAX_DIM][PARADT_MAX_DIM + 1], lift[PARADT_MAX_DIM], sum = 0, radius2 = 0;
+    int vertex[PARADT_MAX_DIM + 1], k = -1, i, j, h;
+    for (; face; face &= face - 1) vertex[++k] = paradt__trailing_zeros(face);
+    for (i = 0; i < k; i++) {
+        for (j = 0; j < k; j++) {
+            m[i][j] = 0;
+            for (h = 0; h < dim; h++)
+                m[i][j] += (u[vertex[i + 1]][h] - u[vertex[0]][h]) * (u[vertex[j + 1]][h] - u[vertex[0]][h]);
+        }
+        lift[i] = m[i][k] = m[i][i];
+    }
+    for (i = 0; i < k; i++) { // elimination; what is left is the solution
+        if (!(m[i][i] > 0)) return -1;
+        for (h = 0; h < k; h++) {
+            double factor = m[h][i] / m[i][i];
+            for (j = i; j <= k && h != i; j++) m[h][j] -= factor * m[i][j];
+        }
+    }
+    for (i = 0; i < k; i++) {
+        double t = 0.5 * m[i][k] / m[i][i];
+        if (!(t >= 0)) return -1;
+        sum += t;
+        radius2 += 0.5 * t * lift[i];
+    }
+    return sum <= 1 ? radius2 : -1;
+}
+
+// Guesses the face whose sphere is the smallest around the cell: the cell, or of the faces with the centres of their
+// spheres in them, all of which are in that sphere, the one with the largest.
+static unsigned paradt__guess_face(int dim, const double *const *points, int top) {
+    const double scale = paradt__power(paradt__min(-top, 1023));
+    double u[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], largest = -1;
+    unsigned all = (2u << dim) - 1, best = all, face;
+    int i, j;
+    for (i = 0; i <= dim; i++) {
+        for (j = 0; j < dim; j++) u[i][j] = points[i][j] * scale - points[0][j] * scale;
+    }
+    if (paradt__guess_sphere(dim, u, all) >= 0) return all;
+    for (face = all - 1; face; face--) {
+        double radius2 = face & (face - 1) ? paradt__guess_sphere(dim, u, face) : -1;
+        if (radius2 > largest) largest = radius2, best = face;
+    }
+    return best;
+}
+
+// --- the public functions
+
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
+                                   double *radius2) {
+    paradt__face face;
+    paradt__sphere_of sphere = {centre, 0, 0};
+    paradt__face_begin(&face, dim, points, weights);
+    if (!paradt__face_run(&face, paradt__use_for_circumsphere, &sphere)) return 0;
+    *radius2 = sphere.radius2;
+    return 1;
+}
+
+static int paradt__use_for_centre(paradt__face *face, void *out) {
+    (void)out;
+    return paradt__face_solve(face) && paradt__face_holds_centre(face);
+}
+
+PARADT_DEF int paradt_is_self_centred(int dim, const double *const *points, const double *weights) {
+    paradt__face face;
+    int sign = paradt__filter_centre(dim, points, weights);
+    if (sign != PARADT__UNDECIDED) return sign;
+    paradt__face_begin(&face, dim, points, weights);
+    return paradt__face_run(&face, paradt__use_for_centre, NULL);
+}
+
+// Returns 0 if the sphere of the face is not the smallest around the cell.
+static int paradt__use_to_enclose(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    int i;
+    if (!paradt__face_solve(face) || !paradt__face_holds_centre(face)) return 0;
+    sphere->on = 0;
+    for (i = 0; i <= face->dim; i++) {
+        int side = i <= face->edges ? 0 : paradt__face_side(face, face->p[i]);
+        if (side > 0) return 0;
+        if (!side) sphere->on |= 1u << i;
+    }
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+// Tries a face of at least two of a cell's vertices, which come first then.
+static int paradt__enclose_by(const paradt__face *cell, unsigned vertices, paradt__sphere_of *sphere) {
+    paradt__face face = *cell;
+    int order[PARADT_MAX_DIM + 1], count = 0, turn, i;
+    unsigned on = 0;
+    for (turn = 1; turn >= 0; turn--) {
+        for (i = 0; i <= cell->dim; i++) {
+            if ((int)(vertices >> i & 1) == turn) order[count++] = i;
+        }
+        if (turn) face.edges = count - 1;
+    }
+    for (i = 0; i <= cell->dim; i++) face.p[i] = cell->p[order[i]];
+    if (!paradt__face_run(&face, paradt__use_to_enclose, sphere)) return 0;
+    for (i = 0; i <= cell->dim; i++) on |= (sphere->on >> i & 1) << order[i];
+    sphere->on = on;
+    return 1;
+}
+
+PARADT_DEF unsigned paradt_enclosing_sphere(int dim, const double *const *points, double *centre, double *radius2) {
+    const unsigned all = (2u << dim) - 1;
+    paradt__face cell;
+    paradt__sphere_of sphere = {centre, 0, all};
+    unsigned face;
+    int i, equal = 1;
+    paradt__face_begin(&cell, dim, points, NULL);
+    for (i = 0; i < dim * dim; i++) equal &= points[i / dim + 1][i % dim] == points[0][i % dim];
+    for (i = 0; i < dim && equal; i++) centre[i] = paradt__from_ordered_bits(paradt__ordered_bits(points[0][i]));
+    if (!equal && !paradt__enclose_by(&cell, paradt__guess_face(dim, points, cell.unit + cell.bits - 1), &sphere)) {
+        for (face = all; face; face--) {
+            if (face & (face - 1) && paradt__enclose_by(&cell, face, &sphere)) break;
+        }
+        PARADT_ASSERT(face);
+    }
+    *radius2 = sphere.radius2;
+    return sphere.on;
+}
+
+static int paradt__use_for_volume(paradt__face *face, void *out) {
+    static const paradt__digit factorial[] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320};
+    const paradt__layout layout = {0, face->bits, face->digits, 0, 0, 0};
+    paradt__integer determinant, by;
+    by.digits = factorial + face->dim;
+    by.count = 1;
+    paradt__face_subtract(face);
+    determinant = paradt__face_determinant(face, face->u, &layout);
+    *(double *)out = paradt__face_quotient(face, determinant, by, face->work, face->dim * face->unit);
+    return 1;
+}
+
+PARADT_DEF double paradt_volume(int dim, const double *const *points) {
+    paradt__face face;
+    double volume = 0;
+    paradt__face_begin(&face, dim, points, NULL);
+    paradt__face_run(&face, paradt__use_for_volume, &volume);
+    return volume;
+}
+#endif // PARADT_NO_MEASURES
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
