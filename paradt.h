@@ -48,6 +48,7 @@
 //     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
+//     PARADT_NO_FLIPS        leaves out PARADT_FLIP and paradt_repair
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
 //                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
@@ -889,6 +890,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
+//     flips                        245   circuits and their flips, in any dimension
+//     history                      170   the dag of all cells, by which points are located
+//     insertion by flips           308   search, split, collect, flip
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -902,7 +906,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      237   one row a method; AUTO's choice
+//     methods                      255   one row a method; AUTO's choice
 //     triangulate                  358   the entry
 //   use
 //     measures of a cell           665   spheres and volumes, rounded once
@@ -987,13 +991,16 @@ extern "C" {
 #endif
 
 // A function that is called seldom (PARADT__COLD) is made small instead of fast. GCC treats the functions that only it
-// calls likewise, unless they are marked (PARADT__HOT).
+// calls likewise, unless they are marked (PARADT__HOT), and what follows a call of it; so a loop that is to be fast
+// there is a function that is not inlined (PARADT__HOT_LOOP).
 #if defined(__GNUC__) && !defined(__TINYC__)
-#define PARADT__COLD static __attribute__((cold, noinline))
-#define PARADT__HOT  static __attribute__((hot))
+#define PARADT__COLD     static __attribute__((cold, noinline))
+#define PARADT__HOT      static __attribute__((hot))
+#define PARADT__HOT_LOOP static __attribute__((hot, noinline))
 #else
-#define PARADT__COLD PARADT__NOINLINE
-#define PARADT__HOT  static
+#define PARADT__COLD     PARADT__NOINLINE
+#define PARADT__HOT      static
+#define PARADT__HOT_LOOP static
 #endif
 
 #if defined(__GNUC__)
@@ -5719,7 +5726,7 @@ PARADT__OPTIONAL paradt_status paradt__facets_join(paradt__facets *facets, parad
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
 // paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
@@ -8467,7 +8474,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, `ridges` is empty, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_star, paradt__insert.
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__cavity_clear, paradt__insert.
 
 struct paradt__kept; // see >>kept spheres
 
@@ -10519,6 +10526,729 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
     if (status) paradt__mesh_free(mesh, memory);
     return status;
 }
+
+#ifndef PARADT_NO_FLIPS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>flips
+//
+// Flips in any dimension. A flip takes a circuit: a point p and those vertices of a cell that p is a proper affine
+// combination of,
+//     p = sum of c_i v_i,   sum of c_i = 1,   c_i != 0.
+// Let N be the vertices with c_i < 0, Q those with c_i > 0. The two triangulations of the circuit are the simplices
+// that leave out one point of {p} + N, and those that leave out one of Q. A flip replaces the first by the second. If
+// c_i is 0 for some vertices of the cell, as in a lattice, the circuit lies in a face, and other cells have it, too:
+// those around the simplex of N and Q, its star. With their other vertices, which make the simplex's link, they are
+// replaced together. That is possible if and only if all simplices of the first triangulation have the same link: if
+// for each cell of the star and each vertex in N the neighbour across the facet opposite that vertex has p for its
+// apex. In the plane and in space:
+//
+//     N   Q          N   Q              N   Q                        N   Q
+//     0   3   1-3    0   4   1-4        0   3   2-6 (in a facet)     1   3   2-3    2   2   3-2
+//     0   2   2-4    1   2   2-2        0   2   in an edge           1   2   4-4, 2-2 on the hull
+//     2   1   3-1    3   1   4-1        2   1   6-2        1 1 ...   with weights: the vertex in Q is hidden then
+//
+// One function serves all of them, in all dimensions: the mesh is closed, so cells and ghosts of a star are alike.
+//
+// On flips of a closed mesh whose cells are positively oriented; nothing else is asked of it. N is not empty where p is
+// beyond a facet of the cell, and empty where p is in the cell and no vertex yet: then the flip inserts p.
+// After Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986; the circuits and
+// their links: de Loera, Rambau, Santos, "Triangulations", 2010, section 4.4.
+// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip.
+
+// The signs of a cell's coefficients, a bit for each place in its row. Both masks are 0 where no flip is wanted.
+typedef struct paradt__signs {
+    uint16_t negative, positive;
+} paradt__signs;
+
+// What a flip works with
+typedef struct paradt__flipper {
+    paradt__insertion build;                 // the scene, room for cells, and the update of the last flip
+    paradt_index point;                      // p
+    int negative, positive;                  // numbers of vertices in N and in Q
+    paradt_index member[PARADT_MAX_DIM + 1]; // the vertices themselves: N, then Q
+    paradt__list star;                       // places of the cells around them
+    unsigned char *places; // [places_capacity] for each of these cells, where in its row each member is
+    size_t places_capacity;
+    paradt_index *number; // [numbers] by place: that of the cell in the star
+    size_t numbers;
+} paradt__flipper;
+
+static void paradt__flipper_rest(paradt__flipper *f) {
+    paradt__memory *memory = f->build.memory;
+    paradt__list_free(&f->star, memory);
+    paradt__release(memory, f->places);
+    paradt__release(memory, f->number);
+    f->places = NULL;
+    f->number = NULL;
+    paradt__insertion_rest(&f->build);
+}
+
+// Makes sure that all places have numbers.
+static paradt_status paradt__flipper_numbers(paradt__flipper *f) {
+    size_t capacity = f->build.scene.mesh.capacity;
+    void *array = f->number;
+    if (PARADT__LIKELY(f->numbers >= capacity)) return PARADT_OK;
+    if (!paradt__grow(f->build.memory, &array, 0, capacity, sizeof *f->number)) return PARADT_ERROR_MEMORY;
+    f->number = (paradt_index *)array;
+    f->numbers = capacity;
+    return PARADT_OK;
+}
+
+// The sign of p's coefficient at a vertex of a cell, or of a ghost whose hull facet has p in its plane; i: the vertex's
+// place, not that of the infinite vertex, whose coefficient is 0
+PARADT__INLINE int paradt__flip_sign(paradt__scene *scene, paradt_index cell, int i, const double *x, int corners) {
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index *finite = paradt__mesh_row(mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_index vertex = finite[i];
+    int ghost = paradt__ghost_place(finite, corners), j;
+    if (ghost >= 0) finite = paradt__mesh_row(mesh, mesh->links[cell * corners + ghost] / corners);
+    for (j = 0; j < corners; j++) p[j] = finite[j] == vertex ? x : paradt__scene_record(scene, finite[j]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Adds a cell to the star.
+PARADT__INLINE paradt_status paradt__star_append(paradt__flipper *f, paradt_index cell, int corners) {
+    const paradt_index *vertices = paradt__mesh_row(&f->build.scene.mesh, cell);
+    size_t at = f->star.count * (size_t)corners;
+    int members = f->negative + f->positive, i, j;
+    paradt_status status = paradt__list_append(&f->star, cell, f->build.memory);
+    if (status) return status;
+    if (at + (size_t)corners > f->places_capacity) {
+        void *array = f->places;
+        size_t capacity = 2 * at + 8 * (size_t)corners;
+        if (!paradt__grow(f->build.memory, &array, at, capacity, 1)) return PARADT_ERROR_MEMORY;
+        f->places = (unsigned char *)array;
+        f->places_capacity = capacity;
+    }
+    for (i = 0; i < members; i++) {
+        for (j = 0; vertices[j] != f->member[i];) j++;
+        f->places[at + (size_t)i] = (unsigned char)j;
+    }
+    return PARADT_OK;
+}
+
+// Adds the star's other cells: through the facets that have all members.
+static paradt_status paradt__star_spread(paradt__flipper *f, int corners) {
+    paradt__mesh *mesh = &f->build.scene.mesh;
+    int members = f->negative + f->positive, i;
+    paradt_status status = paradt__flipper_numbers(f);
+    size_t next;
+    if (status) return status;
+    f->number[f->star.items[0]] = 0;
+    mesh->marks[f->star.items[0]] |= PARADT__CONFLICT;
+    for (next = 0; next < f->star.count && !status; next++) {
+        paradt_index base = f->star.items[next] * corners;
+        unsigned inside = 0;
+        for (i = 0; i < members; i++) inside |= 1u << f->places[next * (size_t)corners + (size_t)i];
+        for (i = 0; i < corners && !status; i++) {
+            paradt_index other = mesh->links[base + i] / corners;
+            if (inside >> i & 1 || !paradt__mesh_mark(mesh, (size_t)other, PARADT__CONFLICT)) continue;
+            f->number[other] = (paradt_index)f->star.count;
+            status = paradt__star_append(f, other, corners);
+        }
+    }
+    for (next = 0; next < f->star.count; next++)
+        paradt__mesh_unmark(mesh, (size_t)f->star.items[next], PARADT__CONFLICT);
+    return status;
+}
+
+// Do all simplices of the first triangulation have the same link?
+PARADT__INLINE int paradt__links_are_equal(const paradt__flipper *f, int corners) {
+    const paradt__mesh *mesh = &f->build.scene.mesh;
+    size_t i;
+    int j;
+    for (i = 0; i < f->star.count; i++) {
+        paradt_index base = f->star.items[i] * corners;
+        const unsigned char *places = f->places + i * (size_t)corners;
+        for (j = 0; j < f->negative; j++) {
+            if (mesh->vertices[mesh->links[base + places[j]]] != f->point) return 0;
+        }
+    }
+    return 1;
+}
+
+// Collects what a flip of the cell and the point is about, by the signs: members and star. *possible: the flip can be
+// done
+PARADT__INLINE paradt_status paradt__flip_collect(paradt__flipper *f, paradt_index cell, paradt_index point,
+                                                  paradt__signs signs, int corners, int *possible) {
+    const paradt__mesh *mesh = &f->build.scene.mesh;
+    const paradt_index *vertices = paradt__mesh_row(mesh, cell);
+    paradt_status status;
+    int i, members = 0;
+    *possible = 0;
+    for (i = 0; i < corners; i++) {
+        if (!(signs.negative >> i & 1)) continue;
+        if (mesh->vertices[mesh->links[cell * corners + i]] != point) return PARADT_OK;
+        f->member[members++] = vertices[i];
+    }
+    f->negative = members;
+    for (i = 0; i < corners; i++) {
+        if (signs.positive >> i & 1) f->member[members++] = vertices[i];
+    }
+    f->positive = members - f->negative;
+    f->point = point;
+    f->star.count = 0;
+    status = paradt__star_append(f, cell, corners);
+    if (!status && members < corners) {
+        status = paradt__star_spread(f, corners);
+        if (!status) *possible = paradt__links_are_equal(f, corners);
+        return status;
+    }
+    *possible = 1;
+    return status;
+}
+
+// Makes room for what the flip kills and makes.
+static paradt_status paradt__flip_room(paradt__flipper *f) {
+    paradt__insertion *build = &f->build;
+    paradt__update *update = &build->update;
+    size_t killed = f->star.count * (size_t)(1 + f->negative), made = f->star.count * (size_t)f->positive;
+    paradt_status status = paradt__insertion_room(build, made);
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, made, build->memory);
+    if (!status) status = paradt__list_room(&update->killed, 0, &update->killed_capacity, killed, build->memory);
+    return status ? status : paradt__mesh_spare_room(&build->scene.mesh, killed, build->memory);
+}
+
+// Links a new cell. i: the cell of the star that it is made of; j: number of the vertex in Q that p has replaced
+PARADT__INLINE void paradt__flip_link(paradt__flipper *f, size_t i, int j, int corners) {
+    paradt__mesh *mesh = &f->build.scene.mesh;
+    const unsigned char *places = f->places + i * (size_t)corners;
+    const paradt_index *made = f->build.update.made + i * (size_t)f->positive;
+    paradt_index base = f->star.items[i] * corners, own = made[j] - places[f->negative + j];
+    int k, place = places[f->negative + j], members = f->negative + f->positive;
+    unsigned inside = 0;
+    paradt__mesh_tie(mesh, own + place, mesh->links[base + place]);
+    for (k = 0; k < f->negative; k++) { // the facet is one of the neighbour that joins p with the facet opposite
+        paradt_index mirror = mesh->links[base + places[k]], other = mirror - mirror % corners;
+        while (mesh->vertices[other] != f->member[f->negative + j]) other++;
+        paradt__mesh_tie(mesh, own + places[k], mesh->links[other]);
+    }
+    for (k = 0; k < f->positive; k++) {
+        if (k != j) mesh->links[own + places[f->negative + k]] = made[k] - places[f->negative + k] + place;
+    }
+    if (members == corners) return;
+    for (k = 0; k < members; k++) inside |= 1u << places[k];
+    for (k = 0; k < corners; k++) { // to the new cells made of the star's other cells
+        paradt_index mirror = mesh->links[base + k], other = mirror / corners;
+        size_t at = (size_t)f->number[other];
+        if (inside >> k & 1) continue;
+        other = f->build.update.made[at * (size_t)f->positive + (size_t)j] -
+                f->places[at * (size_t)corners + (size_t)(f->negative + j)];
+        mesh->links[own + k] = other + mirror % corners;
+    }
+}
+
+// Flips what was collected. Fills the update: killed, for each cell of the star that cell and then the others
+// that have its part of the link; made, for each cell of the star, by the facets opposite p.
+// Places of killed cells are free afterwards.
+PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
+    paradt__insertion *build = &f->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    paradt_status status = paradt__flip_room(f);
+    size_t i, count = 0;
+    int j;
+    if (status) return status;
+    update->made_count = 0;
+    for (i = 0; i < f->star.count; i++) {
+        const paradt_index *row = mesh->vertices + f->star.items[i] * corners;
+        for (j = 0; j < f->positive; j++) {
+            paradt_index made = paradt__mesh_take(mesh) * corners;
+            int place = f->places[i * (size_t)corners + (size_t)(f->negative + j)];
+            memcpy(mesh->vertices + made, row, (size_t)corners * sizeof *row);
+            mesh->vertices[made + place] = f->point;
+            update->made[update->made_count++] = made + place;
+        }
+        update->killed[count++] = f->star.items[i] * corners;
+        for (j = 0; j < f->negative; j++)
+            update->killed[count++] =
+                mesh->links[f->star.items[i] * corners + f->places[i * (size_t)corners + (size_t)j]];
+    }
+    update->killed_count = count;
+    for (i = 0; i < f->star.count; i++) {
+        for (j = 0; j < f->positive; j++) paradt__flip_link(f, i, j, corners);
+    }
+    for (i = 0; i < count; i++) paradt__mesh_give(mesh, update->killed[i] / corners, (size_t)corners);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>history
+//
+// The history dag: all cells that an incremental construction ever made. When a flip replaces cells by others, those
+// that were made of one part of its star become the children of each cell that it killed there. They cover it. So
+// whoever wants to know which cell contains a point x goes from a cell that does, living or dead, to a child that does,
+// until the cell lives. Here "contains" is for a cell that x is in it or on its boundary; for a ghost that x is
+// strictly beyond its hull facet. A point outside is connected to many hull facets by many cells, all of which would
+// have to be asked; there a walk finds the cell in a few steps.
+//
+// The thesis starts at the root. But points come in rounds, along a curve in each round, so the last one is nearby.
+// Hence location climbs first, from the cell made last to its parent and on, until there is a cell that contains x: to
+// the parent, one of the killed cells, which was there before the point whose flip killed it. So a path has a few steps
+// for each point that was inserted nearby since the cell at its top was made. The rounds are random samples as far as
+// places are concerned, each 16 times larger than the one before: the expected number of such points is a constant for
+// each round, and the number of rounds is O(log n), as in a random order.
+//
+// A node has the vertices of its cell, which stay, while its place is used again. Nodes stand in blocks, so that they
+// need not be copied when there are more. Siblings follow each other and have the same parent.
+// After Guibas, Knuth, Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams", Algorithmica 7,
+// 1992, and Edelsbrunner and Shah, Algorithmica 15, 1996; the thesis, 3.1.
+// Doors: paradt__history_*.
+
+enum {
+    PARADT__NODE_PARENT, // the parent, or PARADT__OPEN: a first cell
+    PARADT__NODE_CHILD,  // the first child; or, of a living cell, -1 - its place
+    PARADT__NODE_VERTICES,
+    PARADT__NODE_SHIFT = 14 // a block has 2^14 nodes
+};
+
+typedef struct paradt__history {
+    size_t width;         // of a node
+    size_t count;         // nodes
+    paradt_index **block; // [block_capacity]
+    size_t blocks, block_capacity;
+} paradt__history;
+
+static void paradt__history_free(paradt__history *h, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < h->blocks; i++) paradt__release(memory, h->block[i]);
+    paradt__release(memory, h->block);
+    memset(h, 0, sizeof *h);
+}
+
+PARADT__INLINE paradt_index *paradt__history_node(const paradt__history *h, paradt_index node) {
+    return h->block[node >> PARADT__NODE_SHIFT] + (size_t)(node & ((1 << PARADT__NODE_SHIFT) - 1)) * h->width;
+}
+
+// Makes room for more nodes.
+static paradt_status paradt__history_grow(paradt__history *h, size_t more, paradt__memory *memory) {
+    size_t most = (size_t)PARADT__NOWHERE;
+    if (more > most - h->count) return PARADT_ERROR_TOO_LARGE;
+    while (h->blocks << PARADT__NODE_SHIFT < h->count + more) {
+        void *array = h->block;
+        if (h->blocks == h->block_capacity) {
+            if (!paradt__grow(memory, &array, h->blocks, 2 * h->blocks + 16, sizeof *h->block))
+                return PARADT_ERROR_MEMORY;
+            h->block = (paradt_index **)array;
+            h->block_capacity = 2 * h->blocks + 16;
+        }
+        array = paradt__alloc_filled(memory, (size_t)1 << PARADT__NODE_SHIFT, h->width * sizeof(paradt_index));
+        if (!array) return PARADT_ERROR_MEMORY;
+        h->block[h->blocks++] = (paradt_index *)array;
+    }
+    return PARADT_OK;
+}
+
+PARADT__INLINE paradt_status paradt__history_room(paradt__history *h, size_t more, paradt__memory *memory) {
+    if (PARADT__LIKELY(h->count + more <= h->blocks << PARADT__NODE_SHIFT)) return PARADT_OK;
+    return paradt__history_grow(h, more, memory);
+}
+
+// Adds a living cell, for which there is room. Returns its node.
+PARADT__INLINE paradt_index paradt__history_add(paradt__history *h, paradt_index parent, paradt_index place,
+                                                const paradt_index *vertices, int corners) {
+    paradt_index node = (paradt_index)h->count++, *row = paradt__history_node(h, node);
+    row[PARADT__NODE_PARENT] = parent;
+    row[PARADT__NODE_CHILD] = -1 - place;
+    memcpy(row + PARADT__NODE_VERTICES, vertices, (size_t)corners * sizeof *vertices);
+    return node;
+}
+
+// Does the cell, living or dead, contain x?
+PARADT__INLINE int paradt__history_contains(paradt__scene *scene, const paradt_index *row, const double *x,
+                                            int corners) {
+    const paradt_index *vertices = row + PARADT__NODE_VERTICES;
+    const double *p[PARADT_MAX_DIM + 1], *corner;
+    int ghost = -1, i;
+    for (i = 0; i < corners; i++) {
+        if (vertices[i] == PARADT__INFINITE) p[ghost = i] = x;
+        else p[i] = paradt__scene_record(scene, vertices[i]);
+    }
+    if (ghost >= 0) return paradt__orient(&scene->space, p) > 0;
+    for (i = 0; i < corners; i++) {
+        int side;
+        corner = p[i];
+        p[i] = x;
+        side = paradt__orient(&scene->space, p);
+        p[i] = corner;
+        if (side < 0) return 0;
+    }
+    return 1;
+}
+
+// The first cell, or ghost on one of its facets, that contains x
+static paradt_index paradt__history_root(const paradt__history *h, paradt__scene *scene, const double *x) {
+    int corners = (int)h->width - PARADT__NODE_VERTICES;
+    paradt_index node = 0;
+    while (node < corners && !paradt__history_contains(scene, paradt__history_node(h, node), x, corners)) node++;
+    return node; // the last need not be asked
+}
+
+// On which side of the facet between two cells that a flip made is x? Not negative: on that of the first cell, or on
+// the facet. Their rows differ in two places, with the flip's point at one of them in each.
+PARADT__INLINE int paradt__history_between(paradt__scene *scene, const paradt_index *one, const paradt_index *two,
+                                           const double *x, int corners) {
+    const double *p[PARADT_MAX_DIM + 1];
+    int i, low = -1, high = 0;
+    for (i = 0; i < corners; i++) {
+        p[i] = paradt__scene_record(scene, one[i]);
+        if (one[i] == two[i]) continue;
+        if (low < 0) low = i;
+        high = i;
+    }
+    p[one[low] == two[high] ? high : low] = x;
+    return paradt__orient(&scene->space, p);
+}
+
+// The child, from `first` on, that contains x. The children of a cell are those made of its part of the circuit's star:
+// this part covers x, and only vertices in Q may have negative coefficients for x in one of them. Add a multiple of the
+// circuit's relation to a combination of x by all points of the circuit with no negative coefficient: those of Q fall,
+// and the first to become zero tells which vertex the cell that contains x does not have. So two of the children are
+// compared by the facet between them, and the best of all contains x.
+PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, paradt__scene *scene, paradt_index first,
+                                                  const double *x, int corners) {
+    const paradt_index *row = paradt__history_node(h, first), *next;
+    paradt_index parent = row[PARADT__NODE_PARENT], best = first, node;
+    if (paradt__ghost_place(row + PARADT__NODE_VERTICES, corners) >= 0) return first; // all of them contain x
+    for (node = first + 1; (size_t)node < h->count; node++) {
+        next = paradt__history_node(h, node);
+        if (next[PARADT__NODE_PARENT] != parent) break;
+        if (paradt__history_between(scene, row + PARADT__NODE_VERTICES, next + PARADT__NODE_VERTICES, x, corners) >= 0)
+            continue;
+        best = node;
+        row = next;
+    }
+    return best;
+}
+
+// Finds the living cell, or ghost, that contains x. Returns its place; or PARADT__OPEN where all that is known is that
+// x is beyond a hull facet that a point was connected to. node: where to start
+PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, paradt__scene *scene, paradt_index node,
+                                                   const double *x, int corners) {
+    const paradt_index *row = paradt__history_node(h, node), *parent;
+    while (!paradt__history_contains(scene, row, x, corners)) {
+        node = row[PARADT__NODE_PARENT];
+        row = paradt__history_node(h, node < 0 ? paradt__history_root(h, scene, x) : node);
+        if (node < 0) break;
+    }
+    while (row[PARADT__NODE_CHILD] >= 0) {
+        parent = row;
+        row = paradt__history_node(h, row[PARADT__NODE_CHILD]);
+        if (paradt__ghost_place(parent + PARADT__NODE_VERTICES, corners) >= 0 &&
+            paradt__ghost_place(row + PARADT__NODE_VERTICES, corners) < 0)
+            return PARADT__OPEN;
+        row = paradt__history_node(h, paradt__history_child(h, scene, parent[PARADT__NODE_CHILD], x, corners));
+    }
+    return -1 - row[PARADT__NODE_CHILD];
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion by flips
+//
+// The randomized incremental flip algorithm (thesis 2.3 and 3.1; Joe 1991, Rajan 1991, Edelsbrunner and Shah 1996) in
+// any dimension, with and without weights. A new point p is inserted in four steps:
+//     search    the history finds the cell that contains p
+//     split     p in the cell or a face of it: a flip without negative vertices. p outside of the hull: it is connected
+//               to all hull facets that it sees. p in a cell that it is not in conflict with: it is hidden
+//     collect   of a facet of the link of p: the circuit of p and the cell on the other side, if p is in conflict with
+//               that: if the facet is not locally regular
+//     flip      if it can be done; the new cells' facets opposite p join the list of those to be looked at
+// until no facet is left.
+//
+// Why nothing is missed. All cells that contain p are right but for their facets opposite p, the link of p. A facet
+// that is not locally regular and can't be flipped yet lacks a neighbour that joins p with another facet of its
+// circuit. When the last of these neighbours is made, its own facet is looked at, and has the same circuit. And as long
+// as there is a facet that is not locally regular one of them can be flipped (Edelsbrunner and Shah); the perturbation
+// moves heights alone, as if the lifted points were in general position, so that this holds in degenerate places, too.
+//
+// What is known of a cell is kept beside its place, as long as p is the same: each is asked once, from whatever facet.
+// Doors: paradt__insert_by_flips.
+
+// What is kept with a place
+typedef struct paradt__flip_place {
+    paradt_index node;   // of the cell there, in the history
+    paradt_index asked;  // the point that was compared with it last, + 1,
+    paradt__signs signs; // and with what result: not in conflict, or these, or PARADT__NO_SIGNS
+} paradt__flip_place;
+
+enum { PARADT__NO_SIGNS = 0xffff }; // for the mask of negative signs: in conflict, but the signs are not known yet
+
+typedef struct paradt__flips {
+    paradt__flipper flipper;
+    paradt__history history;
+    paradt__flip_place *at; // [places] by place
+    size_t places;
+    paradt__list facets; // to be looked at: pairs, a handle and the node of its cell, which may be dead
+    paradt_index recent; // a node, of a cell near the point inserted last
+    uint64_t *counts;    // [PARADT_MAX_DIM + 2] flips by the number of simplices that a circuit had before
+    uint64_t steps;      // flips
+} paradt__flips;
+
+// Makes room for so many new cells in the history and in the list of facets, and keeps something with all places.
+static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
+    paradt__memory *memory = f->flipper.build.memory;
+    size_t capacity = f->flipper.build.scene.mesh.capacity;
+    paradt_status status = paradt__history_room(&f->history, made, memory);
+    if (!status)
+        status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
+                                   memory);
+    if (!status && f->places < capacity) {
+        void *array = f->at;
+        if (!paradt__grow(memory, &array, f->places, capacity, sizeof *f->at)) return PARADT_ERROR_MEMORY;
+        f->at = (paradt__flip_place *)array;
+        memset(f->at + f->places, 0, (capacity - f->places) * sizeof *f->at);
+        f->places = capacity;
+    }
+    return status;
+}
+
+// Enters a cell that was made, of a parent, and the facet of the handle: it is opposite p.
+PARADT__INLINE void paradt__flips_enter(paradt__flips *f, paradt_index handle, paradt_index parent, int corners) {
+    const paradt__mesh *mesh = &f->flipper.build.scene.mesh;
+    paradt_index place = handle / corners;
+    f->recent = paradt__history_add(&f->history, parent, place, mesh->vertices + place * corners, corners);
+    f->at[place].node = f->recent;
+    f->facets.items[f->facets.count++] = handle;
+    f->facets.items[f->facets.count++] = f->recent;
+}
+
+// Makes the next node the first child of the cell of a handle.
+PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, int corners) {
+    paradt_index node = f->at[handle / corners].node;
+    paradt__history_node(&f->history, node)[PARADT__NODE_CHILD] = (paradt_index)f->history.count;
+}
+
+// Enters a flip: a cell of the star, and the cells killed with it, have the children that were made of the cell.
+PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
+    const paradt__update *update = &f->flipper.build.update;
+    const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
+    paradt_status status = paradt__flips_room(f, update->made_count);
+    size_t i, j;
+    for (i = 0; i < f->flipper.star.count && !status; i++) {
+        paradt_index parent = f->at[update->killed[i * each] / corners].node;
+        for (j = 0; j < each; j++) paradt__flips_bury(f, update->killed[i * each + j], corners);
+        for (j = 0; j < positive; j++) paradt__flips_enter(f, update->made[i * positive + j], parent, corners);
+    }
+    return status;
+}
+
+// Enters the cells that connect a point: they are children of all the ghosts killed.
+static paradt_status paradt__flips_record_star(paradt__flips *f) {
+    const paradt__update *update = &f->flipper.build.update;
+    int corners = f->flipper.build.scene.mesh.corners;
+    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_index parent = f->at[update->killed[0] / corners].node;
+    size_t i;
+    for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
+    for (i = 0; i < update->made_count && !status; i++) paradt__flips_enter(f, update->made[i], parent, corners);
+    return status;
+}
+
+// Flips the cell and p, if that can be done.
+PARADT__INLINE paradt_status paradt__flips_try(paradt__flips *f, paradt_index cell, paradt_index point,
+                                               paradt__signs signs, int corners) {
+    int possible;
+    paradt_status status = paradt__flip_collect(&f->flipper, cell, point, signs, corners, &possible);
+    if (status || !possible) return status;
+    status = paradt__flip(&f->flipper, corners);
+    if (!status) status = paradt__flips_record(f, corners);
+    f->counts[f->flipper.negative + 1]++;
+    f->steps++;
+    if (!status) PARADT__VERIFY_SMALL(&f->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
+    return status;
+}
+
+// Compares a cell with p, unless that was done. Returns what is kept with its place.
+PARADT__INLINE paradt__flip_place *paradt__flips_ask(paradt__flips *f, paradt_index cell, paradt_index point) {
+    paradt__flip_place *at = f->at + cell;
+    paradt__scene *scene = &f->flipper.build.scene;
+    if (at->asked == point + 1) return at;
+    at->asked = point + 1;
+    at->signs.positive = 0;
+    at->signs.negative = 0;
+    if (paradt__conflicts(scene, cell, paradt__scene_record(scene, point))) at->signs.negative = PARADT__NO_SIGNS;
+    return at;
+}
+
+// Finds the signs of a cell that is in conflict with p. Most follow from its neighbours. The cells in conflict are a
+// star-shaped cavity: p is strictly on the inner side of its rim. Where the neighbour is in the cavity, too, and has
+// signs, it sees the facet from the other side; and where the neighbour joins p with the facet, p is beyond it.
+PARADT__INLINE void paradt__flips_sign(paradt__flips *f, paradt_index cell, paradt_index point, int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const double *x = paradt__scene_record(scene, point);
+    paradt__signs signs = {0, 0};
+    int i, side;
+    for (i = 0; i < corners; i++) {
+        paradt_index mirror = mesh->links[cell * corners + i];
+        const paradt__flip_place *at;
+        if (mesh->vertices[cell * corners + i] == PARADT__INFINITE) continue;
+        if (mesh->vertices[mirror] == point) {
+            side = -1;
+        } else {
+            at = paradt__flips_ask(f, mirror / corners, point);
+            if (!at->signs.negative) side = 1;
+            else if (at->signs.negative == PARADT__NO_SIGNS) side = paradt__flip_sign(scene, cell, i, x, corners);
+            else side = (at->signs.negative >> mirror % corners & 1) - (at->signs.positive >> mirror % corners & 1);
+        }
+        signs.negative |= (uint16_t)((unsigned)(side < 0) << i);
+        signs.positive |= (uint16_t)((unsigned)(side > 0) << i);
+    }
+    f->at[cell].signs = signs;
+}
+
+// Looks at the last facet of the list.
+PARADT__INLINE paradt_status paradt__flips_next(paradt__flips *f, paradt_index point, int corners) {
+    paradt_index node = f->facets.items[--f->facets.count], handle = f->facets.items[--f->facets.count], other;
+    const paradt__flip_place *at;
+    if (paradt__history_node(&f->history, node)[PARADT__NODE_CHILD] >= 0) return PARADT_OK; // dead
+    other = f->flipper.build.scene.mesh.links[handle] / corners;
+    at = paradt__flips_ask(f, other, point);
+    if (!at->signs.negative) return PARADT_OK;
+    if (at->signs.negative == PARADT__NO_SIGNS) paradt__flips_sign(f, other, point, corners);
+    return paradt__flips_try(f, other, point, at->signs, corners);
+}
+
+// Fills update.killed with the ghosts on the hull facets that have the point strictly beyond them, and the rim with the
+// facets of these ghosts on the hull and on the silhouette. first: one of the ghosts
+static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, const double *x) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    int corners = mesh->corners, i;
+    size_t next;
+    update->killed_count = 1;
+    update->killed[0] = first * corners;
+    build->rim_count = 0;
+    mesh->marks[first] |= PARADT__CONFLICT;
+    for (next = 0; next < update->killed_count; next++) {
+        paradt_index base = update->killed[next] - update->killed[next] % corners;
+        int ghost = paradt__ghost_place(mesh->vertices + base, corners);
+        paradt_status status = paradt__list_room(&update->killed, update->killed_count, &update->killed_capacity,
+                                                 update->killed_count + (size_t)corners, build->memory);
+        if (!status)
+            status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity,
+                                       build->rim_count + (size_t)corners, build->memory);
+        if (status) return status;
+        build->rim[build->rim_count++] = base + ghost; // so the first cell made is not a ghost
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i], other = mirror / corners;
+            if (i == ghost || mesh->marks[other] & PARADT__CONFLICT) continue;
+            if (paradt__side(&build->scene, other, paradt__ghost_place(mesh->vertices + other * corners, corners), x) >
+                0) {
+                mesh->marks[other] |= PARADT__CONFLICT;
+                update->killed[update->killed_count++] = mirror;
+            } else {
+                build->rim[build->rim_count++] = base + i;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Connects the point to the hull facets that it sees, one of which has the ghost `first`.
+static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first, paradt_index point) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
+    if (!status) status = paradt__cavity_star(build, point);
+    if (!status) status = paradt__flips_record_star(f);
+    if (!status) status = paradt__cavity_clear(build);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    return status;
+}
+
+// Inserts a point, but for the flips of its link's facets.
+PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
+    const double *x = paradt__scene_record(scene, point);
+    paradt_index start = -1 - paradt__history_node(&f->history, f->recent)[PARADT__NODE_CHILD];
+    paradt_index cell = paradt__history_locate(&f->history, scene, f->recent, x, corners);
+    if (cell < 0) cell = paradt__walk(scene, start, x);
+    f->recent = f->at[cell].node;
+    if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
+        return paradt__flips_connect(f, cell, point);
+    if (scene->space.weighted && !paradt__flips_ask(f, cell, point)->signs.negative) return PARADT_OK; // hidden
+    paradt__flips_sign(f, cell, point, corners);
+    return paradt__flips_try(f, cell, point, f->at[cell].signs, corners);
+}
+
+// Inserts the points after the first ones.
+PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt__progress *progress, int corners) {
+    enum { PACE = 1024 }; // points and flips between two looks at whether the call is cancelled
+    paradt__insertion *build = &f->flipper.build;
+    paradt_status status = PARADT_OK;
+    uint64_t next = 0;
+    while (build->inserted < build->count && !status) {
+        paradt_index point = paradt__insertion_point(build, build->inserted);
+        status = paradt__flips_begin_point(f, point, corners);
+        for (;;) {
+            if (f->steps + build->inserted >= next) {
+                next = f->steps + build->inserted + PACE;
+                if (paradt__progress_cancels(progress, (double)build->inserted / (double)build->count))
+                    return PARADT_ERROR_CANCELLED;
+            }
+            if (status || !f->facets.count) break;
+            status = paradt__flips_next(f, point, corners);
+        }
+        build->inserted++;
+    }
+    return status;
+}
+
+PARADT__HOT_LOOP paradt_status paradt__flips_go(paradt__flips *f, const paradt__progress *progress) {
+    int corners = f->flipper.build.scene.mesh.corners;
+    return corners == 4 ? paradt__flips_go_any(f, progress, 4) : paradt__flips_go_any(f, progress, corners);
+}
+
+// Makes the first cells, and roots of the history of them.
+static paradt_status paradt__flips_begin(paradt__flips *f) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t corners = (size_t)mesh->corners, place;
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, corners + 1, build->memory);
+    if (!status && corners <= 4)
+        status = paradt__insertion_reserve(
+            build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
+    if (!status) status = paradt__insertion_first_cells(build);
+    if (status) return status;
+    build->inserted = corners;
+    f->history.width = corners + PARADT__NODE_VERTICES;
+    status = paradt__flips_room(f, corners + 1);
+    for (place = 0; place < mesh->count && !status; place++)
+        f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
+                                                mesh->vertices + place * corners, mesh->corners);
+    return status;
+}
+
+// Makes the closed mesh of a set, whose points are along a curve, by flips. Vertices are positions in the set. After an
+// error the mesh is empty. stats: history_nodes and flips are filled.
+PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                  const paradt__progress *progress, paradt__counters *counters,
+                                                  paradt_stats *stats) {
+    paradt__flips f;
+    paradt__insertion *build = &f.flipper.build;
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt_status status;
+    if (!order) return PARADT_ERROR_MEMORY;
+    memset(&f, 0, sizeof f);
+    f.counts = stats->flips;
+    paradt__insertion_begin(build, set, order, memory);
+    status = paradt__flips_begin(&f);
+    if (!status) status = paradt__flips_go(&f, progress);
+    stats->history_nodes = f.history.count;
+    *counters = build->scene.space.counters;
+    paradt__history_free(&f.history, memory);
+    paradt__list_free(&f.facets, memory);
+    paradt__release(memory, f.at);
+    paradt__flipper_rest(&f.flipper);
+    paradt__release(memory, order);
+    *mesh = build->scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+#endif // PARADT_NO_FLIPS
 
 #if !defined(PARADT_NO_FRONTS) && !defined(PARADT_NO_REGIONS)
 // ---------------------------------------------------------------------------------------------------------------------
@@ -13270,6 +14000,20 @@ static paradt_status paradt__insert_undivided(paradt__work *work) {
     return status;
 }
 
+#ifndef PARADT_NO_FLIPS
+static paradt_status paradt__build_by_flips(paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__insert_by_flips(&work->set, &work->memory, &work->mesh, &progress, &counters, work->stats);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+#endif
+
 // Builds by insertion, in regions if these pay. If regions built one by one give up, the set keeps their order.
 PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
@@ -13319,7 +14063,11 @@ static const paradt__method *paradt__method_of(paradt_method method) {
 #endif
         {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion},
 
+#ifdef PARADT_NO_FLIPS
         {0, 0, 0, NULL, NULL}, // FLIP
+#else
+        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK, 2, PARADT_MAX_DIM, NULL, paradt__build_by_flips}, // FLIP
+#endif
 
         {0, 0, 0, NULL, NULL}, // DELAUNAY_TREE
 
@@ -13508,7 +14256,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
 // Returns why the method can't do what is asked of it, or NULL.
 static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
     const paradt__method *method = paradt__method_of(options->method);
-    if (!method->most_dim) return "options.method is left out of this build, by PARADT_NO_FRONTS";
+    if (!method->most_dim) return "options.method is left out of this build, by a macro PARADT_NO_...";
     if (points->dim < method->least_dim || points->dim > method->most_dim)
         return "options.method has no triangulations of dimension points.dim";
     if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
