@@ -47,6 +47,7 @@
 //     PARADT_NO_CHECK        leaves out paradt_check
 //     PARADT_NO_TREE         leaves out the Delaunay tree: PARADT_DELAUNAY_TREE is PARADT_ERROR_ARGUMENT
 //     PARADT_NO_HULLS        leaves out the lifted hull, furthest-site triangulations and convex hulls
+//     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
 //     PARADT_NO_FLIPS        leaves out PARADT_FLIP and paradt_repair
@@ -497,6 +498,10 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_orient3f           paradt_orient3f_64
 #define paradt_insphere2f         paradt_insphere2f_64
 #define paradt_insphere3f         paradt_insphere3f_64
+#define paradt_circumsphere       paradt_circumsphere_64
+#define paradt_enclosing_sphere   paradt_enclosing_sphere_64
+#define paradt_is_self_centred    paradt_is_self_centred_64
+#define paradt_volume             paradt_volume_64
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
@@ -738,6 +743,37 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
                                  const float q[3]);
 #endif
 
+#ifndef PARADT_NO_MEASURES
+// Measures of a cell: of dim + 1 points, each a pointer to dim coordinates, finite doubles; dim is 2..PARADT_MAX_DIM.
+// Every number is the double nearest to the true one (a tie to the even), whatever the order of the vertices and the
+// compiler's flags: infinity beyond the largest double, 0 for what is nearer to 0 than to any other. What is said of a
+// point is the exact sign. No memory is allocated. Thread-safe. A call costs some microseconds in 2 and 3 dimensions,
+// milliseconds at worst in 8; it takes 48 KB of stack in 2 and 3 dimensions, up to 200 KB in more where exponents are
+// far apart.
+
+// Fills the centre and the squared radius of the sphere through all vertices. Returns 1, or 0 with nothing filled if
+// the points are flat.
+//   weights  NULL, or [dim + 1]: then |x - centre|^2 - weight = *radius2 for all vertices, and *radius2 may be negative
+//   centre   [dim]
+PARADT_DEF int paradt_circumsphere(int dim, const double *const *points /* [dim + 1] */, const double *weights,
+                                   double *centre, double *radius2);
+
+// Fills the centre and the squared radius of the smallest sphere that contains the points, which may be flat (the
+// min-containment sphere). Returns which of them are on it, bit i for points[i].
+//   centre   [dim]
+PARADT_DEF unsigned paradt_enclosing_sphere(int dim, const double *const *points /* [dim + 1] */, double *centre,
+                                            double *radius2);
+
+// Returns 1 when the centre of paradt_circumsphere is in the cell or on its boundary, else 0; 0 if the points are flat.
+// A triangulation whose cells are all self-centred is the Delaunay triangulation. Mostly decided by a filter, in less
+// than a microsecond.
+//   weights  NULL, or [dim + 1]
+PARADT_DEF int paradt_is_self_centred(int dim, const double *const *points /* [dim + 1] */, const double *weights);
+
+// Returns the signed volume: positive where paradt_orient is 1.
+PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1] */);
+#endif
+
 #ifdef __cplusplus
 }
 #endif
@@ -829,7 +865,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        608   signs in integers
+//     exact                        618   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -841,7 +877,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         691   cells, links, ghosts, free places; closing
+//     mesh                         693   cells, links, ghosts, free places; closing
 //     facets                       257   the table of facets: AFL, ridges, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -853,9 +889,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
-//     front                        408   what facet by facet has in common
+//     front                        429   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       145   divide and conquer, merge first
+//     dewall                       158   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
 //     insertion                    259   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
@@ -880,12 +916,15 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     seam                         226   what of the first region's cells is right
 //     results of patches           162   dropping, emitting, taking over
 //     known points                 234   what a rank builds
-//     call                         192   what one call works with; steps
-//     fronts                       106   InCoDe and DeWall from set to mesh
+//     call                         195   what one call works with; steps
+//     fronts                       105   InCoDe and DeWall from set to mesh
+//     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      307   one row a method; AUTO's choice
-//     triangulate                  366   the entry
+//     triangulate                  367   the entry
+//   use
+//     measures of a cell           665   spheres and volumes, rounded once
 //   check
 //     check                        500   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2178,7 +2217,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // wide integers; the fixed stage does the same with numbers of one or two digits, unrolled; the general stage takes
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
-// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere.
+// Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -2509,10 +2549,11 @@ static const paradt__digit *paradt__minor(const paradt__minors *m, unsigned set,
     return from;
 }
 
-// The sign of the whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
+// The whole determinant in less room: it is the sum, over all sets of half the rows, of the minor of the
 // first columns in these rows times the minor of the other columns in the other rows (Laplace). With 9 rows that takes
 // a sixth of the room and six times as long.
-static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum, int digits) {
+static const paradt__digit *paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt__wide *sum,
+                                                   int digits) {
     int n = m->whole->n, half = n / 2, used = 0, a_digits, b_digits;
     paradt__digit *b_work = work + paradt__minors_space(m, half, 0) + paradt__minors_space(m, half, 1);
     paradt__wide *minor_sum = sum + digits;
@@ -2528,7 +2569,16 @@ static int paradt__general_halves(paradt__minors *m, paradt__digit *work, paradt
         paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
     }
     paradt__store_any(work, sum, digits);
-    return paradt__sign(work, digits);
+    return work;
+}
+
+// Computes the determinant. Returns its digits, in work, and their number in *digits. whole: by all minors, see
+// paradt__general_fits; 0: from halves
+static const paradt__digit *paradt__determinant_digits(paradt__minors *m, paradt__digit *work, paradt__wide *sum,
+                                                       int whole, int *digits) {
+    *digits = paradt__minor_digits(m, m->whole->n);
+    if (!whole) return paradt__general_halves(m, work, sum, *digits);
+    return paradt__minor(m, (1u << m->whole->n) - 1, work, sum, digits);
 }
 
 // Do all minors fit together into so many digits, and the sums into so many elements?
@@ -2546,10 +2596,9 @@ PARADT__NOINLINE int paradt__general(const paradt__determinant *q, const paradt_
     paradt__minors m = {q, y, work, 0};
     paradt__digit *free_work = work + q->n * (q->k * y->digits + y->lift_digits);
     const paradt__digit *determinant;
-    int digits = paradt__minor_digits(&m, q->n);
+    int digits;
     paradt__load_rows(work, sum, q, y);
-    if (!whole) return paradt__general_halves(&m, free_work, sum, digits);
-    determinant = paradt__minor(&m, (1u << q->n) - 1, free_work, sum, &digits);
+    determinant = paradt__determinant_digits(&m, free_work, sum, whole, &digits);
     return paradt__sign(determinant, digits);
 }
 
@@ -5355,15 +5404,17 @@ PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t 
     return place;
 }
 
-// Appends the cells of another mesh, which has no free places.
-PARADT__OPTIONAL void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part) {
-    size_t corners = (size_t)mesh->corners, i;
-    paradt_index offset = (paradt_index)(mesh->count * corners), *to = mesh->links + offset;
-    PARADT_ASSERT(mesh->count + part->count <= mesh->capacity && mesh->corners == part->corners);
-    if (!part->count) return;
-    memcpy(mesh->vertices + offset, part->vertices, part->count * corners * sizeof *to);
-    for (i = 0; i < part->count * corners; i++) to[i] = part->links[i] < 0 ? part->links[i] : part->links[i] + offset;
-    mesh->count += part->count;
+// Appends the cells from `first` on of another mesh, which has no free places. Their links to cells before these are
+// the caller's to replace.
+PARADT__OPTIONAL void paradt__mesh_append(paradt__mesh *mesh, const paradt__mesh *part, size_t first) {
+    size_t corners = (size_t)mesh->corners, count = part->count - first, i;
+    paradt_index *to = mesh->links + mesh->count * corners, *from = part->links + first * corners;
+    paradt_index offset = ((paradt_index)mesh->count - (paradt_index)first) * (paradt_index)corners;
+    PARADT_ASSERT(mesh->corners == part->corners && first <= part->count && mesh->count + count <= mesh->capacity);
+    if (!count) return;
+    memcpy(mesh->vertices + mesh->count * corners, part->vertices + first * corners, count * corners * sizeof *to);
+    for (i = 0; i < count * corners; i++) to[i] = from[i] < 0 ? from[i] : from[i] + offset;
+    mesh->count += count;
 }
 
 // --- the validator
@@ -7696,9 +7747,9 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 //
 // A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
 // while it is in a list stays there, and is passed over when it comes up.
-// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_expand, paradt__front_next_seed,
-// paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin, paradt__list_push,
-// paradt__list_pop.
+// Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_adopt, paradt__front_expand,
+// paradt__front_next_seed, paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin,
+// paradt__list_push, paradt__list_pop.
 
 typedef struct paradt__node {
     paradt_index handle, next; // next: PARADT__OPEN at the end
@@ -7978,6 +8029,27 @@ static paradt_status paradt__front_add(paradt__front *front, const paradt_index 
     return status;
 }
 
+// Begins with an active facet of a cell that another front has made. A copy of that cell, of which only this facet can
+// be tied, stands for it; its place is as many as have been adopted before.
+PARADT__OPTIONAL paradt_status paradt__front_adopt(paradt__front *front, const paradt_index *cell, int opposite,
+                                                   paradt__activate activate, void *method) {
+    paradt__mesh *mesh = &front->mesh;
+    int corners = mesh->corners, i;
+    paradt_index base = (paradt_index)mesh->count * corners, handle = base + opposite;
+    paradt__facet_key key;
+    paradt_status status = paradt__mesh_room(mesh, front->memory);
+    if (!status) status = paradt__facets_room(&front->active, 1, front->memory);
+    if (status) return status;
+    for (i = 0; i < corners; i++) {
+        mesh->vertices[base + i] = cell[i];
+        mesh->links[base + i] = i == opposite ? (paradt_index)PARADT__OPEN : (paradt_index)PARADT__HULL;
+    }
+    mesh->count++;
+    key = paradt__facet_key_of(&front->active, mesh, handle);
+    paradt__facets_tie(&front->active, mesh, key, handle, corners);
+    return activate(front, method, handle);
+}
+
 // The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
 // cell; if there is none the facet is one of the hull's.
 static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
@@ -8131,8 +8203,8 @@ static paradt_status paradt__incode(paradt__front *front) {
 // of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
 //
 // A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
-// positions in the set.
-// Doors: paradt__dewall.
+// positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
+// paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
 enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
 
@@ -8211,30 +8283,43 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     return 0;
 }
 
+// Begins the wall of a range across the grid's plane; a small range is left whole, and a wall's one side is all of it.
+static paradt__wall paradt__wall_of(size_t begin, size_t end) {
+    paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+    wall.begin = begin;
+    wall.cut = end - begin > PARADT__WALL_SMALL ? paradt__grid_cut(begin, end) : end;
+    wall.end = end;
+    return wall;
+}
+
+// Adds a cell that crosses the plane, if there are active facets in the range and none of them crosses it.
+static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall) {
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    if (wall->alpha >= 0 || wall->cut == wall->end || front->view.owner) return PARADT_OK;
+    if ((wall->one < 0 && wall->two < 0) || !paradt__wall_seed(front, wall, cell)) return PARADT_OK;
+    return paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
+}
+
+// Makes the cells of the wall, those of the range where it is left whole.
+static paradt_status paradt__wall_raise(paradt__front *front, paradt__wall *wall) {
+    paradt_status status;
+    if (!front->view.owner) paradt__search_limit(&front->search, wall->begin, wall->end);
+    status = paradt__wall_expand(front, wall, &wall->alpha);
+    return !status && wall->cut == wall->end ? paradt__wall_expand(front, wall, &wall->one) : status;
+}
+
 // Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
 // which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
 PARADT__COLD paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
                                               paradt_index *outside) {
-    paradt__wall wall;
+    paradt__wall wall = paradt__wall_of(begin, end);
     paradt_status status;
-    wall.begin = begin;
-    wall.end = wall.cut = end;
-    wall.alpha = wall.one = wall.two = PARADT__OPEN;
     wall.outside = *outside;
-    if (end - begin > PARADT__WALL_SMALL) wall.cut = paradt__grid_cut(begin, end);
-    PARADT_ASSERT(begin < wall.cut && wall.cut <= end);
     status = paradt__wall_distribute(front, &wall, head);
-    if (!status && wall.alpha < 0 && wall.cut < end && !front->view.owner && (wall.one >= 0 || wall.two >= 0)) {
-        paradt_index cell[PARADT_MAX_DIM + 1];
-        if (paradt__wall_seed(front, &wall, cell)) {
-            status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-        }
-    }
+    if (!status) status = paradt__wall_begin(front, &wall);
     while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
         paradt_index back = PARADT__OPEN;
-        if (!front->view.owner) paradt__search_limit(&front->search, begin, end);
-        status = paradt__wall_expand(front, &wall, &wall.alpha);
-        if (!status && wall.cut == end) status = paradt__wall_expand(front, &wall, &wall.one);
+        status = paradt__wall_raise(front, &wall);
         if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
         if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
         if (!status) status = paradt__wall_distribute(front, &wall, &back);
@@ -13787,7 +13872,7 @@ static paradt_status paradt__seam_begin(paradt__seam *seam, const paradt__patch 
     if (!status) status = paradt__facets_room(&seam->once, count, patch->memory);
     if (status) return status;
     for (field = patch->fields + 1; field < end; field++) {
-        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam);
+        if (field->seam.count) paradt__mesh_append(&seam->mesh, &field->seam, 0);
     }
     facets = (paradt_index)count * corners;
     for (facet = 0; facet < facets; facet++) {
@@ -14324,6 +14409,7 @@ static uint64_t paradt__known_end(paradt__known *known, const paradt__set *set, 
 
 struct paradt__front;
 struct paradt__work;
+struct paradt__level;
 
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
@@ -14337,7 +14423,8 @@ enum {
     PARADT__CAN_WEIGHTS = 1, // regular triangulations
     PARADT__CAN_LINK = 2,    // neighbours
     PARADT__CAN_REGIONS = 4, // divided space
-    PARADT__CAN_LIVE = 8     // more points after the first ones
+    PARADT__CAN_LIVE = 8,    // more points after the first ones
+    PARADT__CAN_HALVE = 16   // divides space by planes of its own; only a region that is built alone has a box
 };
 
 #ifndef PARADT_NO_REGIONS
@@ -14384,6 +14471,7 @@ typedef struct paradt__work {
     struct paradt__region *region;          // [regions]
     uint32_t *owner;                        // [set.count] with fronts: the region of each point
     paradt__field *fields;                  // [regions] with insertion
+    struct paradt__level *level;            // with DeWall, instead of regions: the ranges of points that are tasks
     paradt_index basis[PARADT_MAX_DIM + 1]; // with insertion: positions of points that span the set
     int hollow;                             // the points may be on a surface or a curve
     int first_alone;                        // with insertion: the first region has its own points alone
@@ -14511,7 +14599,7 @@ static paradt_status paradt__begin_regions(paradt__work *work) {
 // InCoDe and DeWall from the set to the mesh, undivided or by regions (thesis, chapter 4): each region's front is a
 // task, and keeps the cells that the region owns; these are appended to each other, and the facets between cells of
 // different regions, left open, are tied. Doors: paradt__build_by_front, paradt__prepare_fronts, paradt__begin_fronts,
-// paradt__front_task.
+// paradt__front_task, paradt__count_front.
 
 static void paradt__count_front(paradt_stats *stats, const paradt__front *front) {
     paradt__search_add_counts(&front->search, stats);
@@ -14561,7 +14649,7 @@ static paradt_status paradt__collect_fronts(paradt__work *work, paradt_status st
     if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     for (i = 0; i < work->regions; i++) {
         if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
-        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh);
+        if (!status) paradt__mesh_append(&work->mesh, &work->region[i].mesh, 0);
         paradt__mesh_free(&work->region[i].mesh, &work->memory);
     }
     return status;
@@ -14607,6 +14695,272 @@ PARADT__COLD paradt_status paradt__build_by_front(paradt__work *work) {
     front.progress = paradt__whole_progress(work);
     front.impatient = work->impatient;
     return paradt__run_front(&front, status, work->method, &work->mesh, work->stats);
+}
+
+#ifndef PARADT_NO_REGIONS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>parallel dewall
+//
+// DeWall by tasks (thesis, chapter 4): the walls of the first levels are built, and then what they have left is built
+// by one task for each range of points. It takes no merge, and no cell is made twice, for whatever a task makes has all
+// its vertices in the task's range, and is no part of a wall.
+//
+// Level by level, a task for each range builds the wall that halves the range, in a mesh of its own. Between two levels
+// these meshes are appended to the result, and the active facets that a wall has left on either side go to the two
+// halves. A facet comes to its task with a copy of the cell that it belongs to; when the task's cells are appended,
+// what was tied to the copy is tied to the cell itself, and the copy stays behind.
+//
+// The planes are those of the grid, which do not halve exactly: one half has a power of two of grid cells, the other
+// has what is left. So ranges are halved until there are several times as many as regions were asked for: tasks of
+// about equal size, and some smaller ones. All walls but the first are tasks too.
+// Doors: paradt__build_by_dewall.
+
+enum { PARADT__RANGES_A_REGION = 4 };
+
+// A range of points in which cells are still to be made
+typedef struct paradt__half {
+    size_t begin, end;    // positions
+    paradt__list facets;  // the active facets in it: handles in work->mesh
+    paradt__list left[2]; // those that its wall has left in either half: handles in the mesh of the task
+    double share;         // of the progress, for the range with all that is in it,
+    double wall;          // and the part of the share that is the wall's
+} paradt__half;
+
+// The ranges of a level, in the order of their points
+typedef struct paradt__level {
+    paradt__half *ranges; // [capacity]
+    size_t count, capacity;
+    size_t most; // points in a range that is not halved
+    int last;    // all that is left is to be made
+} paradt__level;
+
+static int paradt__half_is_whole(const paradt__level *level, const paradt__half *range) {
+    return range->end - range->begin <= level->most;
+}
+
+static void paradt__half_free(paradt__half *range, paradt__memory *memory) {
+    paradt__list_free(&range->facets, memory);
+    paradt__list_free(&range->left[0], memory);
+    paradt__list_free(&range->left[1], memory);
+}
+
+// Begins the front of a range with its active facets, or with a first cell of all.
+static paradt_status paradt__half_begin(const paradt__work *work, const paradt__half *range, paradt__front *front,
+                                        paradt__wall *wall) {
+    const paradt__mesh *mesh = &work->mesh;
+    paradt_status status = PARADT_OK;
+    paradt_index cell[PARADT_MAX_DIM + 1];
+    size_t i;
+    for (i = 0; i < range->facets.count && !status; i++) {
+        int opposite = (int)(range->facets.items[i] % mesh->corners);
+        status = paradt__front_adopt(front, mesh->vertices + (range->facets.items[i] - opposite), opposite,
+                                     paradt__wall_activate, wall);
+    }
+    if (!range->facets.count && paradt__front_seed(front, cell))
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
+    return status;
+}
+
+// Moves the facets of a work list that are still active to a list that outlives the front.
+static paradt_status paradt__half_leave(paradt__front *front, paradt_index *head, paradt__list *left) {
+    paradt_status status = PARADT_OK;
+    while (*head >= 0 && !status) {
+        paradt_index handle = paradt__list_pop(&front->lists, head);
+        if (front->mesh.links[handle] == PARADT__OPEN) status = paradt__list_append(left, handle, front->memory);
+    }
+    return status;
+}
+
+// Builds the wall that halves a range, or all cells of the range.
+static paradt_status paradt__half_build(const paradt__work *work, paradt__half *range, paradt__front *front) {
+    paradt__wall wall = paradt__wall_of(range->begin, range->end);
+    paradt_index outside = PARADT__OPEN;
+    paradt_status status;
+    if (work->level->last) wall.cut = wall.end;
+    status = paradt__half_begin(work, range, front, &wall);
+    if (!status && work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, &outside);
+    if (!status) status = paradt__wall_begin(front, &wall);
+    if (!status) status = paradt__wall_raise(front, &wall);
+    if (!status) status = paradt__half_leave(front, &wall.one, &range->left[0]);
+    if (!status) status = paradt__half_leave(front, &wall.two, &range->left[1]);
+    return status;
+}
+
+// A range's task at a level. Ranges that are not halved wait for the last level.
+static void paradt__half_task(void *context, size_t index) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__half *range = work->level->ranges + index;
+    paradt__progress progress;
+    paradt__front front;
+    double part = (double)(range->end - range->begin) / (double)work->set.count, share = range->share;
+    if (!work->level->last) {
+        if (paradt__half_is_whole(work->level, range)) return;
+        part *= range->wall;
+        share *= range->wall;
+    }
+    progress = paradt__progress_of(&work->meter, &region->reported, share);
+    region->status = paradt__front_begin(&front, &work->set, &work->grid, &region->memory, undivided, part);
+    front.progress = paradt__progress_of_task(progress, index);
+    if (!region->status) region->status = paradt__half_build(work, range, &front);
+    paradt__count_front(&region->stats, &front);
+    region->stats.hull_facets = front.hull_facets;
+    paradt__front_end(&front);
+    region->mesh = front.mesh;
+}
+
+// Appends the cells that a task has made, and ties the facets that were handed to it. Afterwards the facets that it has
+// left are handles in the result's mesh.
+static void paradt__half_append(paradt__mesh *mesh, const paradt__mesh *part, paradt__half *range) {
+    const paradt_index *facets = range->facets.items;
+    paradt_index corners = mesh->corners, adopted = (paradt_index)range->facets.count * corners;
+    paradt_index base = (paradt_index)mesh->count * corners, offset = base - adopted, i;
+    size_t j;
+    int half;
+    paradt__mesh_append(mesh, part, range->facets.count);
+    for (i = 0; i < (paradt_index)range->facets.count; i++) {
+        paradt_index facet = facets[i], mirror = part->links[i * corners + facet % corners];
+        mesh->links[facet] = mirror < 0 ? mirror : mirror + offset;
+        if (mirror >= 0) mesh->links[mirror + offset] = facet;
+    }
+    for (half = 0; half < 2; half++) {
+        for (j = 0; j < range->left[half].count; j++) {
+            paradt_index *handle = range->left[half].items + j;
+            *handle = *handle < adopted ? facets[*handle / corners] : *handle + offset;
+        }
+    }
+}
+
+// Appends the cells of all tasks of a level, and frees their meshes.
+static paradt_status paradt__level_append(paradt__work *work, paradt_status status) {
+    paradt__level *level = work->level;
+    size_t total = work->mesh.count, i;
+    for (i = 0; i < level->count; i++) {
+        paradt__region *region = work->region + i;
+        paradt__count_region(work->stats, &region->stats);
+        work->stats->hull_facets += region->stats.hull_facets;
+        if (region->mesh.count) total += region->mesh.count - level->ranges[i].facets.count;
+    }
+    if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
+    for (i = 0; i < level->count; i++) {
+        paradt__region *region = work->region + i;
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status && region->mesh.count) paradt__half_append(&work->mesh, &region->mesh, level->ranges + i);
+        paradt__mesh_free(&region->mesh, &work->memory);
+        memset(&region->stats, 0, sizeof region->stats);
+        region->reported = 0;
+    }
+    return status;
+}
+
+// About which part of the cells of so many points a plane that halves them crosses. Measured on uniform points.
+static double paradt__wall_part(double points, int dim) {
+    double part = 1.5 * pow(points, -1.0 / dim);
+    return part < 0.8 ? part : 0.8;
+}
+
+// Adds a range, if there are facets in it, and takes these over.
+static void paradt__level_add(paradt__level *level, size_t begin, size_t end, paradt__list *facets, double share,
+                              int dim) {
+    paradt__half *range = level->ranges + level->count;
+    if (!facets->count) return;
+    PARADT_ASSERT(level->count < level->capacity);
+    memset(range, 0, sizeof *range);
+    range->begin = begin;
+    range->end = end;
+    range->facets = *facets;
+    range->share = share;
+    range->wall = paradt__wall_part((double)(end - begin), dim);
+    memset(facets, 0, sizeof *facets);
+    level->count++;
+}
+
+// Replaces the ranges whose walls have been built by their halves.
+static paradt_status paradt__level_halve(paradt__work *work, paradt__level *level) {
+    int dim = work->set.space.dim;
+    size_t i;
+    paradt__level next = *level;
+    next.count = 0;
+    next.capacity = 2 * level->count;
+    next.last = 1;
+    next.ranges = (paradt__half *)paradt__alloc(&work->memory, next.capacity, sizeof *next.ranges);
+    if (!next.ranges) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < level->count; i++) {
+        paradt__half *range = level->ranges + i;
+        size_t begin = range->begin, end = range->end, cut;
+        if (paradt__half_is_whole(level, range)) {
+            paradt__level_add(&next, begin, end, &range->facets, range->share, dim);
+        } else {
+            double rest = range->share * (1.0 - range->wall) / (double)(end - begin);
+            cut = paradt__grid_cut(begin, end);
+            paradt__level_add(&next, begin, cut, &range->left[0], rest * (double)(cut - begin), dim);
+            paradt__level_add(&next, cut, end, &range->left[1], rest * (double)(end - cut), dim);
+        }
+        paradt__half_free(range, &work->memory);
+    }
+    for (i = 0; i < next.count; i++) next.last &= paradt__half_is_whole(level, next.ranges + i);
+    paradt__release(&work->memory, level->ranges);
+    *level = next;
+    return PARADT_OK;
+}
+
+// Begins with one range, of all points, for so many regions as were asked for. Ranges take the places of regions. Cut
+// off at powers of two, all but the last have more than half the points of those that are just not halved.
+static paradt_status paradt__level_begin(paradt__work *work, paradt__level *level) {
+    size_t count = work->set.count;
+    paradt_status status;
+    memset(level, 0, sizeof *level);
+    level->most = count / (work->regions * PARADT__RANGES_A_REGION);
+    if (level->most < PARADT__WALL_SMALL) level->most = PARADT__WALL_SMALL;
+    work->regions = count / level->most * 2 + 2;
+    status = paradt__begin_regions(work);
+    level->ranges = (paradt__half *)paradt__alloc(&work->memory, 1, sizeof *level->ranges);
+    if (status || !level->ranges) return PARADT_ERROR_MEMORY;
+    memset(level->ranges, 0, sizeof *level->ranges);
+    level->count = level->capacity = 1;
+    level->ranges->end = count;
+    level->ranges->share = work->share;
+    level->ranges->wall = paradt__wall_part((double)count, work->set.space.dim);
+    return PARADT_OK;
+}
+
+// Builds level after level.
+static paradt_status paradt__build_levels(paradt__work *work) {
+    paradt__level level;
+    size_t i;
+    int last = 0;
+    paradt_status status = paradt__level_begin(work, &level);
+    work->level = &level;
+    while (!status && !last && level.count) {
+        last = level.last;
+        PARADT_ASSERT(level.count <= work->set.count / level.most * 2 + 2);
+        work->regions = level.count;
+        status = paradt__level_append(work, paradt__run_step(work, PARADT_OK, paradt__half_task));
+        if (!status && !last) status = paradt__level_halve(work, &level);
+    }
+    for (i = 0; i < level.count; i++) paradt__half_free(level.ranges + i, &work->memory);
+    paradt__release(&work->memory, level.ranges);
+    work->level = NULL;
+    return status;
+}
+#endif // PARADT_NO_REGIONS
+
+// DeWall from the set to the mesh. On a line there are no walls; small sets are not halved.
+PARADT__COLD paradt_status paradt__build_by_dewall(paradt__work *work) {
+#ifndef PARADT_NO_REGIONS
+    size_t asked = work->regions;
+    paradt_status status;
+    if (asked > 1 && work->set.space.dim > 1 && work->set.count > PARADT__WALL_SMALL) {
+        status = paradt__prepare_fronts(work);
+        if (!status) status = paradt__build_levels(work);
+        work->regions = asked;
+        if (!status) PARADT__VERIFY(&work->mesh, 0, 0);
+        return status;
+    }
+    work->regions = 1;
+#endif // PARADT_NO_REGIONS
+    return paradt__build_by_front(work);
 }
 #endif // PARADT_NO_FRONTS
 
@@ -15046,7 +15400,7 @@ static paradt_status paradt__take_over(paradt__work *work) {
     largest->hull_facets = largest->patch.hull_facets;
     if (!status && own->lent) {
         status = paradt__mesh_reserve(&work->mesh, own->count, own->count, &work->memory);
-        if (!status) paradt__mesh_append(&work->mesh, own);
+        if (!status) paradt__mesh_append(&work->mesh, own, 0);
     } else if (!status) {
         work->mesh = *own;
         memset(own, 0, sizeof *own);
@@ -15349,8 +15703,8 @@ static const paradt__method *paradt__method_of(paradt_method method) {
         {0, 0, 0, NULL, NULL}, // INCODE
         {0, 0, 0, NULL, NULL}, // DEWALL
 #else
-        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front},                        // INCODE
-        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_front},                        // DEWALL
+        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
+        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_HALVE, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_dewall},
 #endif
         {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion},
 
@@ -15408,7 +15762,7 @@ static void paradt__plan(paradt__work *work, const paradt_points *points) {
                        (work->regions == 1 || !work->options.parallel_for);
     if (first->can & PARADT__CAN_REGIONS && work->one_by_one && work->regions == 1 && points->count >= LEAST_POINTS)
         work->regions = ONE_BY_ONE;
-    work->cuts.boxes = work->regions;
+    work->cuts.boxes = first->can & PARADT__CAN_HALVE ? 1 : work->regions;
     work->cuts.partition = work->options.partition;
     work->cuts.larger_first = !work->one_by_one && !first->front;
     work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
@@ -15785,6 +16139,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__begin_call(&work, &stats, out, points, options);
+    work.cuts.boxes = work.regions;
     work.cuts.larger_first = work.cuts.gaps = 0;
     work.method = paradt__method_of(options->method);
     if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
@@ -15811,6 +16166,671 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
+
+#ifndef PARADT_NO_MEASURES
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures of a cell
+//
+// Spheres and volumes: numbers instead of signs. Every number is the double nearest to the true one, a tie to the even,
+// so that whoever computes the same number gets the same bits: from whichever cell, in whatever order of its vertices,
+// with whatever compiler flags. It is computed in integers, as a quotient, and rounded once. Floating point has a guess
+// of the quotient, which integers correct.
+//
+// A face with the vertices p0..pk has u_i = p_i - p0 and lifts l_i = |u_i|^2 - (w_i - w0). Its centre, from which all
+// its vertices have the same power, is c = p0 + sum t_i u_i with 2 G t = l, G the Gram matrix u_i . u_j. By Cramer's
+// rule t_i = L_i / (2 det G), where L_i is det G with l for its column i. So, for all k up to the dimension,
+//
+//     centre    (2 det G p0 + sum L_i u_i) / (2 det G)
+//     radius^2  (sum L_i l_i - 4 det G w0) / (4 det G), for |c - p0|^2 = sum t_i u_i . (c - p0) = sum t_i l_i / 2
+//
+// and t_i and 1 - sum t_i are the centre's barycentric coordinates. A point p0 + v is no farther from the centre than
+// p0 if |v|^2 det G <= sum L_i u_i . v.
+//
+// The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
+// inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
+// the signs of these conditions confirm it; where they don't, all faces are tried.
+// Doors: the public functions.
+
+// Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
+//   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
+//          12 71 for G and l, 4 211 for det G and L, and 672 for what comes and goes, together 2683, and sums of 290
+//          elements. With digits of 28 bits: 5723 and 610.
+//   large  Every face fits: with k = 8 it takes 15800 digits and sums of 850 elements, or 33700 and 1810.
+#define PARADT__SMALL_FACE_DIGITS (25600 / (int)sizeof(paradt__digit))
+#define PARADT__SMALL_FACE_SUM    (18000 / PARADT__RADIX)
+#define PARADT__LARGE_FACE_DIGITS (136000 / (int)sizeof(paradt__digit))
+#define PARADT__LARGE_FACE_SUM    (54000 / PARADT__RADIX)
+
+// --- quotients
+
+typedef struct paradt__integer {
+    const paradt__digit *digits;
+    int count;
+} paradt__integer;
+
+// A quotient, and what it is computed with
+typedef struct paradt__quotient {
+    paradt__integer a, b; // neither is 0
+    int a_sign, b_sign;
+    int exponent;        // the quotient is 2^exponent a / b
+    paradt__digit *work; // room for the longer of a and b, and 4 digits more,
+    paradt__wide *sum;   // and for as many elements
+} paradt__quotient;
+
+static int paradt__integer_sign(paradt__integer x) {
+    return paradt__sign(x.digits, x.count);
+}
+
+// Returns the leading digits of an integer other than 0: its size is about that times 2^*exponent.
+static double paradt__leading(paradt__integer x, int *exponent) {
+    const double base = paradt__power(PARADT__RADIX);
+    double value = 0;
+    int i = x.count, last;
+    while (!x.digits[i - 1]) i--;
+    last = paradt__max(i - 4, 0);
+    while (i-- > last) value = value * base + (double)x.digits[i];
+    *exponent = last * PARADT__RADIX;
+    return paradt__abs(value);
+}
+
+// The sign of the quotient's size less half 2^unit, which is of about the same size.
+static int paradt__quotient_compare(const paradt__quotient *q, uint64_t half, int unit) {
+    enum { MOST = 128 / PARADT__RADIX + 1 };
+    int shift = unit - q->exponent, left = shift < 0 ? -shift : 0, right = shift > 0 ? shift : 0, length;
+    paradt__wide one[MOST] = {0}, halves[MOST] = {0};
+    paradt__digit x[MOST], y[MOST];
+    paradt__add_shifted(one, 1, 1, left % PARADT__RADIX);
+    paradt__add_shifted(halves, 1, half, right % PARADT__RADIX);
+    paradt__store_any(x, one, MOST);
+    paradt__store_any(y, halves, MOST);
+    left /= PARADT__RADIX;
+    right /= PARADT__RADIX;
+    length = paradt__max(q->a.count + left, q->b.count + right) + MOST;
+    paradt__clear_any(q->sum, length);
+    paradt__multiply_add_any(q->sum + left, q->a_sign, x, MOST, q->a.digits, q->a.count);
+    paradt__multiply_add_any(q->sum + right, -q->b_sign, y, MOST, q->b.digits, q->b.count);
+    paradt__store_any(q->work, q->sum, length);
+    return paradt__sign(q->work, length);
+}
+
+// Returns the double nearest to the quotient, a tie to the even one: infinity beyond all doubles, 0 for what is nearer
+// to 0 than to all others. The guess is about right; where arithmetic is less precise, growing steps lead from it.
+static double paradt__quotient_round(const paradt__quotient *q) {
+    const uint64_t least = (uint64_t)1 << 52;
+    uint64_t mantissa, step = 1;
+    int unit, a_exponent, b_exponent, before = 0;
+    double guess;
+    guess = paradt__leading(q->a, &a_exponent);
+    guess = paradt__rounded(guess / paradt__leading(q->b, &b_exponent));
+    mantissa = paradt__split(guess, &unit);
+    unit += a_exponent - b_exponent + q->exponent;
+    if (unit < -1140) return 0;
+    for (; unit < -1074; unit++) mantissa /= 2;
+    for (;;) {
+        int towards = 0, above;
+        for (; mantissa < least && mantissa && unit > -1074; unit--) mantissa *= 2;
+        for (; mantissa >= 2 * least; unit++) mantissa /= 2;
+        if (unit > 971) break;
+        above = paradt__quotient_compare(q, 2 * mantissa + 1, unit - 1);
+        if (above > 0 || (!above && mantissa & 1)) {
+            towards = 1;
+        } else if (mantissa == least && unit > -1074) { // below it doubles are denser
+            if (paradt__quotient_compare(q, 4 * mantissa - 1, unit - 2) >= 0) break;
+            mantissa = 2 * least - 1;
+            step = 1;
+            unit--;
+            continue;
+        } else if (mantissa) {
+            above = paradt__quotient_compare(q, 2 * mantissa - 1, unit - 1);
+            if (above < 0 || (!above && mantissa & 1)) towards = -1;
+        }
+        if (!towards) break;
+        step = towards == before ? step * 2 : 1;
+        if (towards < 0 && step >= mantissa) step = mantissa > 1 ? mantissa - 1 : 1;
+        mantissa += towards < 0 ? 0 - step : step;
+        before = towards;
+    }
+    mantissa = unit > 971         ? (uint64_t)2047 << 52
+               : mantissa < least ? mantissa
+                                  : mantissa - least + ((uint64_t)(unit + 1075) << 52);
+    if (!mantissa) return 0;
+    return paradt__from_bits(mantissa | (uint64_t)(q->a_sign != q->b_sign) << 63);
+}
+
+// --- the integers of a face
+
+typedef struct paradt__face {
+    int dim, edges; // d; k, the vertices but one
+    int weighted;
+    const double *p[PARADT_MAX_DIM + 1]; // [k + 1] the vertices; those of the cell that are not the face's follow
+    double w[PARADT_MAX_DIM + 1];
+    int unit;              // exponent of the coordinates' unit; that of the lifts is 2 * unit
+    int bits, digits;      // of the coordinates and their differences
+    int lift_digits;       // of the lifts, and of the entries of G, a determinant of one row
+    paradt__layout layout; // of G
+    // made by paradt__face_solve
+    paradt__digit *u, *gram, *lift;           // [k][d], [k][k], [k] integers
+    paradt__integer determinant;              // of G
+    paradt__integer solution[PARADT_MAX_DIM]; // [k] L
+    // memory
+    paradt__digit *work; // what is left
+    paradt__wide *sum;
+    int room; // digits left
+} paradt__face;
+
+// Begins a face of all vertices of a cell. weights: NULL: none
+static void paradt__face_begin(paradt__face *face, int dim, const double *const *points, const double *weights) {
+    paradt__range x = paradt__no_range, w = paradt__no_range;
+    int i, j;
+    memset(face, 0, sizeof *face);
+    face->dim = face->edges = dim;
+    face->weighted = weights != NULL;
+    for (i = 0; i <= dim; i++) {
+        face->p[i] = points[i];
+        for (j = 0; j < dim; j++) paradt__measure(&x, points[i][j]);
+        if (weights) paradt__measure(&w, weights[i]);
+        face->w[i] = weights ? weights[i] : 0;
+    }
+    if (x.unit > x.top) x.unit = x.top = 0;
+    face->unit = paradt__min(x.unit, (w.unit - (w.unit & 1)) / 2);
+    face->bits = x.top + 1 - face->unit;
+    face->digits = paradt__digit_count(face->bits);
+    // a sum of up to 8 squares, and the difference of two weights
+    face->layout.bits = paradt__max(2 * face->bits + 3, w.top + 1 - 2 * face->unit) + face->weighted;
+    face->layout.digits = face->lift_digits = paradt__digit_count(face->layout.bits);
+}
+
+// k rows of k integers of one length, as the general stage takes them
+static paradt__determinant paradt__face_square(const paradt__face *face) {
+    const paradt__determinant square = {face->edges, face->edges, face->edges, 0, NULL, NULL};
+    return square;
+}
+
+// Takes memory for so many digits.
+static paradt__digit *paradt__face_take(paradt__face *face, int digits) {
+    paradt__digit *taken = face->work;
+    face->work += digits;
+    face->room -= digits;
+    PARADT_ASSERT(face->room >= 0);
+    return taken;
+}
+
+// Stores x - y as a number of face->digits.
+static void paradt__face_difference(const paradt__face *face, paradt__digit *out, double x, double y) {
+    paradt__clear_any(face->sum, face->digits);
+    paradt__add_difference(face->sum, 1, x, y, face->unit);
+    paradt__store_any(out, face->sum, face->digits);
+}
+
+// Stores the product a . b less the difference of two weights.
+static void paradt__face_product(const paradt__face *face, paradt__digit *out, const paradt__digit *a,
+                                 const paradt__digit *b, double w, double w0) {
+    int used = 8, j; // the weights add less than 8 products
+    paradt__clear_any(face->sum, face->lift_digits);
+    for (j = 0; j < face->dim; j++, a += face->digits, b += face->digits) {
+        paradt__make_room(face->sum, face->lift_digits, &used, face->digits);
+        paradt__multiply_add_any(face->sum, 1, a, face->digits, b, face->digits);
+    }
+    if (face->weighted) paradt__add_difference(face->sum, -1, w, w0, 2 * face->unit);
+    paradt__store_any(out, face->sum, face->lift_digits);
+}
+
+// Exchanges column i of G with the lifts.
+static void paradt__face_exchange(const paradt__face *face, int i) {
+    int row, j;
+    for (row = 0; row < face->edges; row++) {
+        paradt__digit *a = face->gram + (row * face->edges + i) * face->lift_digits;
+        paradt__digit *b = face->lift + row * face->lift_digits;
+        for (j = 0; j < face->lift_digits; j++) {
+            paradt__digit digit = a[j];
+            a[j] = b[j];
+            b[j] = digit;
+        }
+    }
+}
+
+// Computes the determinant of k rows of k integers, into memory of its own.
+static paradt__integer paradt__face_determinant(paradt__face *face, const paradt__digit *rows,
+                                                const paradt__layout *layout) {
+    const paradt__determinant square = paradt__face_square(face);
+    const paradt__minors m = {&square, layout, rows, 0};
+    paradt__minors copy = m;
+    int k = face->edges, whole;
+    const paradt__digit *made;
+    paradt__digit *kept = paradt__face_take(face, paradt__minor_digits(&m, k));
+    paradt__integer x;
+    whole = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1) <= face->room;
+    made = paradt__determinant_digits(&copy, face->work, face->sum, whole, &x.count);
+    memcpy(kept, made, (size_t)x.count * sizeof *kept);
+    while (x.count > 1 && !kept[x.count - 1]) x.count--;
+    x.digits = kept;
+    return x;
+}
+
+// Makes u.
+static void paradt__face_subtract(paradt__face *face) {
+    int d = face->dim, i;
+    face->u = paradt__face_take(face, face->edges * d * face->digits);
+    for (i = 0; i < face->edges * d; i++)
+        paradt__face_difference(face, face->u + i * face->digits, face->p[i / d + 1][i % d], face->p[0][i % d]);
+}
+
+// Makes the integers of the face. Returns 0 if it is flat.
+static int paradt__face_solve(paradt__face *face) {
+    int k = face->edges, row = face->dim * face->digits, n = face->lift_digits, i;
+    paradt__face_subtract(face);
+    face->gram = paradt__face_take(face, k * k * n);
+    face->lift = paradt__face_take(face, k * n);
+    for (i = 0; i < k * k; i++)
+        paradt__face_product(face, face->gram + i * n, face->u + i / k * row, face->u + i % k * row, 0, 0);
+    for (i = 0; i < k; i++)
+        paradt__face_product(face, face->lift + i * n, face->u + i * row, face->u + i * row, face->w[i + 1],
+                             face->w[0]);
+    face->determinant = paradt__face_determinant(face, face->gram, &face->layout);
+    if (!paradt__integer_sign(face->determinant)) return 0;
+    for (i = 0; i < k; i++) {
+        paradt__face_exchange(face, i);
+        face->solution[i] = paradt__face_determinant(face, face->gram, &face->layout);
+        paradt__face_exchange(face, i);
+    }
+    return 1;
+}
+
+// Adds times * a * b to the sum of `length` elements. *used: as for paradt__make_room
+static void paradt__face_add(const paradt__face *face, int times, paradt__integer a, const paradt__digit *b,
+                             int b_count, int length, int *used) {
+    int i;
+    for (i = 0; i < times || i < -times; i++) {
+        paradt__make_room(face->sum, length, used, paradt__min(a.count, b_count));
+        paradt__multiply_add_any(face->sum, times < 0 ? -1 : 1, b, b_count, a.digits, a.count);
+    }
+}
+
+// The number of elements that the sum of products of a solution and a number takes
+static int paradt__face_length(const paradt__face *face, int count) {
+    int longest = face->determinant.count, i;
+    for (i = 0; i < face->edges; i++) longest = paradt__max(longest, face->solution[i].count);
+    return longest + count + 1;
+}
+
+// Returns a / b times 2^exponent. The digits from `work` on are free.
+static double paradt__face_quotient(const paradt__face *face, paradt__integer a, paradt__integer b, paradt__digit *work,
+                                    int exponent) {
+    paradt__quotient q;
+    while (a.count > 1 && !a.digits[a.count - 1]) a.count--;
+    q.a = a;
+    q.b = b;
+    q.a_sign = paradt__integer_sign(a);
+    q.b_sign = paradt__integer_sign(b);
+    q.exponent = exponent;
+    q.work = work;
+    q.sum = face->sum;
+    return q.a_sign ? paradt__quotient_round(&q) : 0;
+}
+
+// Returns the sum by det G times 2^exponent.
+static double paradt__face_sum_quotient(const paradt__face *face, paradt__digit *work, int length, int exponent) {
+    paradt__integer a;
+    a.digits = work;
+    a.count = length;
+    paradt__store_any(work, face->sum, length);
+    return paradt__face_quotient(face, a, face->determinant, work + length, exponent);
+}
+
+// Fills the centre and returns the squared radius of a face that has been solved.
+static double paradt__face_sphere(const paradt__face *face, double *centre) {
+    int k = face->edges, n = face->digits, length = paradt__face_length(face, n), used, i, j;
+    paradt__digit *base = face->work, *work = base + face->lift_digits;
+    for (j = 0; j < face->dim; j++) {
+        paradt__face_difference(face, base, face->p[0][j], 0);
+        paradt__clear_any(face->sum, length);
+        used = 0;
+        paradt__face_add(face, 2, face->determinant, base, n, length, &used);
+        for (i = 0; i < k; i++)
+            paradt__face_add(face, 1, face->solution[i], face->u + (i * face->dim + j) * n, n, length, &used);
+        centre[j] = paradt__face_sum_quotient(face, work, length, face->unit - 1);
+    }
+    n = face->lift_digits;
+    length = paradt__face_length(face, n);
+    paradt__clear_any(face->sum, n);
+    paradt__add_difference(face->sum, 1, face->w[0], 0, 2 * face->unit);
+    paradt__store_any(base, face->sum, n);
+    paradt__clear_any(face->sum, length);
+    used = 0;
+    for (i = 0; i < k; i++) paradt__face_add(face, 1, face->solution[i], face->lift + i * n, n, length, &used);
+    if (face->weighted) paradt__face_add(face, -4, face->determinant, base, n, length, &used);
+    return paradt__face_sum_quotient(face, work, length, 2 * face->unit - 2);
+}
+
+// Is the centre of a face that has been solved in the face? Its boundary is part of it.
+static int paradt__face_holds_centre(const paradt__face *face) {
+    static const paradt__digit one[] = {1};
+    int length = paradt__face_length(face, 1), used = 0, i;
+    for (i = 0; i < face->edges; i++) {
+        if (paradt__integer_sign(face->solution[i]) < 0) return 0;
+    }
+    paradt__clear_any(face->sum, length);
+    paradt__face_add(face, 2, face->determinant, one, 1, length, &used);
+    for (i = 0; i < face->edges; i++) paradt__face_add(face, -1, face->solution[i], one, 1, length, &used);
+    paradt__store_any(face->work, face->sum, length);
+    return paradt__sign(face->work, length) >= 0;
+}
+
+// Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
+static int paradt__face_side(const paradt__face *face, const double *x) {
+    int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
+    int used = 0, i;
+    paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
+    for (i = 0; i < face->dim; i++) paradt__face_difference(face, v + i * n, x[i], face->p[0][i]);
+    for (i = 0; i <= face->edges; i++)
+        paradt__face_product(face, products + i * m, v, i < face->edges ? face->u + i * row : v, 0, 0);
+    paradt__clear_any(face->sum, length);
+    paradt__face_add(face, 1, face->determinant, products + face->edges * m, m, length, &used);
+    for (i = 0; i < face->edges; i++) paradt__face_add(face, -1, face->solution[i], products + i * m, m, length, &used);
+    paradt__store_any(work, face->sum, length);
+    return paradt__sign(work, length);
+}
+
+// Does the small room suffice?
+static int paradt__face_is_small(const paradt__face *face) {
+    const paradt__determinant square = paradt__face_square(face);
+    const paradt__minors m = {&square, &face->layout, NULL, 0};
+    int k = face->edges, d = face->dim, n = face->digits, products = face->lift_digits;
+    int longest = paradt__minor_digits(&m, k), numerator = longest + products + 5;
+    int digits = k * d * n + k * (k + 1) * products + (k + 1) * longest;
+    int minors = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1);
+    int more = paradt__max(minors, paradt__max(products + numerator, d * n + (k + 1) * products) + numerator);
+    return digits + more <= PARADT__SMALL_FACE_DIGITS && numerator <= PARADT__SMALL_FACE_SUM;
+}
+
+// What is done with a face. Returns 0 if it can't be done.
+typedef int (*paradt__face_use)(paradt__face *face, void *out);
+
+PARADT__NOINLINE int paradt__face_in_small(paradt__face *face, paradt__face_use use, void *out) {
+    paradt__digit work[PARADT__SMALL_FACE_DIGITS];
+    paradt__wide sum[PARADT__SMALL_FACE_SUM];
+    face->work = work;
+    face->sum = sum;
+    face->room = PARADT__SMALL_FACE_DIGITS;
+    return use(face, out);
+}
+
+PARADT__NOINLINE int paradt__face_in_large(paradt__face *face, paradt__face_use use, void *out) {
+    paradt__digit work[PARADT__LARGE_FACE_DIGITS];
+    paradt__wide sum[PARADT__LARGE_FACE_SUM];
+    face->work = work;
+    face->sum = sum;
+    face->room = PARADT__LARGE_FACE_DIGITS;
+    return use(face, out);
+}
+
+static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out) {
+    if (PARADT_MAX_DIM <= 3 || face->dim <= 3 || paradt__face_is_small(face)) {
+        PARADT_ASSERT(paradt__face_is_small(face));
+        return paradt__face_in_small(face, use, out);
+    }
+    return paradt__face_in_large(face, use, out);
+}
+
+// --- floating point
+
+// The signs of a face's solution in floating point
+typedef struct paradt__estimate {
+    int k;
+    double gram[PARADT_MAX_DIM][PARADT_MAX_DIM], lift[PARADT_MAX_DIM];
+} paradt__estimate;
+
+// The determinant of a square whose column `replaced` is the lifts; -1: none is. minor[mask] is the determinant of the
+// rows in the mask and of as many first columns.
+static double paradt__estimate_determinant(const paradt__estimate *e, int replaced) {
+    double minor[1 << PARADT_MAX_DIM];
+    unsigned mask, rest;
+    minor[0] = 1;
+    for (mask = 1; mask < 1u << e->k; mask++) {
+        double sum = 0;
+        int column = 0, i;
+        for (rest = mask & (mask - 1); rest; rest &= rest - 1) column++;
+        for (rest = mask; rest; rest &= rest - 1) {
+            i = paradt__trailing_zeros(rest);
+            sum = (column == replaced ? e->lift[i] : e->gram[i][column]) * minor[mask ^ 1u << i] - sum;
+        }
+        minor[mask] = sum;
+    }
+    return minor[(1 << e->k) - 1];
+}
+
+// The same for two and three rows: fills L, and returns det G.
+static double paradt__estimate_few(const paradt__estimate *e, double *solution) {
+    const double(*g)[PARADT_MAX_DIM] = e->gram;
+    const double *l = e->lift;
+    double c00, c01, c02, c11, c12, c22;
+    if (e->k == 2) {
+        solution[0] = l[0] * g[1][1] - l[1] * g[0][1];
+        solution[1] = l[1] * g[0][0] - l[0] * g[0][1];
+        return g[0][0] * g[1][1] - g[0][1] * g[0][1];
+    }
+    c00 = g[1][1] * g[2][2] - g[1][2] * g[1][2];
+    c01 = g[0][2] * g[1][2] - g[0][1] * g[2][2];
+    c02 = g[0][1] * g[1][2] - g[0][2] * g[1][1];
+    c11 = g[0][0] * g[2][2] - g[0][2] * g[0][2];
+    c12 = g[0][1] * g[0][2] - g[0][0] * g[1][2];
+    c22 = g[0][0] * g[1][1] - g[0][1] * g[0][1];
+    solution[0] = c00 * l[0] + c01 * l[1] + c02 * l[2];
+    solution[1] = c01 * l[0] + c11 * l[1] + c12 * l[2];
+    solution[2] = c02 * l[0] + c12 * l[1] + c22 * l[2];
+    return g[0][0] * c00 + g[0][1] * c01 + g[0][2] * c02;
+}
+
+// Is the centre of a cell in the cell? 1, 0 or PARADT__UNDECIDED. With |u_i| <= r_i <= r, entries of the column i of G
+// are at most r_i r in size, lifts r^2 + v if v is the largest difference of two weights. An entry errs by at most
+// (d + 6) u times that: a square has the errors of two differences, a product and d sums. A determinant has k! terms of
+// k factors, which are rounded at most k (k + 1) / 2 times more. A half more is for errors of higher order.
+static int paradt__filter_centre(int dim, const double *const *points, const double *weights) {
+    static const double factorial[] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320};
+    const double small = paradt__power(-50), large = paradt__power(50);
+    double u[PARADT_MAX_DIM][PARADT_MAX_DIM], r[PARADT_MAX_DIM], solution[PARADT_MAX_DIM];
+    double longest = 0, heavy = 0, product = 1, error, bound, determinant, rest, sum_of_bounds = 0;
+    paradt__estimate e;
+    int i, j, h, sign = 1;
+    e.k = dim;
+    for (i = 0; i < dim; i++) {
+        double square = 0;
+        for (j = 0; j < dim; j++) {
+            u[i][j] = points[i + 1][j] - points[0][j];
+            square += u[i][j] * u[i][j];
+        }
+        e.lift[i] = e.gram[i][i] = square;
+        r[i] = sqrt(square) * 1.001;
+        if (!(r[i] > small && r[i] < large)) return PARADT__UNDECIDED;
+        longest = paradt__larger(longest, r[i]);
+        if (!weights) continue;
+        if (!(paradt__abs(weights[i + 1]) < large && paradt__abs(weights[0]) < large)) return PARADT__UNDECIDED;
+        heavy = paradt__larger(heavy, paradt__abs(weights[i + 1]) + paradt__abs(weights[0]));
+        e.lift[i] -= weights[i + 1] - weights[0];
+    }
+    if (!paradt__precise()) return PARADT__UNDECIDED;
+    for (i = 0; i < dim; i++) {
+        for (j = 0; j < i; j++) {
+            double dot = 0;
+            for (h = 0; h < dim; h++) dot += u[i][h] * u[j][h];
+            e.gram[i][j] = e.gram[j][i] = dot;
+        }
+        product *= r[i] * longest;
+    }
+    error = PARADT__ROUNDOFF * 1.5 * factorial[dim] * dim * ((dim + 6) + 0.5 * (dim + 1));
+    if (dim <= 3) determinant = paradt__estimate_few(&e, solution);
+    else determinant = paradt__estimate_determinant(&e, -1);
+    rest = 2 * determinant;
+    for (i = 0; i < dim; i++) {
+        if (dim > 3) solution[i] = paradt__estimate_determinant(&e, i);
+        bound = error * product / (r[i] * longest) * (longest * longest + heavy) * 1.001;
+        if (solution[i] < -bound) return 0;
+        if (solution[i] <= bound) sign = PARADT__UNDECIDED;
+        rest -= solution[i];
+        sum_of_bounds += bound + PARADT__ROUNDOFF * dim * paradt__abs(solution[i]);
+    }
+    sum_of_bounds += (2 * error + 4 * PARADT__ROUNDOFF * dim) * product;
+    if (rest < -sum_of_bounds) return 0;
+    return rest <= sum_of_bounds ? PARADT__UNDECIDED : sign;
+}
+
+// Returns the squared radius of a face, or -1 if its centre seems to be outside of it or it seems flat. Any errors.
+static double paradt__guess_sphere(int dim, double u[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], unsigned face) {
+    double m[PARADT_MAX_DIM][PARADT_MAX_DIM + 1], lift[PARADT_MAX_DIM], sum = 0, radius2 = 0;
+    int vertex[PARADT_MAX_DIM + 1], k = -1, i, j, h;
+    for (; face; face &= face - 1) vertex[++k] = paradt__trailing_zeros(face);
+    for (i = 0; i < k; i++) {
+        for (j = 0; j < k; j++) {
+            m[i][j] = 0;
+            for (h = 0; h < dim; h++)
+                m[i][j] += (u[vertex[i + 1]][h] - u[vertex[0]][h]) * (u[vertex[j + 1]][h] - u[vertex[0]][h]);
+        }
+        lift[i] = m[i][k] = m[i][i];
+    }
+    for (i = 0; i < k; i++) { // elimination; what is left is the solution
+        if (!(m[i][i] > 0)) return -1;
+        for (h = 0; h < k; h++) {
+            double factor = m[h][i] / m[i][i];
+            for (j = i; j <= k && h != i; j++) m[h][j] -= factor * m[i][j];
+        }
+    }
+    for (i = 0; i < k; i++) {
+        double t = 0.5 * m[i][k] / m[i][i];
+        if (!(t >= 0)) return -1;
+        sum += t;
+        radius2 += 0.5 * t * lift[i];
+    }
+    return sum <= 1 ? radius2 : -1;
+}
+
+// Guesses the face whose sphere is the smallest around the cell: the cell, or of the faces with the centres of their
+// spheres in them, all of which are in that sphere, the one with the largest.
+static unsigned paradt__guess_face(int dim, const double *const *points, int top) {
+    const double scale = paradt__power(paradt__min(-top, 1023));
+    double u[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], largest = -1;
+    unsigned all = (2u << dim) - 1, best = all, face;
+    int i, j;
+    for (i = 0; i <= dim; i++) {
+        for (j = 0; j < dim; j++) u[i][j] = points[i][j] * scale - points[0][j] * scale;
+    }
+    if (paradt__guess_sphere(dim, u, all) >= 0) return all;
+    for (face = all - 1; face; face--) {
+        double radius2 = face & (face - 1) ? paradt__guess_sphere(dim, u, face) : -1;
+        if (radius2 > largest) largest = radius2, best = face;
+    }
+    return best;
+}
+
+// --- the public functions
+
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
+                                   double *radius2) {
+    paradt__face face;
+    paradt__sphere_of sphere = {centre, 0, 0};
+    paradt__face_begin(&face, dim, points, weights);
+    if (!paradt__face_run(&face, paradt__use_for_circumsphere, &sphere)) return 0;
+    *radius2 = sphere.radius2;
+    return 1;
+}
+
+static int paradt__use_for_centre(paradt__face *face, void *out) {
+    (void)out;
+    return paradt__face_solve(face) && paradt__face_holds_centre(face);
+}
+
+PARADT_DEF int paradt_is_self_centred(int dim, const double *const *points, const double *weights) {
+    paradt__face face;
+    int sign = paradt__filter_centre(dim, points, weights);
+    if (sign != PARADT__UNDECIDED) return sign;
+    paradt__face_begin(&face, dim, points, weights);
+    return paradt__face_run(&face, paradt__use_for_centre, NULL);
+}
+
+// Returns 0 if the sphere of the face is not the smallest around the cell.
+static int paradt__use_to_enclose(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    int i;
+    if (!paradt__face_solve(face) || !paradt__face_holds_centre(face)) return 0;
+    sphere->on = 0;
+    for (i = 0; i <= face->dim; i++) {
+        int side = i <= face->edges ? 0 : paradt__face_side(face, face->p[i]);
+        if (side > 0) return 0;
+        if (!side) sphere->on |= 1u << i;
+    }
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+// Tries a face of at least two of a cell's vertices, which come first then.
+static int paradt__enclose_by(const paradt__face *cell, unsigned vertices, paradt__sphere_of *sphere) {
+    paradt__face face = *cell;
+    int order[PARADT_MAX_DIM + 1], count = 0, turn, i;
+    unsigned on = 0;
+    for (turn = 1; turn >= 0; turn--) {
+        for (i = 0; i <= cell->dim; i++) {
+            if ((int)(vertices >> i & 1) == turn) order[count++] = i;
+        }
+        if (turn) face.edges = count - 1;
+    }
+    for (i = 0; i <= cell->dim; i++) face.p[i] = cell->p[order[i]];
+    if (!paradt__face_run(&face, paradt__use_to_enclose, sphere)) return 0;
+    for (i = 0; i <= cell->dim; i++) on |= (sphere->on >> i & 1) << order[i];
+    sphere->on = on;
+    return 1;
+}
+
+PARADT_DEF unsigned paradt_enclosing_sphere(int dim, const double *const *points, double *centre, double *radius2) {
+    const unsigned all = (2u << dim) - 1;
+    paradt__face cell;
+    paradt__sphere_of sphere = {centre, 0, all};
+    unsigned face;
+    int i, equal = 1;
+    paradt__face_begin(&cell, dim, points, NULL);
+    for (i = 0; i < dim * dim; i++) equal &= points[i / dim + 1][i % dim] == points[0][i % dim];
+    for (i = 0; i < dim && equal; i++) centre[i] = paradt__from_ordered_bits(paradt__ordered_bits(points[0][i]));
+    if (!equal && !paradt__enclose_by(&cell, paradt__guess_face(dim, points, cell.unit + cell.bits - 1), &sphere)) {
+        for (face = all; face; face--) {
+            if (face & (face - 1) && paradt__enclose_by(&cell, face, &sphere)) break;
+        }
+        PARADT_ASSERT(face);
+    }
+    *radius2 = sphere.radius2;
+    return sphere.on;
+}
+
+static int paradt__use_for_volume(paradt__face *face, void *out) {
+    static const paradt__digit factorial[] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320};
+    const paradt__layout layout = {0, face->bits, face->digits, 0, 0, 0};
+    paradt__integer determinant, by;
+    by.digits = factorial + face->dim;
+    by.count = 1;
+    paradt__face_subtract(face);
+    determinant = paradt__face_determinant(face, face->u, &layout);
+    *(double *)out = paradt__face_quotient(face, determinant, by, face->work, face->dim * face->unit);
+    return 1;
+}
+
+PARADT_DEF double paradt_volume(int dim, const double *const *points) {
+    paradt__face face;
+    double volume = 0;
+    paradt__face_begin(&face, dim, points, NULL);
+    paradt__face_run(&face, paradt__use_for_volume, &volume);
+    return volume;
+}
+#endif // PARADT_NO_MEASURES
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------

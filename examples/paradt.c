@@ -12,6 +12,7 @@
 #include "../paradt.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <pthread.h>
 
 enum { EXIT_DONE, EXIT_FAILED, EXIT_USAGE, EXIT_INPUT };
@@ -358,6 +359,56 @@ static void say_string(text *out, const char *string) {
     say(out, "\"");
 }
 
+// How well the cells are shaped, of points that span their dimension
+typedef struct shapes {
+    double radius;       // of the largest min-containment sphere
+    size_t self_centred; // cells that hold the centres of their circumspheres; with weights, of their power spheres
+} shapes;
+
+// Finds the vertices of a cell and their weights. Returns the square of its longest edge.
+static double cell_vertices(const job *j, size_t cell, const double **vertices, double *weights) {
+    int dim = j->t.dim, i, k, axis;
+    double longest = 0;
+    for (i = 0; i <= dim; i++) {
+        size_t vertex = (size_t)j->t.cells[cell * (size_t)(dim + 1) + (size_t)i];
+        vertices[i] = j->points.coordinates + vertex * (size_t)dim;
+        weights[i] = j->points.weights ? j->points.weights[vertex] : 0;
+        for (k = 0; k < i; k++) {
+            double square = 0;
+            for (axis = 0; axis < dim; axis++) {
+                double x = vertices[i][axis] - vertices[k][axis];
+                square += x * x;
+            }
+            longest = square > longest ? square : longest;
+        }
+    }
+    return longest;
+}
+
+// A sphere around a cell whose longest edge is e has a radius of e / 2 at least, and of e sqrt(d / (2 d + 2)) at most
+// (Jung). So few cells are measured.
+static shapes measure_shapes(const job *j) {
+    const double rounded = 1 + 1e-12, most = j->t.dim / (2.0 * j->t.dim + 2) * rounded;
+    const double *vertices[PARADT_MAX_DIM + 1];
+    double weights[PARADT_MAX_DIM + 1], centre[PARADT_MAX_DIM], longest = 0, largest = 0, square;
+    shapes found = {0, 0};
+    size_t cell;
+    for (cell = 0; cell < j->t.cell_count; cell++) {
+        square = cell_vertices(j, cell, vertices, weights);
+        longest = square > longest ? square : longest;
+        found.self_centred += (size_t)paradt_is_self_centred(j->t.dim, vertices, j->points.weights ? weights : NULL);
+    }
+    for (cell = 0; cell < j->t.cell_count; cell++) {
+        double possible = cell_vertices(j, cell, vertices, weights) * most;
+        if (possible < longest / 4 / rounded || possible < largest)
+            continue;
+        paradt_enclosing_sphere(j->t.dim, vertices, centre, &square);
+        largest = square > largest ? square : largest;
+    }
+    found.radius = sqrt(largest);
+    return found;
+}
+
 // Returns the statistics as JSON, from malloc; NULL if there is no memory.
 static char *make_stats(const job *j) {
     size_t capacity = 8192 + 6 * strlen(j->s->input); // an escaped character takes 6
@@ -381,6 +432,12 @@ static char *make_stats(const job *j) {
 #define SAY_TIMER(field)   say(&out, "  \"%s\": %.6f,\n", #field, j->t.stats.field);
     COUNTERS(SAY_COUNTER)
     TIMERS(SAY_TIMER)
+    if (j->t.dim == j->points.dim) {
+        shapes found = measure_shapes(j);
+        say(&out, "  \"max_min_containment_radius\": ");
+        say(&out, isfinite(found.radius) ? "%.17g" : "null", found.radius);
+        say(&out, ",\n  \"self_centred_cells\": %zu,\n", found.self_centred);
+    }
     say(&out, "  \"seconds\": %.6f\n}\n", j->seconds);
     return result;
 }

@@ -393,9 +393,13 @@ run --stats - --hash --weights --check gen:uniform:300:1
 sed '$d' out >stats
 done_well && [ "$(sed -n '1p;$p' stats | tr -d '\n')" = '{}' ] && grep -q '^  "points": 300,$' stats &&
     grep -q '^  "dim": 3,$' stats && grep -q '^  "weights": true,$' stats && grep -q '^  "certified": true,$' stats &&
-    grep -Eq '^  "seconds": [0-9]+\.[0-9]+$' stats && [ "$(grep -Ec '^  "[a-z_]+": ("[^"]*"|[0-9.]+|true|false),?$' stats)" -eq \
+    grep -Eq '^  "seconds": [0-9]+\.[0-9]+$' stats && [ "$(grep -Ec '^  "[a-z_]+": ("[^"]*"|[0-9.]+(e[-+][0-9]+)?|true|false),?$' stats)" -eq \
     $(($(wc -l <stats) - 2)) ]
 report $? statistics_on_standard_output_are_json_alone
+printf '0 0\n4 0\n1 1\n' >obtuse.txt
+run --stats - obtuse.txt
+done_well && grep -q '^  "max_min_containment_radius": 2,$' out && grep -q '^  "self_centred_cells": 0,$' out
+report $? statistics_tell_how_cells_are_shaped
 hidden=$(sed -n 's/^  "hidden": \(.*\),/\1/p' stats)
 run --weights gen:uniform:300:1
 [ "$hidden" -gt 0 ] && grep -q "^hidden  *$hidden\$" out
