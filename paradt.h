@@ -480,6 +480,7 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_points_f32         paradt_points_f32_64
 #define paradt_triangulate        paradt_triangulate_64
 #define paradt_memory_estimate    paradt_memory_estimate_64
+#define paradt_repair             paradt_repair_64
 #define paradt_free               paradt_free_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -668,6 +669,41 @@ PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const par
 // up to twice beyond. Other points may take more. The points are not read; data may be NULL. Returns 0 where an
 // argument is wrong. Thread-safe.
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options);
+
+#ifndef PARADT_NO_FLIPS
+// What paradt_repair did
+typedef struct paradt_repair_stats {
+    uint64_t inverted;   // cells that the moves had turned over or made flat
+    uint64_t irregular;  // facets between the others that were not locally regular, before anything was changed
+    uint64_t flips;      // flips done
+    uint64_t stuck;      // cells that were still turned over, and facets not locally regular, when no flip was possible
+    uint64_t holes;      // holes that were cut around these, and filled anew
+    uint64_t reinserted; // points inserted again: those of the holes, counted in each, and such as were no vertices
+    int rebuilt;         // 1: the triangulation was built anew, by paradt_triangulate
+    double seconds;      // all of it, wall time
+} paradt_repair_stats;
+
+// Makes a triangulation that of its points again, after these have moved, or had their weights changed: the result is
+// that of paradt_triangulate, in less time where the moves are small. Cells that are still right stay; most others are
+// replaced by flips.
+//   triangulation  with neighbors, from paradt_triangulate or paradt_repair; what was done to its arrays since must
+//                  have left a valid triangulation of the points as they were then. A triangulation that is empty, has
+//                  no neighbors or another dimension than the points is built anew, and so is one with many cells
+//                  turned over, or where many points become or cease to be hidden. Its arrays and stats are replaced.
+//   points         as many as before, at their new places
+//   options        NULL: the defaults. memory_limit, progress, user and flags are used, PARADT_FACETS for what
+//   neighbors
+//                  hold and are to hold; not with PARADT_NO_NEIGHBORS. All memory comes from the triangulation's
+//                  allocator. The rest is for building anew.
+//   stats          NULL: not wanted
+// Errors: those of paradt_triangulate, and INVALID where the arrays do not fit together. After ARGUMENT, NOT_FINITE,
+// and TOO_LARGE for the number of points the triangulation is what it was, but for error_point and error_text; after
+// another error it may be empty, as after one of paradt_triangulate: then dim is -1. Thread safety: any number of
+// concurrent calls, each with its own triangulation. Cost: linear time, a fraction of paradt_triangulate's, if little
+// changes.
+PARADT_DEF paradt_status paradt_repair(paradt_triangulation *triangulation, const paradt_points *points,
+                                       const paradt_options *options, paradt_repair_stats *stats);
+#endif
 
 // Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
 // -1. NULL, and a triangulation that is all zero, are fine. Thread safety: as free.
@@ -897,8 +933,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    210   insertions from begin to end
-//     flips                        245   circuits and their flips, in any dimension
+//     inserting                    184   insertions from begin to end
+//     flips                        248   circuits and their flips, in any dimension
 //     history                      170   the dag of all cells, by which points are located
 //     insertion by flips           308   search, split, collect, flip
 //     Delaunay tree                315   location by the cells that there were
@@ -921,10 +957,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      307   one row a method; AUTO's choice
-//     triangulate                  367   the entry
+//     methods                      255   one row a method; AUTO's choice
+//     triangulate                  357   the entry
 //   use
 //     measures of a cell           665   spheres and volumes, rounded once
+//     mending by flips             181   what has moved, by flips
+//     mending by holes             364   what flips leave, by small triangulations
+//     repair                       469   the entry of repairing
 //   check
 //     check                        500   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -12061,7 +12100,10 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
     for (i = 0; i < f->star.count; i++) {
         for (j = 0; j < f->positive; j++) paradt__flip_link(f, i, j, corners);
     }
-    for (i = 0; i < count; i++) paradt__mesh_give(mesh, update->killed[i] / corners, (size_t)corners);
+    for (i = 0; i < count; i++) {
+        mesh->marks[update->killed[i] / corners] = 0;
+        paradt__mesh_give(mesh, update->killed[i] / corners, (size_t)corners);
+    }
     return PARADT_OK;
 }
 
@@ -15805,7 +15847,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; for ranks paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
+// Doors: the public functions; paradt__withdraw; for ranks paradt__check_arguments, paradt__triangulate_region,
+// paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -16166,6 +16209,1161 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
+
+#ifndef PARADT_NO_FLIPS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>mending by flips
+//
+// Local improvement (thesis, chapter 2): a triangulation whose points have moved is made T(P) again, as far as flips
+// can. The mesh is the caller's, with ghosts; its vertices are indices. Moving points turns some cells over, which are
+// marked PARADT__WRONG, and makes facets not locally regular. Whatever happens to the places, the mesh remains closed,
+// and so every place is covered once if cells that are turned over count -1.
+//
+// A facet between two cells that are positively oriented is flipped as in >>flips, with the apex of one as the point p.
+// So is one between ghosts, if the apex lies in the plane of the hull facet. For a cell t that is turned over, and the
+// apex p of a neighbour, the circuit is taken as the mesh has it: N are the vertices of t across whose facets p is the
+// apex, Q the others. The flip is done if all new cells are positively oriented; then there are fewer cells that are
+// not. A ghost that has p strictly beyond its hull facet is treated likewise: the hull is not convex there.
+//
+// A ghost counts as turned over if a fixed point, the mean of all, is not strictly on the inner side of its hull facet.
+// Think of it as the part beyond the facet of the cone from that point. Then cells and ghosts cover every place once.
+//
+// Flips of facets that are not locally regular lower the surface of the lifted points, the others lessen the number of
+// cells that are turned over, or fill a notch of the hull. In the plane only few places are left, from three dimensions
+// on facets may be stuck: they are left to >>mending by holes.
+// Doors: paradt__mend_flip_all, paradt__mend_is_wrong.
+
+// What mending works with
+typedef struct paradt__mend {
+    paradt__flipper flipper;
+    paradt_repair_stats *stats;
+    paradt__meter *meter;
+    paradt__list facets; // to be looked at
+    paradt__list stuck;  // facets that no flip could help, when they were looked at
+    const double *inner; // the record of a point that is to be inside of the hull
+    uint64_t looks;      // at facets
+    uint64_t most_flips; // with more it is better to build anew
+    int vanished;        // vertices may be in no cell any more
+} paradt__mend;
+
+// Does the mesh have the simplices that a flip of one cell and its neighbours replaces as the circuit has them: the
+// facets opposite vertices in Q and no others lead to other cells? That is certain in a triangulation, but not where
+// cells are turned over.
+static int paradt__mend_is_circuit(const paradt__mend *m, paradt_index cell) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt_index corners = mesh->corners, killed[PARADT_MAX_DIM + 2], count = 0, i, j, k;
+    killed[count++] = cell;
+    for (i = 0; i < corners; i++) {
+        if (mesh->vertices[mesh->links[cell * corners + i]] == m->flipper.point)
+            killed[count++] = mesh->links[cell * corners + i] / corners;
+    }
+    for (i = 0; i < count; i++) {
+        for (j = 0; j < i; j++) {
+            if (killed[i] == killed[j]) return 0;
+        }
+        for (j = 0; j < corners; j++) {
+            int inner = 1, among = 0;
+            paradt_index vertex = mesh->vertices[killed[i] * corners + j];
+            paradt_index other = mesh->links[killed[i] * corners + j] / corners;
+            for (k = 0; k < m->flipper.positive; k++) inner &= vertex != m->flipper.member[m->flipper.negative + k];
+            for (k = 0; k < count; k++) among |= killed[k] == other;
+            if (inner != among) return 0;
+        }
+    }
+    return 1;
+}
+
+// Flips what was collected, and lists the facets of the new cells.
+static paradt_status paradt__mend_flip(paradt__mend *m) {
+    const paradt__update *update = &m->flipper.build.update;
+    paradt_index corners = m->flipper.build.scene.mesh.corners, i;
+    paradt_status status = corners == 4 ? paradt__flip(&m->flipper, 4) : paradt__flip(&m->flipper, corners);
+    size_t made, count = update->made_count * (size_t)corners;
+    if (!status)
+        status = paradt__list_room(&m->facets.items, m->facets.count, &m->facets.capacity, m->facets.count + count,
+                                   m->flipper.build.memory);
+    if (status) return status;
+    for (made = 0; made < update->made_count; made++) {
+        paradt_index base = update->made[made] - update->made[made] % corners;
+        for (i = 0; i < corners; i++) m->facets.items[m->facets.count++] = base + i;
+    }
+    m->vanished |= m->flipper.positive == 1;
+    PARADT__VERIFY_SMALL(&m->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
+    return ++m->stats->flips > m->most_flips ? PARADT__GAVE_UP : PARADT_OK;
+}
+
+// Would a cell or ghost be turned over, or flat, with p in the place i of its row?
+static int paradt__mend_turns(paradt__mend *m, paradt_index cell, int i, paradt_index point) {
+    paradt__scene *scene = &m->flipper.build.scene;
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int corners = scene->mesh.corners, ghost = -1, j;
+    for (j = 0; j < corners; j++) {
+        if (j == i) p[j] = paradt__scene_record(scene, point);
+        else if (vertices[j] == PARADT__INFINITE) p[ghost = j] = m->inner;
+        else p[j] = paradt__scene_record(scene, vertices[j]);
+    }
+    j = paradt__orient(&scene->space, p);
+    return ghost < 0 ? j <= 0 : j >= 0;
+}
+
+// Tries the circuit that the mesh has around a cell, or a ghost, and the apex p of one of its neighbours.
+static paradt_status paradt__mend_try(paradt__mend *m, paradt_index cell, paradt_index point, int *done) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    int corners = mesh->corners, i, possible;
+    paradt__signs signs = {0, 0};
+    paradt_status status;
+    *done = 0;
+    for (i = 0; i < corners; i++) {
+        if (mesh->vertices[cell * corners + i] == point) return PARADT_OK;
+        if (mesh->vertices[mesh->links[cell * corners + i]] == point) signs.negative |= (uint16_t)(1u << i);
+        else if (paradt__mend_turns(m, cell, i, point)) return PARADT_OK;
+        else signs.positive |= (uint16_t)(1u << i);
+    }
+    if (!signs.positive) return PARADT_OK;
+    status = paradt__flip_collect(&m->flipper, cell, point, signs, corners, &possible);
+    if (status || !possible || !paradt__mend_is_circuit(m, cell)) return status;
+    *done = 1;
+    return paradt__mend_flip(m);
+}
+
+// Notes a facet that no flip could help.
+static paradt_status paradt__mend_note(paradt__mend *m, paradt_index handle) {
+    return paradt__list_append(&m->stuck, handle, m->flipper.build.memory);
+}
+
+// Tries to get rid of a cell that is turned over.
+static paradt_status paradt__mend_turn(paradt__mend *m, paradt_index cell) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    int done = 0;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < corners && !done && !status; i++) {
+        paradt_index mirror = mesh->links[cell * corners + i], apex = mesh->vertices[mirror];
+        if (apex == PARADT__INFINITE)
+            status = paradt__mend_try(m, mirror / corners, mesh->vertices[cell * corners + i], &done);
+        else status = paradt__mend_try(m, cell, apex, &done);
+    }
+    return status || done ? status : paradt__mend_note(m, cell * corners);
+}
+
+// Is the cell or ghost turned over, or the ghost on a cell that is?
+static int paradt__mend_is_wrong(const paradt__mesh *mesh, paradt_index cell) {
+    int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), mesh->corners);
+    if (mesh->marks[cell] & PARADT__WRONG) return 1;
+    if (ghost >= 0) cell = mesh->links[cell * mesh->corners + ghost] / mesh->corners;
+    return (mesh->marks[cell] & PARADT__WRONG) != 0;
+}
+
+// Flips the facet of a cell that is in conflict with the apex p on the other side, if that can be done.
+static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, paradt_index point) {
+    paradt__scene *scene = &m->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const double *x = paradt__scene_record(scene, point);
+    paradt_index corners = mesh->corners, cell = handle / corners;
+    int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), corners), i, possible;
+    paradt__signs signs = {0, 0};
+    paradt_status status;
+    size_t at;
+    for (i = 0; i < corners; i++) {
+        int side = i == ghost ? 0 : paradt__flip_sign(scene, cell, i, x, corners);
+        signs.negative |= (uint16_t)((unsigned)(side < 0) << i);
+        signs.positive |= (uint16_t)((unsigned)(side > 0) << i);
+    }
+    status = paradt__flip_collect(&m->flipper, cell, point, signs, corners, &possible);
+    for (at = 0; at < m->flipper.star.count && possible; at++)
+        possible = !paradt__mend_is_wrong(mesh, m->flipper.star.items[at]);
+    if (status) return status;
+    return possible ? paradt__mend_flip(m) : paradt__mend_note(m, handle);
+}
+
+// Looks at a facet, if its cell is still there.
+static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
+    paradt__scene *scene = &m->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, cell = handle / corners, mirror, point;
+    const double *x;
+    int ghost, done;
+    if (mesh->vertices[cell * corners] == PARADT__DEAD) return PARADT_OK;
+    mirror = mesh->links[handle];
+    if (mesh->marks[cell] & PARADT__WRONG) return paradt__mend_turn(m, cell);
+    if (mesh->marks[mirror / corners] & PARADT__WRONG) return paradt__mend_turn(m, mirror / corners);
+    point = mesh->vertices[mirror];
+    if (point == PARADT__INFINITE || mesh->vertices[handle] == PARADT__INFINITE) return PARADT_OK;
+    x = paradt__scene_record(scene, point);
+    ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), corners);
+    if (ghost >= 0 && paradt__side(scene, cell, ghost, x) > 0) {
+        paradt_status status = paradt__mend_try(m, cell, point, &done);
+        return status || done ? status : paradt__mend_note(m, handle);
+    }
+    if (ghost >= 0 && paradt__mend_is_wrong(mesh, cell)) return paradt__mend_note(m, handle);
+    return paradt__conflicts(scene, cell, x) ? paradt__mend_improve(m, handle, point) : PARADT_OK;
+}
+
+// Looks at all facets that are listed.
+static paradt_status paradt__mend_flip_all(paradt__mend *m) {
+    enum { PACE = 1024 }; // facets between two looks at whether the call is cancelled
+    paradt_status status = PARADT_OK;
+    while (m->facets.count && !status) {
+        if (m->looks++ % PACE == 0 && paradt__meter_cancels(m->meter)) return PARADT_ERROR_CANCELLED;
+        status = paradt__mend_look(m, m->facets.items[--m->facets.count]);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>mending by holes
+//
+// What flips leave: cells that are turned over, and facets that are not locally regular. Such cells are taken out. Let
+// Q be the vertices of the hole. If the facets of its rim are facets of T(P), T(P) fills the hole with cells on points
+// of Q, which are cells of T(Q), too: ghosts as well as others. T(Q) is made by insertion, and the hole is filled with
+// the cells of T(Q) that can be reached from its rim. A hole is enlarged by the cells beyond those facets of its rim
+// that T(Q) does not have, or that would not be locally regular, and by all beyond its rim if the filling gets out of
+// the hole. So nothing is left to be looked at afterwards. In the end all cells are positively oriented, all facets and
+// the hull's ridges are locally regular, and every place is covered once: that proves that the mesh is T(P).
+// Doors: paradt__mend_fill_all, paradt__mend_end,
+// paradt__vertex_at, paradt__mend_is_done.
+
+// A hole, and what it is filled with
+typedef struct paradt__hole {
+    paradt__list cells;      // places; they have the mark PARADT__CONFLICT
+    paradt__list points;     // Q
+    paradt__list rim;        // facets of the hole's cells
+    paradt__list walls;      // for each the same facet in T(Q), seen from inside
+    paradt__list reached;    // places in T(Q) of the cells that fill the hole
+    paradt__list becomes;    // by place in T(Q): where the cell gets its place; PARADT__OPEN: it is not reached
+    paradt__list outer;      // by handle in T(Q): the facet of a kept cell that is on the other side, or PARADT__OPEN
+    paradt__insertion small; // T(Q)
+    paradt__facets table;    // of the facets of T(Q)
+    uint32_t *seen;          // [points] by point: the number of the last hole that it was in
+    uint32_t number;         // of holes that points were collected for
+} paradt__hole;
+
+static void paradt__hole_free(paradt__hole *hole, paradt__memory *memory) {
+    paradt__list_free(&hole->cells, memory);
+    paradt__list_free(&hole->points, memory);
+    paradt__list_free(&hole->rim, memory);
+    paradt__list_free(&hole->walls, memory);
+    paradt__list_free(&hole->reached, memory);
+    paradt__list_free(&hole->becomes, memory);
+    paradt__list_free(&hole->outer, memory);
+    hole->small.memory = memory;
+    paradt__insertion_end(&hole->small);
+    paradt__facets_free(&hole->table, memory);
+    paradt__release(memory, hole->seen);
+}
+
+// Frees what mending has taken, except for the mesh.
+static void paradt__mend_end(paradt__mend *m) {
+    paradt__list_free(&m->facets, m->flipper.build.memory);
+    paradt__list_free(&m->stuck, m->flipper.build.memory);
+    paradt__flipper_rest(&m->flipper);
+}
+
+// Adds a cell to the hole.
+static paradt_status paradt__hole_add(paradt__mend *m, paradt__hole *hole, paradt_index cell) {
+    if (!paradt__mesh_mark(&m->flipper.build.scene.mesh, (size_t)cell, PARADT__CONFLICT)) return PARADT_OK;
+    return paradt__list_append(&hole->cells, cell, m->flipper.build.memory);
+}
+
+// Collects the rim and the points of the hole; neighbours that must go, too, are added first.
+static paradt_status paradt__hole_survey(paradt__mend *m, paradt__hole *hole) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt__memory *memory = m->flipper.build.memory;
+    paradt_index corners = mesh->corners, i;
+    paradt_status status = PARADT_OK;
+    size_t at;
+    hole->rim.count = hole->points.count = 0;
+    hole->number++;
+    for (at = 0; at < hole->cells.count && !status; at++) {
+        for (i = 0; i < corners && !status; i++) {
+            paradt_index other = mesh->links[hole->cells.items[at] * corners + i] / corners;
+            if (mesh->marks[other] & (PARADT__LISTED | PARADT__WRONG)) status = paradt__hole_add(m, hole, other);
+        }
+    }
+    for (at = 0; at < hole->cells.count && !status; at++) {
+        for (i = 0; i < corners && !status; i++) {
+            paradt_index handle = hole->cells.items[at] * corners + i, vertex = mesh->vertices[handle];
+            if (!(mesh->marks[mesh->links[handle] / corners] & PARADT__CONFLICT))
+                status = paradt__list_append(&hole->rim, handle, memory);
+            if (status || vertex < 0 || hole->seen[vertex] == hole->number) continue;
+            hole->seen[vertex] = hole->number;
+            status = paradt__list_append(&hole->points, vertex, memory);
+        }
+    }
+    return status;
+}
+
+// Begins T(Q) anew. Returns PARADT_OK with an empty mesh if Q does not span the space.
+static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
+    paradt__insertion *small = &hole->small;
+    paradt__mesh *mesh = &small->scene.mesh;
+    paradt__set part = *set;
+    paradt_index basis[PARADT_MAX_DIM + 1], *order = hole->points.items;
+    int count, i;
+    part.count = hole->points.count;
+    if (mesh->marks) memset(mesh->marks, 0, mesh->count);
+    mesh->count = mesh->spare_count = 0;
+    count = paradt__set_basis(&part, order, 0, basis, NULL, &small->scene.space.counters, NULL);
+    if (count < mesh->corners) return PARADT_OK;
+    for (i = 0; i < count; i++) {
+        size_t at = (size_t)i;
+        while (order[at] != basis[i]) at++;
+        order[at] = order[i];
+        order[i] = basis[i];
+    }
+    small->memory = m->flipper.build.memory;
+    small->order = order;
+    small->count = part.count;
+    small->inserted = (size_t)count;
+    small->scene.hint = 0;
+    return paradt__insertion_first_cells(small);
+}
+
+// Is the point at the place of a vertex of the cell? Returns the vertex, or PARADT__NOWHERE.
+static paradt_index paradt__vertex_at(const paradt__scene *scene, paradt_index cell, paradt_index point) {
+    const paradt_index *vertices = paradt__mesh_row(&scene->mesh, cell);
+    const double *x = paradt__scene_record(scene, point);
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        if (vertices[i] >= 0 && !paradt__compare(&scene->space, paradt__scene_record(scene, vertices[i]), x))
+            return vertices[i];
+    }
+    return PARADT__NOWHERE;
+}
+
+// Makes T(Q). Points at the same place are one; with weights it is better to build anew then.
+static paradt_status paradt__hole_triangulate(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
+    paradt__insertion *small = &hole->small;
+    paradt_status status = paradt__hole_first_cells(m, hole, set);
+    if (!small->scene.mesh.count) return status;
+    for (; small->inserted < small->count && !status; small->inserted++) {
+        paradt_index point = small->order[small->inserted];
+        small->scene.hint = paradt__walk(&small->scene, small->scene.hint, paradt__scene_record(&small->scene, point));
+        if (paradt__vertex_at(&small->scene, small->scene.hint, point) == PARADT__NOWHERE)
+            status = paradt__insert(small, point);
+        else if (small->scene.space.weighted) status = PARADT__GAVE_UP;
+        if (small->inserted % 64 == 63 && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
+    }
+    return status;
+}
+
+// Do two cells see a facet, opposite vertex i of one and j of the other, from different sides?
+static int paradt__sees_from_outside(const paradt_index *one, int i, const paradt_index *two, int j, int corners) {
+    int to[PARADT_MAX_DIM + 1], a, b, odd = 0;
+    for (a = 0; a < corners; a++) {
+        to[a] = j;
+        for (b = 0; b < corners && a != i; b++) {
+            if (b != j && two[b] == one[a]) to[a] = b;
+        }
+    }
+    for (a = 0; a < corners; a++) {
+        for (b = a + 1; b < corners; b++) odd ^= to[a] > to[b];
+    }
+    return odd;
+}
+
+// Enters the facets of T(Q) into the table.
+static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
+    paradt__mesh *mesh = &hole->small.scene.mesh;
+    paradt__memory *memory = m->flipper.build.memory;
+    paradt_index corners = mesh->corners, handle, end = (paradt_index)mesh->count * corners;
+    paradt_status status = PARADT_OK;
+    paradt__facets_free(&hole->table, memory);
+    status = paradt__facets_begin(&hole->table, 0, 1, memory);
+    if (!status) status = paradt__facets_room(&hole->table, (size_t)end / 2 + 1, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt__facet_key key;
+        if (mesh->vertices[handle - handle % corners] == PARADT__DEAD || mesh->links[handle] < handle) continue;
+        key = paradt__facet_key_of(&hole->table, mesh, handle);
+        paradt__facets_match(&hole->table, mesh, paradt__facets_chain(&hole->table, key), key, handle, corners);
+    }
+    return status;
+}
+
+// Finds the facets of the rim in T(Q). The cells beyond those that are not there are added to the hole.
+static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
+    paradt__memory *memory = m->flipper.build.memory;
+    paradt_index corners = mesh->corners;
+    paradt_status status = PARADT_OK;
+    size_t at;
+    hole->walls.count = 0;
+    for (at = 0; at < hole->rim.count && !status; at++) {
+        paradt_index outer = mesh->links[hole->rim.items[at]], base = outer - outer % corners, found = PARADT__OPEN;
+        if (small->count)
+            found = paradt__facets_find(&hole->table, small, paradt__facet_key_of(&hole->table, mesh, outer),
+                                        mesh->vertices, outer, corners);
+        if (found < 0) {
+            status = paradt__hole_add(m, hole, outer / corners);
+            continue;
+        }
+        if (!paradt__sees_from_outside(mesh->vertices + base, outer % corners,
+                                       small->vertices + (found - found % corners), found % corners, corners))
+            found = small->links[found];
+        status = paradt__list_append(&hole->walls, found, memory);
+    }
+    return status;
+}
+
+// Fills a list with `count` items of PARADT__OPEN.
+static paradt_status paradt__list_open(paradt__list *list, size_t count, paradt__memory *memory) {
+    paradt_status status = paradt__list_room(&list->items, 0, &list->capacity, count, memory);
+    if (status) return status;
+    for (list->count = 0; list->count < count; list->count++) list->items[list->count] = PARADT__OPEN;
+    return PARADT_OK;
+}
+
+// Reaches the cells of T(Q) that fill the hole, from the walls. *tight: none is beyond a wall
+static paradt_status paradt__hole_reach(paradt__mend *m, paradt__hole *hole, int *tight) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
+    paradt__memory *memory = m->flipper.build.memory;
+    paradt_index corners = mesh->corners, i;
+    size_t at;
+    paradt_status status = paradt__list_open(&hole->becomes, small->count, memory);
+    if (!status) status = paradt__list_open(&hole->outer, small->count * (size_t)corners, memory);
+    if (!status) status = paradt__list_room(&hole->reached.items, 0, &hole->reached.capacity, small->count, memory);
+    if (status) return status;
+    hole->reached.count = 0;
+    *tight = 1;
+    for (at = 0; at < hole->rim.count; at++) {
+        paradt_index wall = hole->walls.items[at];
+        if (hole->outer.items[wall] >= 0) *tight = 0;
+        hole->outer.items[wall] = mesh->links[hole->rim.items[at]];
+        if (hole->becomes.items[wall / corners] >= 0) continue;
+        hole->becomes.items[wall / corners] = 0;
+        hole->reached.items[hole->reached.count++] = wall / corners;
+    }
+    for (at = 0; at < hole->reached.count; at++) {
+        paradt_index base = hole->reached.items[at] * corners;
+        for (i = base; i < base + corners; i++) {
+            paradt_index other = small->links[i] / corners;
+            if (hole->outer.items[i] >= 0 || hole->becomes.items[other] >= 0) continue;
+            hole->becomes.items[other] = 0;
+            hole->reached.items[hole->reached.count++] = other;
+        }
+    }
+    for (at = 0; at < hole->walls.count; at++) {
+        if (hole->becomes.items[small->links[hole->walls.items[at]] / corners] >= 0) *tight = 0;
+    }
+    return PARADT_OK;
+}
+
+// How often does a cell cover the inner point: 1, 0, or if it is turned over -1? *unclear: the point is on its boundary
+static int paradt__mend_covers(const paradt__mend *m, paradt__scene *scene, paradt_index cell, int *unclear) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int corners = scene->mesh.corners, i, positive = 0, negative = 0;
+    if (paradt__ghost_place(row, corners) >= 0) return 0;
+    for (i = 0; i < corners && !(positive && negative); i++) {
+        int side = paradt__side(scene, cell, i, m->inner);
+        positive += side > 0;
+        negative += side < 0;
+    }
+    if (positive && negative) return 0;
+    *unclear |= positive + negative < corners;
+    return positive ? 1 : -1;
+}
+
+// Does what was reached fit into the hole: are its ghosts the right way round, and is it the inside of the rim as the
+// hole's cells have it, not the outside? That is so if both cover one point, the inner one, equally often.
+static int paradt__hole_fits(const paradt__mend *m, paradt__scene *scene, paradt__hole *hole) {
+    paradt__scene *small = &hole->small.scene;
+    int covers = 0, unclear = 0;
+    size_t at;
+    for (at = 0; at < hole->reached.count; at++) {
+        paradt_index cell = hole->reached.items[at];
+        int ghost = paradt__ghost_place(paradt__mesh_row(&small->mesh, cell), small->mesh.corners);
+        if (ghost >= 0 && paradt__side(small, cell, ghost, m->inner) >= 0) return 0;
+        covers += paradt__mend_covers(m, small, cell, &unclear);
+    }
+    for (at = 0; at < hole->cells.count; at++) covers -= paradt__mend_covers(m, scene, hole->cells.items[at], &unclear);
+    return !covers && !unclear;
+}
+
+// Adds the cells beyond the rim to the hole: all, or where the facet would not be locally regular.
+static paradt_status paradt__hole_enlarge(paradt__mend *m, paradt__hole *hole, int all) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt__scene *small = &hole->small.scene;
+    paradt_index corners = mesh->corners;
+    paradt_status status = PARADT_OK;
+    size_t at;
+    for (at = 0; at < hole->rim.count && !status; at++) {
+        paradt_index outer = mesh->links[hole->rim.items[at]], apex = mesh->vertices[outer];
+        paradt_index wall = all ? 0 : hole->walls.items[at];
+        if (!all && (apex == PARADT__INFINITE || small->mesh.vertices[wall] == PARADT__INFINITE)) continue;
+        if (all || paradt__conflicts(small, wall / corners, paradt__scene_record(small, apex)))
+            status = paradt__hole_add(m, hole, outer / corners);
+    }
+    return status;
+}
+
+// Puts the cells that were reached into the mesh, in the place of the hole's.
+static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
+    paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    const paradt__mesh *small = &hole->small.scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    size_t at, row = (size_t)corners * sizeof(paradt_index);
+    paradt_status status = paradt__insertion_room(&m->flipper.build, hole->reached.count);
+    if (!status) status = paradt__mesh_spare_room(mesh, hole->cells.count, m->flipper.build.memory);
+    if (status) return status;
+    for (at = 0; at < hole->reached.count; at++) {
+        paradt_index place = paradt__mesh_take(mesh), from = hole->reached.items[at];
+        mesh->marks[place] = 0;
+        memcpy(mesh->vertices + place * corners, small->vertices + from * corners, row);
+        hole->becomes.items[from] = place;
+    }
+    for (at = 0; at < hole->reached.count; at++) {
+        paradt_index from = hole->reached.items[at] * corners,
+                     to = hole->becomes.items[hole->reached.items[at]] * corners;
+        for (i = 0; i < corners; i++) {
+            paradt_index outer = hole->outer.items[from + i], mirror = small->links[from + i];
+            if (outer >= 0) paradt__mesh_tie(mesh, to + i, outer);
+            else mesh->links[to + i] = hole->becomes.items[mirror / corners] * corners + mirror % corners;
+        }
+    }
+    for (at = 0; at < hole->cells.count; at++) {
+        mesh->marks[hole->cells.items[at]] = 0;
+        paradt__mesh_give(mesh, hole->cells.items[at], (size_t)corners);
+    }
+    m->vanished = 1;
+    m->stats->reinserted += hole->points.count;
+    m->stats->holes++;
+    PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT);
+    return PARADT_OK;
+}
+
+// Makes a hole around a cell and fills it.
+static paradt_status paradt__mend_fill(paradt__mend *m, paradt__hole *hole, const paradt__set *set, paradt_index cell) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt_status status;
+    hole->cells.count = 0;
+    status = paradt__hole_add(m, hole, cell);
+    while (!status) {
+        size_t before;
+        int tight = 0;
+        status = paradt__hole_survey(m, hole);
+        before = hole->cells.count;
+        if (!status && (before > mesh->count / 4 + 64 || !hole->rim.count)) status = PARADT__GAVE_UP;
+        if (!status) status = paradt__hole_triangulate(m, hole, set);
+        if (!status && hole->small.scene.mesh.count) status = paradt__hole_enter(m, hole);
+        if (!status) status = paradt__hole_match(m, hole);
+        if (status || hole->cells.count > before) continue;
+        status = paradt__hole_reach(m, hole, &tight);
+        if (!status)
+            status = paradt__hole_enlarge(m, hole, !tight || !paradt__hole_fits(m, &m->flipper.build.scene, hole));
+        if (!status && hole->cells.count == before) return paradt__hole_close(m, hole);
+    }
+    return status;
+}
+
+// Marks the cells of a facet, if it is still there, and not locally regular or of a cell that is turned over. Facets
+// between others are marked by their own cells.
+static void paradt__mend_list(paradt__mend *m, paradt_index handle) {
+    paradt__scene *scene = &m->flipper.build.scene;
+    paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, cell = handle / corners, other, point;
+    if (mesh->vertices[cell * corners] == PARADT__DEAD) return;
+    if (mesh->marks[cell] & PARADT__WRONG) {
+        m->stats->stuck += paradt__mesh_mark(mesh, (size_t)cell, PARADT__LISTED) != 0;
+        return;
+    }
+    other = mesh->links[handle] / corners;
+    point = mesh->vertices[mesh->links[handle]];
+    if (point < 0 || mesh->vertices[handle] < 0 || paradt__mend_is_wrong(mesh, cell)) return;
+    if (!paradt__conflicts(scene, cell, paradt__scene_record(scene, point))) return;
+    m->stats->stuck++;
+    paradt__mesh_mark(mesh, (size_t)cell, PARADT__LISTED);
+    paradt__mesh_mark(mesh, (size_t)other, PARADT__LISTED);
+}
+
+#if defined(PARADT_VERIFY)
+// Is the mesh T(P), P its vertices?
+static int paradt__mend_is_done(paradt__mend *m) {
+    paradt__scene *scene = &m->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, cell, i;
+    for (cell = 0; cell < (paradt_index)mesh->count; cell++) {
+        const paradt_index *row = paradt__mesh_row(mesh, cell);
+        int ghost = paradt__ghost_place(row, corners);
+        if (row[0] == PARADT__DEAD) continue;
+        if (mesh->marks[cell]) return 0;
+        if (ghost < 0 ? paradt__side(scene, cell, 0, paradt__scene_record(scene, row[0])) <= 0
+                      : paradt__side(scene, cell, ghost, m->inner) >= 0)
+            return 0;
+        for (i = 0; i < corners; i++) {
+            paradt_index apex = mesh->vertices[mesh->links[cell * corners + i]];
+            if (apex < 0 || row[i] < 0) continue;
+            if (paradt__conflicts(scene, cell, paradt__scene_record(scene, apex))) return 0;
+        }
+    }
+    return 1;
+}
+#endif
+
+// Takes out and fills what flips could not help.
+static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *set) {
+    paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt__memory *memory = m->flipper.build.memory;
+    paradt_index corners = mesh->corners;
+    paradt__hole hole;
+    paradt_status status = PARADT_OK;
+    size_t at;
+    for (at = 0; at < m->stuck.count; at++) paradt__mend_list(m, m->stuck.items[at]);
+    if (!m->stats->stuck) return PARADT_OK;
+    memset(&hole, 0, sizeof hole);
+    hole.small = m->flipper.build;
+    memset(&hole.small.update, 0, sizeof hole.small.update);
+    hole.small.rim = NULL;
+    hole.small.rim_count = hole.small.rim_capacity = 0;
+    memset(&hole.small.ridges, 0, sizeof hole.small.ridges);
+    hole.small.kept = NULL;
+    paradt__mesh_begin(&hole.small.scene.mesh, corners, 1);
+    hole.seen = (uint32_t *)paradt__alloc(memory, set->count, sizeof *hole.seen);
+    if (!hole.seen) return PARADT_ERROR_MEMORY;
+    memset(hole.seen, 0, set->count * sizeof *hole.seen);
+    status = paradt__list_room(&hole.small.update.killed, 0, &hole.small.update.killed_capacity, 16, memory);
+    for (at = 0; at < m->stuck.count && !status; at++) {
+        paradt_index cell = m->stuck.items[at] / corners;
+        if (mesh->vertices[cell * corners] == PARADT__DEAD || !(mesh->marks[cell] & PARADT__LISTED)) continue;
+        status = paradt__mend_fill(m, &hole, set, cell);
+        if (!status && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
+    }
+    paradt__hole_free(&hole, memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>repair
+//
+// paradt_repair: takes the caller's triangulation over as a mesh, asks each cell and facet once whether it is still
+// right, and mends what is not; or builds anew where that is not possible or does not pay. Then come the points that
+// were no vertices, or are none any more: each is found to be at the place of a vertex, hidden, or is inserted.
+//
+// The rows are the caller's, changed in place, so that most cells are read once and written nowhere. Vertices remain
+// indices: the records are in the caller's order. In space, without weights, a cell's sphere is made once for all of
+// its facets, as in >>kept spheres; its bound on the error also proves that the cell is positively oriented.
+// Doors: the public function.
+
+typedef struct paradt__repair {
+    paradt__mend mend;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt__set set;
+    paradt_triangulation *t;
+    int facets;  // links are half-facets
+    int touched; // the caller's arrays have been changed
+    int renamed; // a vertex has another index now
+    size_t hull, inverted;
+    uint64_t hidden, duplicates;
+} paradt__repair;
+
+// Reads the points, in their order, and measures them.
+static paradt_status paradt__repair_read(paradt__repair *r, const paradt_points *points) {
+    paradt__source source = paradt__source_of(points);
+    paradt__set *set = &r->set;
+    const double part = 1.0 / (double)points->count;
+    double *inner;
+    size_t i;
+    int axis;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    set->count = points->count;
+    set->records = (double *)paradt__alloc_filled(&r->memory, points->count + 1, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    inner = set->records + points->count * set->width;
+    memset(inner, 0, set->width * sizeof *inner);
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    for (i = 0; i < points->count; i++) {
+        double *record = set->records + i * set->width;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
+        if (paradt__read_record(&source, i, record) == 2047) {
+            r->t->error_point = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        paradt__space_add(&set->space, record);
+        for (axis = 0; axis < points->dim; axis++) inner[axis] += record[axis] * part;
+    }
+    paradt__space_add(&set->space, inner);
+    paradt__space_end(&set->space);
+    r->mend.inner = inner;
+    return paradt__space_is_finite(&set->space) ? PARADT_OK : PARADT__GAVE_UP;
+}
+
+// Takes over the arrays of the triangulation.
+static paradt_status paradt__repair_adopt(paradt__repair *r) {
+    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt_triangulation *t = r->t;
+    size_t row = (size_t)(t->dim + 1) * sizeof(paradt_index);
+    size_t vertices = (paradt__block_bytes(t->cells) - PARADT__BLOCK_HEADER) / row;
+    size_t links = (paradt__block_bytes(t->neighbors) - PARADT__BLOCK_HEADER) / row;
+    paradt__mesh_begin(mesh, t->dim + 1, 1);
+    mesh->capacity = vertices < links ? vertices : links;
+    mesh->marks = (unsigned char *)paradt__alloc_filled(&r->memory, mesh->capacity, 1);
+    if (!mesh->marks) return PARADT_ERROR_MEMORY;
+    memset(mesh->marks, 0, mesh->capacity);
+    r->touched = 1;
+    mesh->count = mesh->paged = t->cell_count;
+    mesh->vertices = t->cells;
+    mesh->links = t->neighbors;
+    t->cells = t->neighbors = NULL;
+    return PARADT_OK;
+}
+
+// Makes handles of the links of a cell. Those to cells before it have been made when these had their turn, and are kept
+// as paradt__repair_pending of the handle until now. Returns 0 where links do not fit together.
+PARADT__INLINE paradt_index paradt__repair_pending(paradt_index handle) {
+    return -3 - handle;
+}
+
+PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
+    for (i = base; i < base + corners; i++) {
+        paradt_index link = links[i], other;
+        if (link == PARADT__HULL) continue;
+        if (facets) {
+            if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            continue;
+        }
+        if (link <= paradt__repair_pending(0)) {
+            links[i] = paradt__repair_pending(link);
+            continue;
+        }
+        if (link < 0 || link >= end || link <= (paradt_index)cell) return 0;
+        other = link * corners;
+        for (j = 0; j < corners && links[other + j] != (paradt_index)cell;) j++;
+        if (j == corners) return 0;
+        links[i] = other + j;
+        links[other + j] = paradt__repair_pending(i);
+    }
+    return 1;
+}
+
+// Looks at a cell: lists it if it is turned over or flat, else its facets that are not locally regular, each as the
+// first of its cells sees it. Asks the predicates.
+PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell) {
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, base = (paradt_index)cell * corners, i;
+    const paradt_index *vertices = mesh->vertices + base;
+    const double *p[PARADT_MAX_DIM + 2] = {NULL};
+    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(scene, vertices[i]);
+    if (paradt__orient(&scene->space, p) <= 0) {
+        mesh->marks[cell] |= PARADT__WRONG;
+        r->inverted++;
+        return paradt__list_append(&r->mend.facets, base, &r->memory);
+    }
+    for (i = 0; i < corners; i++) {
+        paradt_index mirror = mesh->links[base + i];
+        paradt_status status;
+        if (mirror < base) continue;
+        p[corners] = paradt__scene_record(scene, mesh->vertices[mirror]);
+        if (!paradt__conflict(&scene->space, p)) continue;
+        r->mend.stats->irregular++;
+        status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
+        if (status) return status;
+    }
+    return PARADT_OK;
+}
+
+// Does the sphere of a cell tell that the cell is positively oriented and its facets are locally regular?
+PARADT__INLINE int paradt__repair_is_fine(const paradt__insertion *build, size_t cell) {
+    const paradt__kept *s = build->kept;
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt_index *vertices = mesh->vertices + 4 * cell, *links = mesh->links + 4 * cell;
+    const double *a = build->scene.records + 3 * (size_t)vertices[0],
+                 *b = build->scene.records + 3 * (size_t)vertices[1];
+    const double *c = build->scene.records + 3 * (size_t)vertices[2],
+                 *p = build->scene.records + 3 * (size_t)vertices[3];
+    paradt__spoke to_a = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, a),
+                  to_b = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, b),
+                  to_c = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, c);
+    paradt__centred centred = paradt__centred_of(s, p), x;
+    paradt__sphere sphere;
+    int i, fine = 1;
+    paradt__sphere_make(PARADT__MAKE_QUICKLY, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere.normal,
+                        &sphere.constant, &sphere.error);
+    fine = sphere.error < PARADT__NO_ERROR_BOUND;
+    for (i = 0; i < 4; i++) {
+        if (links[i] < (paradt_index)(4 * cell)) continue;
+        x = paradt__centred_of(s, build->scene.records + 3 * (size_t)mesh->vertices[links[i]]);
+        fine &= paradt__sphere_power(&sphere, &x) > sphere.error;
+    }
+    return fine;
+}
+
+// Fetches what is needed of a cell ahead of its use.
+PARADT__INLINE void paradt__repair_fetch(const paradt__insertion *build, size_t cell, int corners) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    int i;
+    if (cell >= mesh->count) return;
+    for (i = 0; i < corners; i++) {
+        size_t vertex = (size_t)mesh->vertices[cell * (size_t)corners + (size_t)i];
+        PARADT__FETCH(build->scene.records, vertex * build->scene.width);
+    }
+}
+
+// Passes over all cells: links become handles, and what is not right is listed.
+PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
+    enum { PACE = 1 << 14, AHEAD = 16 };
+    const paradt__insertion *build = &r->mend.flipper.build;
+    const paradt__mesh mesh = build->scene.mesh;
+    paradt_status status = PARADT_OK;
+    size_t cell;
+    int i;
+    for (cell = 0; cell < mesh.count && !status; cell++) {
+        const paradt_index *row = mesh.vertices + cell * (size_t)corners, *links = mesh.links + cell * (size_t)corners;
+        if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
+        if (!paradt__vertices_among(row, corners, 0, (paradt_index)r->set.count) ||
+            !paradt__repair_link(&mesh, cell, r->facets, corners))
+            return PARADT_ERROR_INVALID;
+        paradt__repair_fetch(build, cell + AHEAD, corners);
+        for (i = 0; i < corners; i++) r->hull += links[i] < 0;
+        if (!spheres || !paradt__repair_is_fine(build, cell)) status = paradt__repair_ask(r, cell);
+    }
+    return status;
+}
+
+PARADT__HOT_LOOP paradt_status paradt__repair_survey(paradt__repair *r) {
+    int corners = r->mend.flipper.build.scene.mesh.corners;
+    if (PARADT_MAX_DIM >= 3 && r->mend.flipper.build.kept) return paradt__repair_survey_any(r, 4, 1);
+    return paradt__repair_survey_any(r, corners, 0);
+}
+
+// Makes the ghosts, and lists their facets.
+static paradt_status paradt__repair_ghosts(paradt__repair *r) {
+    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt_index corners = mesh->corners, end = (paradt_index)mesh->count * corners, handle, i, base;
+    paradt__facets ridges;
+    paradt_status status =
+        paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
+    if (status) return status;
+    status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners, place = handle % corners;
+        if (mesh->links[handle] >= 0) continue;
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
+        if (paradt__side(&r->mend.flipper.build.scene, base / corners, place < 2 ? 1 - place : place, r->mend.inner) >=
+            0)
+            mesh->marks[base / corners] |= PARADT__WRONG;
+        status = paradt__facets_room(&ridges, (size_t)corners, &r->memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+            status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
+        }
+    }
+    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, &r->memory);
+    return status;
+}
+
+// --- points that are no vertices
+
+// Finds out what a point is that is no vertex.
+static paradt_status paradt__repair_point(paradt__repair *r, paradt_index point) {
+    paradt__insertion *build = &r->mend.flipper.build;
+    paradt__scene *scene = &build->scene;
+    paradt_index *representative = r->t->representative, vertex;
+    const double *x = paradt__scene_record(scene, point);
+    paradt_status status;
+    scene->hint = paradt__walk(scene, scene->hint, x);
+    vertex = paradt__vertex_at(scene, scene->hint, point);
+    representative[point] = point;
+    if (vertex != PARADT__NOWHERE) {
+        size_t weight = r->set.width - 1;
+        const double *other = paradt__scene_record(scene, vertex);
+        if (scene->space.weighted && (x[weight] > other[weight] || (x[weight] == other[weight] && point < vertex)))
+            return PARADT__GAVE_UP;
+        while (representative[vertex] != vertex) vertex = representative[vertex];
+        if (point < vertex && !scene->space.weighted) {
+            representative[vertex] = point;
+            r->renamed = 1;
+        } else {
+            representative[point] = vertex;
+        }
+        return PARADT_OK;
+    }
+    if (scene->space.weighted && !paradt__conflicts(scene, scene->hint, x)) return PARADT_OK; // hidden
+    status = paradt__insert(build, point);
+    build->inserted++;
+    r->mend.stats->reinserted++;
+    return status;
+}
+
+// Finds which points are vertices. used: [points / 64 + 1] a bit for each
+static void paradt__repair_vertices(const paradt__repair *r, uint64_t *used) {
+    const paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, i, j;
+    memset(used, 0, (r->set.count / 64 + 1) * sizeof *used);
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *row = mesh->vertices + i * corners;
+        for (j = 0; j < corners && row[0] != PARADT__DEAD; j++) {
+            if (row[j] >= 0) used[row[j] / 64] |= (uint64_t)1 << row[j] % 64;
+        }
+    }
+}
+
+// Deals with all points that are no vertices, in their order.
+static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt_index *representative = r->t->representative;
+    size_t i, others = 0, most = r->set.count / 4 + 64;
+    paradt_status status = PARADT_OK;
+    paradt__repair_vertices(r, used);
+    for (i = 0; i < r->set.count; i++) others += !(used[i / 64] >> i % 64 & 1);
+    if (!others) return PARADT_OK;
+    if (others > most) return PARADT__GAVE_UP;
+    scene->hint = 0;
+    while (scene->mesh.vertices[scene->hint * scene->mesh.corners] == PARADT__DEAD) scene->hint++;
+    for (i = 0; i < r->set.count; i++) representative[i] = (paradt_index)i;
+    for (i = 0; i < r->set.count && !status; i++) {
+        if (used[i / 64] >> i % 64 & 1) continue;
+        status = paradt__repair_point(r, (paradt_index)i);
+        if (!status && i % 64 == 0 && paradt__meter_cancels(&r->meter)) status = PARADT_ERROR_CANCELLED;
+    }
+    return status;
+}
+
+// Gives vertices their new indices, and points that are neither vertices nor at the place of one the representative -1.
+static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
+    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt_index *representative = r->t->representative;
+    size_t i;
+    for (i = 0; i < r->set.count; i++) {
+        paradt_index at = (paradt_index)i;
+        while (representative[at] != at) at = representative[at];
+        representative[i] = at;
+    }
+    for (i = 0; i < mesh->count * (size_t)mesh->corners && r->renamed; i++) {
+        if (mesh->vertices[i] >= 0) mesh->vertices[i] = representative[mesh->vertices[i]];
+    }
+    paradt__repair_vertices(r, used);
+    for (i = 0; i < r->set.count; i++) {
+        paradt_index at = representative[i];
+        int is_vertex = (int)(used[at / 64] >> at % 64 & 1);
+        r->duplicates += is_vertex && at != (paradt_index)i;
+        r->hidden += !is_vertex;
+        if (!is_vertex) representative[i] = at == (paradt_index)i ? (paradt_index)-1 : at; // see below
+    }
+    for (i = 0; i < r->set.count; i++) {
+        paradt_index at = representative[i];
+        if (at >= 0 && !(used[at / 64] >> at % 64 & 1)) representative[i] = -1;
+    }
+}
+
+// --- the whole
+
+// Returns why the triangulation can't be repaired, but only be built anew, or NULL. Then nothing is wrong with it.
+static int paradt__repair_pays(const paradt_triangulation *t, const paradt_points *points) {
+    return t->dim == points->dim && t->cell_count && t->neighbors && t->cells;
+}
+
+// Prepares mending: the insertion that the flips are done in.
+static paradt_status paradt__repair_begin(paradt__repair *r) {
+    paradt__insertion *build = &r->mend.flipper.build;
+    paradt_status status;
+    r->mend.meter = &r->meter;
+    build->memory = &r->memory;
+    build->scene.space = r->set.space;
+    build->scene.records = r->set.records;
+    build->scene.width = r->set.width;
+    status = paradt__repair_adopt(r);
+    if (status) return status;
+    build->count = build->inserted = 8; // few: no more is kept of spheres than what they are made with
+    if (r->t->dim == 3) status = paradt__kept_begin(build);
+    build->count = build->inserted = r->set.count;
+    r->mend.most_flips = 2 * r->t->cell_count + 1000;
+    return status ? status
+                  : paradt__list_room(&build->update.killed, 0, &build->update.killed_capacity, 64, &r->memory);
+}
+
+// Through how many hull facets does the ray from the inner point through a vertex leave? -1: through the border of one
+static int paradt__repair_exits(paradt__repair *r, paradt_index vertex) {
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const double *p[PARADT_MAX_DIM + 1], *x = paradt__scene_record(scene, vertex);
+    int corners = mesh->corners, exits = 0, ghost, i;
+    size_t cell;
+    for (cell = 0; cell < mesh->count; cell++) {
+        const paradt_index *row = mesh->vertices + cell * (size_t)corners;
+        int beyond = 0, on = 0;
+        if (PARADT__LIKELY(paradt__is_finite_cell(row, corners)) || row[0] == PARADT__DEAD) continue;
+        ghost = paradt__ghost_place(row, corners);
+        for (i = 0; i < corners; i++) p[i] = i == ghost ? r->mend.inner : paradt__scene_record(scene, row[i]);
+        for (i = 0; i < corners && !beyond; i++) {
+            const double *corner = p[i];
+            int side;
+            if (i == ghost) continue;
+            p[i] = x;
+            side = paradt__orient(&scene->space, p); // negative: that of the facet with the inner point
+            p[i] = corner;
+            beyond |= side > 0;
+            on |= side == 0;
+        }
+        if (!beyond && on) return -1;
+        exits += !beyond;
+    }
+    return exits;
+}
+
+// Does the hull surround the inner point once? With all else that mending has established the mesh is T(P) then. In the
+// beginning that was so, and flips and holes do not change it; but large moves may have drawn the hull over the point.
+static int paradt__repair_surrounds(paradt__repair *r) {
+    enum { TRIES = 8 };
+    const paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, attempt, cell;
+    for (attempt = 0; attempt < TRIES; attempt++) {
+        for (cell = mesh->count / TRIES * attempt; cell < mesh->count; cell++) {
+            int exits;
+            if (!paradt__is_finite_cell(mesh->vertices + cell * corners, mesh->corners)) continue;
+            exits = paradt__repair_exits(r, mesh->vertices[cell * corners + attempt % corners]);
+            if (exits >= 0) return exits == 1;
+            break;
+        }
+    }
+    return 0;
+}
+
+// Mends the triangulation.
+static paradt_status paradt__repair_mend(paradt__repair *r) {
+    paradt_repair_stats *stats = r->mend.stats;
+    const paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    uint64_t *used = NULL;
+    size_t cells = r->t->cell_count;
+    paradt_status status = paradt__repair_begin(r);
+    if (!status) status = paradt__repair_survey(r);
+    stats->inverted = r->inverted;
+    if (!status && (r->inverted > cells / 8 + 8 || stats->irregular > cells / 2 + 64)) status = PARADT__GAVE_UP;
+    if (!status) status = paradt__repair_ghosts(r);
+    if (!status) PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
+    (void)mesh;
+    if (!status) status = paradt__mend_flip_all(&r->mend);
+    if (!status) status = paradt__mend_fill_all(&r->mend, &r->set);
+    if (status) return status;
+    if (!paradt__repair_surrounds(r)) return PARADT__GAVE_UP;
+#if defined(PARADT_VERIFY)
+    PARADT_ASSERT(paradt__mend_is_done(&r->mend));
+#endif
+    used = (uint64_t *)paradt__alloc(&r->memory, r->set.count / 64 + 1, sizeof *used);
+    if (!used) return PARADT_ERROR_MEMORY;
+    status = paradt__repair_others(r, used);
+#if defined(PARADT_VERIFY)
+    PARADT_ASSERT(status || paradt__mend_is_done(&r->mend));
+#endif
+    if (!status) paradt__repair_settle(r, used);
+    paradt__release(&r->memory, used);
+    return status;
+}
+
+// Hands the mesh back.
+static paradt_status paradt__repair_hand_back(paradt__repair *r) {
+    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt_triangulation *t = r->t;
+    paradt_stats *stats = &t->stats;
+    PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
+    memset(stats, 0, sizeof *stats);
+    stats->hull_facets = paradt__mesh_close(mesh, NULL, r->facets, &r->meter);
+    if (paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
+    paradt__mesh_rest(mesh, &r->memory);
+    t->cells = mesh->vertices;
+    t->neighbors = mesh->links;
+    t->cell_count = stats->cells = mesh->count;
+    mesh->vertices = mesh->links = NULL;
+    stats->duplicates = r->duplicates;
+    stats->hidden = r->hidden;
+    stats->regions = 1;
+    paradt__count_predicates(stats, &r->mend.flipper.build.scene.space.counters);
+    return PARADT_OK;
+}
+
+// Builds the triangulation anew. The old one stays where that fails, if it is still there.
+static paradt_status paradt__repair_anew(paradt_triangulation *t, const paradt_points *points,
+                                         const paradt_options *options, paradt_repair_stats *stats) {
+    paradt_triangulation fresh;
+    paradt_status status = paradt_triangulate(&fresh, points, options);
+    stats->rebuilt = 1;
+    if (status) {
+        t->error_point = fresh.error_point;
+        t->error_text = fresh.error_text;
+        return status;
+    }
+    paradt_free(t);
+    *t = fresh;
+    return PARADT_OK;
+}
+
+// Repairs in place. *touched: after an error the triangulation is empty
+static paradt_status paradt__repair_in_place(paradt_triangulation *t, const paradt_points *points,
+                                             const paradt_options *options, paradt_repair_stats *stats, int *touched) {
+    paradt__repair r;
+    paradt_status status;
+    memset(&r, 0, sizeof r);
+    paradt__memory_begin(&r.memory, options);
+    paradt__meter_begin(&r.meter, options);
+    r.memory.held =
+        paradt__block_bytes(t->cells) + paradt__block_bytes(t->neighbors) + paradt__block_bytes(t->representative);
+    r.memory.peak = r.memory.held;
+    r.t = t;
+    r.mend.stats = stats;
+    r.facets = (options->flags & PARADT_FACETS) != 0;
+    status = paradt__repair_read(&r, points);
+    if (!status) status = paradt__repair_mend(&r);
+    r.meter.done = PARADT__ALL_DONE;
+    if (!status) status = paradt__repair_hand_back(&r);
+    if (r.mend.flipper.build.memory) {
+        paradt__mend_end(&r.mend);
+        paradt__mesh_free(&r.mend.flipper.build.scene.mesh, &r.memory);
+    }
+    paradt__set_free(&r.set, &r.memory);
+    t->stats.peak_bytes = r.memory.peak;
+    t->stats.needed_bytes = status == PARADT_ERROR_MEMORY ? r.memory.needed : 0;
+    *touched = r.touched;
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_points *points,
+                                       const paradt_options *options, paradt_repair_stats *stats) {
+    paradt_options given;
+    paradt_repair_stats own;
+    paradt_status status = PARADT_ERROR_ARGUMENT;
+    const char *text = "the triangulation has another number of points";
+    double begun = paradt__now();
+    int touched = 0;
+    if (!stats) stats = &own;
+    memset(stats, 0, sizeof *stats);
+    if (!t) return status;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    given.allocator = t->allocator;
+    t->error_point = 0;
+    if (!points || points->count == t->point_count) status = paradt__check_arguments(points, &given, &text);
+    if (!status && given.flags & PARADT_NO_NEIGHBORS) {
+        status = PARADT_ERROR_ARGUMENT;
+        text = "options.flags has PARADT_NO_NEIGHBORS, but paradt_repair takes and gives neighbours";
+    }
+    t->error_text = text;
+    if (status) return status;
+    status = PARADT__GAVE_UP;
+    if (paradt__repair_pays(t, points)) status = paradt__repair_in_place(t, points, &given, stats, &touched);
+    if (touched && status) {
+        uint64_t needed = t->stats.needed_bytes, peak = t->stats.peak_bytes;
+        paradt__withdraw(t, status, points->dim);
+        t->allocator = given.allocator;
+        t->point_count = points->count;
+        t->stats.needed_bytes = needed;
+        t->stats.peak_bytes = peak;
+    }
+    if (status == PARADT__GAVE_UP) status = paradt__repair_anew(t, points, &given, stats);
+    else if (status) t->error_text = paradt_status_string(status);
+    stats->seconds = paradt__now() - begun;
+    if (!status) t->stats.seconds = stats->seconds;
+    return status;
+}
+#endif // PARADT_NO_FLIPS
 
 #ifndef PARADT_NO_MEASURES
 // ---------------------------------------------------------------------------------------------------------------------
