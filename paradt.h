@@ -868,7 +868,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      263   one row a method; AUTO's choice
-//     triangulate                  357   the entry
+//     triangulate                  358   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -13561,6 +13561,7 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
     double each = (double)points->count / (double)work->regions;
     int several = work->regions > 1;
+    if (work->options.method == PARADT_DELAUNAY_TREE) return 8.0;
     if (first->front) {
         if (points->dim == 2) return several ? 3.0 : 2.2;
         return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
