@@ -957,8 +957,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      255   one row a method; AUTO's choice
-//     triangulate                  357   the entry
+//     methods                      263   one row a method; AUTO's choice
+//     triangulate                  358   the entry
 //   use
 //     measures of a cell           665   spheres and volumes, rounded once
 //     mending by flips             181   what has moved, by flips
@@ -16002,6 +16002,7 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     double each = (double)points->count / (double)work->regions;
     int several = work->regions > 1;
+    if (work->options.method == PARADT_DELAUNAY_TREE) return 8.0;
     if (first->front) {
         if (points->dim == 2) return several ? 3.0 : 2.2;
         return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;

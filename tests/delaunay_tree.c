@@ -274,11 +274,70 @@ static void history_nodes_are_the_cells_ever_made(void **state) {
     }
 }
 
+// --- errors
+
+typedef struct books {
+    size_t calls, fail_at, live;
+} books;
+
+static void *allocate(void *user, size_t bytes) {
+    books *b = (books *)user;
+    if (++b->calls == b->fail_at)
+        return NULL;
+    b->live++;
+    return malloc(bytes);
+}
+
+static void give_back(void *user, void *block) {
+    ((books *)user)->live -= block != NULL;
+    free(block);
+}
+
+// So many points have nodes in several blocks. A block that is refused is an error and leaves nothing behind.
+static void every_refused_block_is_an_error(void **state) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, SANITIZED ? 300 : 900, 1);
+    paradt_points points = points_of(&s);
+    paradt_status status = PARADT_ERROR_MEMORY;
+    (void)state;
+    for (size_t k = 1; status; k++) {
+        books b = {0, k, 0};
+        paradt_options options = {0};
+        paradt_triangulation t;
+        options.method = PARADT_DELAUNAY_TREE;
+        options.allocator.alloc = allocate;
+        options.allocator.free = give_back;
+        options.allocator.user = &b;
+        status = paradt_triangulate(&t, &points, &options);
+        assert_true(status == (b.calls >= k ? PARADT_ERROR_MEMORY : PARADT_OK));
+        if (!status)
+            assert_in_range(t.stats.history_nodes, PARADT__TREE_BLOCK + 1, 40 * s.count);
+        paradt_free(&t);
+        assert_int_equal(b.live, 0);
+    }
+    sample_free(&s);
+}
+
+static void more_nodes_than_indices_are_too_large(void **state) {
+    grown g;
+    size_t capacity, count;
+    (void)state;
+    assert_true(grow(&g, family_named("uniform"), 0, 3, 50));
+    capacity = g.tree.capacity;
+    count = g.tree.count;
+    g.tree.count = g.tree.capacity = (size_t)PARADT__NOWHERE / PARADT__TREE_BLOCK * PARADT__TREE_BLOCK;
+    assert_int_equal(paradt__tree_room(&g.tree, &g.build.scene.mesh, 1), PARADT_ERROR_TOO_LARGE);
+    g.tree.capacity = capacity;
+    g.tree.count = count;
+    cut_down(&g);
+}
+
 int main(void) {
-    static struct CMUnitTest tests[3 * FAMILY_COUNT + 2];
+    static struct CMUnitTest tests[3 * FAMILY_COUNT + 4];
     size_t count = 0;
     tests[count++] = named_test(searches_are_counted_anew, NULL, "searches_are_counted_anew");
     tests[count++] = named_test(history_nodes_are_the_cells_ever_made, NULL, "history_nodes_are_the_cells_ever_made");
+    tests[count++] = named_test(every_refused_block_is_an_error, NULL, "every_refused_block_is_an_error");
+    tests[count++] = named_test(more_nodes_than_indices_are_too_large, NULL, "more_nodes_than_indices_are_too_large");
     for (int f = 0; f < FAMILY_COUNT; f++) {
         void *row = (void *)(intptr_t)f;
         const char *name = families[f].name;
