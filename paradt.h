@@ -45,7 +45,7 @@
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_CHECK        leaves out paradt_check
-//     PARADT_NO_HULLS        leaves out paradt_hull_compute and what goes with it
+//     PARADT_NO_HULLS        leaves out the lifted hull, furthest-site triangulations and convex hulls
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
@@ -914,6 +914,12 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
+//     planes                       351   conflict tests by one product, in any dimension
+//     ridge table                   89   facets that wait for their mirrors, for many threads
+//     conflict lists                77   their memory
+//     conflict graph               595   randomized incremental construction in parallel
+//     lifted hull                   26   triangulations as hulls
+//     hull of points                49   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -926,11 +932,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                       106   InCoDe and DeWall from set to mesh
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      237   one row a method; AUTO's choice
+//     methods                      258   one row a method; AUTO's choice
 //     triangulate                  358   the entry
 //   hull
 //     minors                        65   determinants with bounds, in floating point
-//     hull of points                47   interim
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   312   planes, extreme points, measures
 //     hull                         264   the entry
@@ -1077,12 +1082,22 @@ extern "C" {
 // Replaces *number by `value` where it is *expected; otherwise *expected becomes what it is. May fail without a reason.
 #define PARADT__ATOMIC_SWAP(number, expected, value)                                                                   \
     __atomic_compare_exchange_n(number, expected, value, 1, __ATOMIC_RELAXED, __ATOMIC_RELAXED)
+// These order other memory too: what a thread wrote before it enters or passes is seen by whoever sees the outcome.
+#define PARADT__ATOMIC_PASS(number, more) __atomic_add_fetch(number, more, __ATOMIC_ACQ_REL) // returns the sum
+#define PARADT__ATOMIC_SEE(number)        __atomic_load_n(number, __ATOMIC_ACQUIRE)
+#define PARADT__ATOMIC_SET(number, value) __atomic_store_n(number, value, __ATOMIC_RELAXED)
+#define PARADT__ATOMIC_ENTER(number, expected, value)                                                                  \
+    __atomic_compare_exchange_n(number, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE)
 #else
-#define PARADT__ATOMIC_ADD(number, more)             (*(number) += (more))
-#define PARADT__ATOMIC_LOAD(number)                  (*(number))
-#define PARADT__ATOMIC_LOCK(flag)                    (*(flag) ? 0 : (*(flag) = 1))
-#define PARADT__ATOMIC_UNLOCK(flag)                  (*(flag) = 0)
-#define PARADT__ATOMIC_SWAP(number, expected, value) (*(number) = (value), (void)(expected), 1)
+#define PARADT__ATOMIC_ADD(number, more)              (*(number) += (more))
+#define PARADT__ATOMIC_LOAD(number)                   (*(number))
+#define PARADT__ATOMIC_LOCK(flag)                     (*(flag) ? 0 : (*(flag) = 1))
+#define PARADT__ATOMIC_UNLOCK(flag)                   (*(flag) = 0)
+#define PARADT__ATOMIC_SWAP(number, expected, value)  (*(number) = (value), (void)(expected), 1)
+#define PARADT__ATOMIC_PASS(number, more)             (*(number) += (more))
+#define PARADT__ATOMIC_SEE(number)                    (*(number))
+#define PARADT__ATOMIC_SET(number, value)             ((void)(*(number) = (value)))
+#define PARADT__ATOMIC_ENTER(number, expected, value) (*(number) = (value), (void)(expected), 1)
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -10502,6 +10517,1193 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
     return status;
 }
 
+#ifndef PARADT_NO_HULLS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>planes
+//
+// Conflict tests in floating point for any dimension, with and without weights: a cell has an affine function of the
+// lifted points, positive outside of its sphere and negative inside; a ghost, or a facet of a hull, has one of the
+// points, positive on the inner side. A test is a dot product; where the value is not larger than the bound on its
+// error, the predicates are to be asked. Functions are made when they are needed and not kept.
+//
+// Points stand in rows. A row has the coordinates relative to the centre of the box, axis j multiplied by the power of
+// two 2^-e_j that brings all of them into [-1, 1], and then, except for hulls, the lift: the sum of the squares of the
+// unscaled relative coordinates less the weight.
+//
+// THE ERROR. u = 2^-52 bounds the relative error of a rounding in any rounding mode.
+// (1) What is computed. Let p be a vertex, and a_i the scaled differences of the others to p, n of them with n
+//     coordinates each. A cell: l_i is the lift over p, |x_i - p|^2 - (w_i - w_p). A ghost or facet: one of its
+//     coordinates is taken for l_i, the one in which the facet is least steep, and the n others for a_i. In either case
+//     the function is g(x) = L(x) - Y . X(x) with L and X of x as l and a of a vertex, and with A Y = l, where A has
+//     the rows a_i. g is 0 at the vertices, and so it is the plane through them.
+// (2) The system. Let B be any matrix, meant to be A's inverse, and y any vector, meant to be Y. With R = I - B A and
+//     r = l - A y we have Y - y = B r + R (Y - y). So if the row sum norm |R| is at most 1/2, then
+//         |Y - y| <= 2 |B r| <= slack = 2 max_i sum_k |B_ik| |r_k|      (largest component)
+//     for the true A, l, R and r. a_ij errs by u relative to itself, l_i by (d + 5) u <= 13 u relative to its terms. So
+//     r_i, with the n + 2 further roundings of a term, errs by less than 32 u (the sizes of the terms of l_i plus sum_j
+//     |a_ij y_j|), and R_ij by less than 16 u (1 + sum_k |B_ik a_kj|); so |R| by less than 16 n u (1 + |B| |A|). How B
+//     and y were found does not matter.
+// (3) The value. As |X_j| <= 2, replacing Y by y changes g by at most 2 n slack. The kept function is, for a cell, with
+//     s the relative coordinates,
+//         lift(x) - 2 s_p . s_x - y . X_x + (|s_p|^2 + w_p + y . X_p).
+//     Let H be the sum of the squares of the half sides of the box, W the largest size of a weight, |y| the sum of
+//     sizes. The terms are at most 4 H + 2 W + 2 |y| in size together, and none passes more than 24 roundings. For a
+//     ghost or facet the terms are at most 2 + 2 |y| in size. So the value is certain if its size exceeds
+//         error = 2 n slack + 32 u (4 H + 2 W + 2 |y|)   or   2 n slack + 32 u (2 + 2 |y|),
+//     here rounded up by a sixteenth for the higher orders and for the roundings in the bound itself.
+// (4) The side. A ghost's function may have to be turned. The centroid of the first simplex, of which no facet of a
+//     later hull has more than its vertices in its plane, is on the inner side of every facet. Its computed coordinates
+//     err by 12 u at most, so g of them is as far off as another 12 u (1 + |y|), which is less than the error: the side
+//     is certain where the size exceeds twice the error.
+// (5) Numbers of a filtered set (see >>space) are so far from the limits of doubles that an underflow costs less than
+//     2^-600 of any of these bounds; B is only used while |B| |A| is at most 2^44.
+// Doors: paradt__planes_begin, paradt__planes_inner, paradt__plane_of_cell, paradt__plane_of_facet, paradt__plane_row,
+// paradt__plane_value.
+
+#define PARADT__NO_PLANE 3.2733906078961419e150 // 2^500: more than any value in a filtered set
+
+typedef struct paradt__planes {
+    int usable;   // else all is left to the predicates
+    int dim;      // k: coordinates that orient
+    int ambient;  // d
+    int weighted; // a weight follows the coordinates of a record
+    int terms;    // of a row
+    double centre[PARADT_MAX_DIM];
+    double scale[PARADT_MAX_DIM];   // 2^-e_j
+    double unscale[PARADT_MAX_DIM]; // 2^e_j
+    double largest;                 // 4 H + 2 W
+    double inner[PARADT_MAX_DIM];   // the centroid of the first simplex, as a row
+} paradt__planes;
+
+typedef struct paradt__plane {
+    double factor[PARADT_MAX_DIM + 1]; // [terms]
+    double constant;
+    double error;
+} paradt__plane;
+
+// Finds the frame of the set. lifted: rows have lifts, else k coordinates alone
+static void paradt__planes_begin(paradt__planes *f, const paradt__space *space, int lifted) {
+    double square = 0.0;
+    int j;
+    memset(f, 0, sizeof *f);
+    f->usable = space->filtered;
+    f->dim = space->dim;
+    f->ambient = space->ambient;
+    f->weighted = space->weighted;
+    f->terms = lifted ? space->ambient + 1 : space->dim;
+    for (j = 0; j < space->ambient && f->usable; j++) {
+        double low = paradt__from_ordered_bits(space->low[j]), high = paradt__from_ordered_bits(space->high[j]), half;
+        int exponent;
+        f->centre[j] = paradt__rounded(low + (high - low) * 0.5);
+        half = paradt__larger(high - f->centre[j], f->centre[j] - low) * 1.0000002;
+        exponent = half > 0.0 ? paradt__biased_exponent(half) - 1022 : 0;
+        f->scale[j] = paradt__power(-exponent);
+        f->unscale[j] = paradt__power(exponent);
+        square += half * half;
+    }
+    f->largest = 4.0 * square;
+    if (space->weighted && space->weights.top > -1000 && f->usable)
+        f->largest += 2.0 * paradt__power(space->weights.top);
+}
+
+// Fills a point's row.
+PARADT__INLINE void paradt__plane_row(const paradt__planes *f, const double *x, double *row, int dim, int terms) {
+    double lift = 0.0;
+    int j;
+    if (terms == dim) {
+        for (j = 0; j < dim; j++) row[j] = (x[j] - f->centre[j]) * f->scale[j];
+        return;
+    }
+    for (j = 0; j < terms - 1; j++) {
+        double s = x[j] - f->centre[j];
+        row[j] = s * f->scale[j];
+        lift += s * s;
+    }
+    row[j] = f->weighted ? lift - x[j] : lift;
+}
+
+// The value of a plane at a point, given by its row
+PARADT__INLINE double paradt__plane_value(const paradt__plane *plane, const double *row, int terms) {
+    double value = plane->constant;
+    int j;
+    for (j = 0; j < terms; j++) value += plane->factor[j] * row[j];
+    return value;
+}
+
+// Notes the centroid of the first simplex. p: its vertices' records
+static void paradt__planes_inner(paradt__planes *f, const double *const *p) {
+    double row[PARADT_MAX_DIM + 1];
+    int i, j;
+    for (i = 0; i <= f->dim; i++) {
+        paradt__plane_row(f, p[i], row, f->dim, f->dim);
+        for (j = 0; j < f->dim; j++) f->inner[j] += row[j] / (f->dim + 1);
+    }
+}
+
+// A system of n equations and its inverse
+typedef struct paradt__system {
+    double a[PARADT_MAX_DIM][PARADT_MAX_DIM], b[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    double l[PARADT_MAX_DIM], size[PARADT_MAX_DIM]; // the right side; the sizes of its terms
+    double y[PARADT_MAX_DIM];
+    double slack, sum; // the bound on the error of each y[j]; the sum of their sizes
+} paradt__system;
+
+// Inverts a into b by elimination with pivots (Gauss and Jordan). Returns 0 where there is no pivot.
+PARADT__INLINE int paradt__system_invert_any(paradt__system *s, int n) {
+    double m[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    int at[PARADT_MAX_DIM], t, i, j;
+    for (i = 0; i < n; i++) {
+        at[i] = i;
+        for (j = 0; j < n; j++) m[i][j] = s->a[i][j];
+    }
+    // In place: after step t the columns up to t hold those of the inverse, for the rows as exchanged.
+    for (t = 0; t < n; t++) {
+        int pivot = t, exchanged;
+        double inverse;
+        for (i = t + 1; i < n; i++)
+            if (paradt__abs(m[i][t]) > paradt__abs(m[pivot][t])) pivot = i;
+        if (!(paradt__abs(m[pivot][t]) > 1e-100)) return 0;
+        for (j = 0; j < n; j++) {
+            double swap = m[t][j];
+            m[t][j] = m[pivot][j];
+            m[pivot][j] = swap;
+        }
+        exchanged = at[t];
+        at[t] = at[pivot];
+        at[pivot] = exchanged;
+        inverse = 1.0 / m[t][t];
+        m[t][t] = 1.0;
+        for (j = 0; j < n; j++) m[t][j] *= inverse;
+        for (i = 0; i < n; i++) {
+            double factor = m[i][t];
+            if (i == t) continue;
+            m[i][t] = 0.0;
+            for (j = 0; j < n; j++) m[i][j] -= factor * m[t][j];
+        }
+    }
+    for (j = 0; j < n; j++)
+        for (i = 0; i < n; i++) s->b[i][at[j]] = m[i][j];
+    return 1;
+}
+
+PARADT__INLINE int paradt__system_invert(paradt__system *s, int n) {
+    double(*a)[PARADT_MAX_DIM] = s->a, (*b)[PARADT_MAX_DIM] = s->b, det, inverse;
+    int i, j;
+    if (n == 1) {
+        if (!(paradt__abs(a[0][0]) > 1e-100)) return 0;
+        b[0][0] = 1.0 / a[0][0];
+        return 1;
+    }
+    if (n > 3) return paradt__system_invert_any(s, n);
+    if (n == 2) {
+        b[0][0] = a[1][1], b[0][1] = -a[0][1];
+        b[1][0] = -a[1][0], b[1][1] = a[0][0];
+    } else {
+        b[0][0] = a[1][1] * a[2][2] - a[1][2] * a[2][1];
+        b[0][1] = a[0][2] * a[2][1] - a[0][1] * a[2][2];
+        b[0][2] = a[0][1] * a[1][2] - a[0][2] * a[1][1];
+        b[1][0] = a[1][2] * a[2][0] - a[1][0] * a[2][2];
+        b[1][1] = a[0][0] * a[2][2] - a[0][2] * a[2][0];
+        b[1][2] = a[0][2] * a[1][0] - a[0][0] * a[1][2];
+        b[2][0] = a[1][0] * a[2][1] - a[1][1] * a[2][0];
+        b[2][1] = a[0][1] * a[2][0] - a[0][0] * a[2][1];
+        b[2][2] = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    }
+    det = 0.0;
+    for (i = 0; i < n; i++) det += a[0][i] * b[i][0];
+    if (!(paradt__abs(det) > 1e-250)) return 0;
+    inverse = 1.0 / det;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) b[i][j] *= inverse;
+    return 1;
+}
+
+// Solves the system and bounds the error by (2). Returns 0 where there is no bound.
+PARADT__INLINE int paradt__system_solve(paradt__system *s, int n) {
+    double residual[PARADT_MAX_DIM], norm_a = 0.0, norm_b = 0.0, norm_r = 0.0, slack = 0.0;
+    int i, j, k;
+    if (!paradt__system_invert(s, n)) return 0;
+    s->sum = 0.0;
+    for (i = 0; i < n; i++) {
+        double y = 0.0;
+        for (k = 0; k < n; k++) y += s->b[i][k] * s->l[k];
+        s->y[i] = y;
+        s->sum += paradt__abs(y);
+    }
+    for (i = 0; i < n; i++) {
+        double rest = s->l[i], size = s->size[i], row = 0.0;
+        for (j = 0; j < n; j++) {
+            double term = s->a[i][j] * s->y[j];
+            rest -= term;
+            size += paradt__abs(term);
+            row += paradt__abs(s->a[i][j]);
+        }
+        residual[i] = paradt__abs(rest) + 32.0 * PARADT__ROUNDOFF * size;
+        norm_a = paradt__larger(norm_a, row);
+    }
+    for (i = 0; i < n; i++) {
+        double sum = 0.0, row = 0.0, off = 0.0;
+        for (k = 0; k < n; k++) {
+            row += paradt__abs(s->b[i][k]);
+            sum += paradt__abs(s->b[i][k]) * residual[k];
+        }
+        for (j = 0; j < n; j++) {
+            double r = i == j ? 1.0 : 0.0;
+            for (k = 0; k < n; k++) r -= s->b[i][k] * s->a[k][j];
+            off += paradt__abs(r);
+        }
+        norm_b = paradt__larger(norm_b, row);
+        norm_r = paradt__larger(norm_r, off);
+        slack = paradt__larger(slack, sum);
+    }
+    s->slack = 2.0 * slack;
+    return norm_b * norm_a < 17592186044416.0 && // 2^44
+           norm_r + 16.0 * PARADT__ROUNDOFF * n * (1.0 + norm_b * norm_a) < 0.49;
+}
+
+// A plane by which nothing is certain
+static void paradt__plane_unknown(paradt__plane *plane, int terms) {
+    int j;
+    for (j = 0; j < terms; j++) plane->factor[j] = 0.0;
+    plane->constant = 0.0;
+    plane->error = PARADT__NO_PLANE;
+}
+
+// Makes the plane of a cell. p: the records of its k + 1 vertices. sign: -1: the value is positive inside
+PARADT__INLINE void paradt__plane_of_cell(const paradt__planes *f, const double *const *p, double sign,
+                                          paradt__plane *plane, int dim, int ambient) {
+    paradt__system s;
+    double constant = 0.0;
+    const double *o = p[0];
+    int i, j;
+    for (i = 0; i < dim; i++) {
+        const double *x = p[i + 1];
+        double lift = 0.0;
+        for (j = 0; j < dim; j++) {
+            double a = x[j] - o[j];
+            s.a[i][j] = a * f->scale[j];
+            lift += a * a;
+        }
+        s.l[i] = paradt__lift_rest(lift, &s.size[i], dim, ambient, f->weighted, x, o);
+    }
+    if (!paradt__system_solve(&s, dim)) {
+        paradt__plane_unknown(plane, ambient + 1);
+        return;
+    }
+    for (j = 0; j < ambient; j++) {
+        double centred = o[j] - f->centre[j], y = j < dim ? s.y[j] : 0.0;
+        constant += centred * centred + y * (centred * f->scale[j]);
+        plane->factor[j] = sign * (-2.0 * centred * f->unscale[j] - y);
+    }
+    plane->factor[ambient] = sign;
+    plane->constant = sign * (f->weighted ? constant + o[ambient] : constant);
+    plane->error = 1.0625 * (2.0 * dim * s.slack + 32.0 * PARADT__ROUNDOFF * (f->largest + 2.0 * s.sum));
+}
+
+// The coordinate in which the facet with these edges is least steep: that of the largest component of its normal.
+PARADT__INLINE int paradt__facet_axis(double (*edges)[PARADT_MAX_DIM], int dim) {
+    int left[PARADT_MAX_DIM] = {0}, t, i, j;
+    double m[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    if (dim == 1) return 0;
+    if (dim == 2) return paradt__abs(edges[0][0]) > paradt__abs(edges[0][1]);
+    if (dim == 3) {
+        const double *a = edges[0], *b = edges[1];
+        double x = paradt__abs(a[1] * b[2] - a[2] * b[1]), y = paradt__abs(a[2] * b[0] - a[0] * b[2]);
+        double z = paradt__abs(a[0] * b[1] - a[1] * b[0]);
+        return x > y ? (x > z ? 0 : 2) : y > z ? 1 : 2;
+    }
+    // The column that is left by elimination with the largest entries for pivots
+    memcpy(m, edges, sizeof m);
+    for (j = 0; j < dim; j++) left[j] = j;
+    for (t = 0; t < dim - 1; t++) {
+        int row = t, column = t, exchanged;
+        for (i = t; i < dim - 1; i++)
+            for (j = t; j < dim; j++)
+                if (paradt__abs(m[i][left[j]]) > paradt__abs(m[row][left[column]])) row = i, column = j;
+        exchanged = left[t];
+        left[t] = left[column];
+        left[column] = exchanged;
+        if (!(paradt__abs(m[row][left[t]]) > 1e-100)) break;
+        for (j = 0; j < dim; j++) {
+            double swap = m[t][j];
+            m[t][j] = m[row][j];
+            m[row][j] = swap;
+        }
+        for (i = t + 1; i < dim - 1; i++) {
+            double factor = m[i][left[t]] / m[t][left[t]];
+            for (j = t; j < dim; j++) m[i][left[j]] -= factor * m[t][left[j]];
+        }
+    }
+    return left[dim - 1];
+}
+
+// Makes the plane of a facet, positive on the inner side. p: the records of its k vertices
+PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double *const *p, paradt__plane *plane,
+                                           int dim, int terms) {
+    paradt__system s;
+    double edges[PARADT_MAX_DIM][PARADT_MAX_DIM], value, sum = 1.0;
+    int axis, i, j, n;
+    s.slack = 0.0;
+    for (i = 0; i < dim - 1; i++)
+        for (j = 0; j < dim; j++) edges[i][j] = (p[i + 1][j] - p[0][j]) * f->scale[j];
+    axis = paradt__facet_axis(edges, dim);
+    for (i = 0; i < dim - 1; i++) {
+        for (j = n = 0; j < dim; j++)
+            if (j != axis) s.a[i][n++] = edges[i][j];
+        s.l[i] = edges[i][axis];
+        s.size[i] = paradt__abs(s.l[i]);
+    }
+    paradt__plane_unknown(plane, terms);
+    if (dim > 1 && !paradt__system_solve(&s, dim - 1)) return;
+    for (j = n = 0; j < dim; j++) {
+        double y = j == axis ? -1.0 : s.y[n++];
+        plane->factor[j] = -y;
+        plane->constant += y * ((p[0][j] - f->centre[j]) * f->scale[j]);
+        if (j != axis) sum += paradt__abs(y);
+    }
+    plane->error = 1.0625 * (2.0 * dim * s.slack + 64.0 * PARADT__ROUNDOFF * sum);
+    value = paradt__plane_value(plane, f->inner, dim);
+    if (!(paradt__abs(value) > 2.0 * plane->error)) paradt__plane_unknown(plane, terms);
+    if (value > 0.0) return;
+    for (j = 0; j < dim; j++) plane->factor[j] = -plane->factor[j];
+    plane->constant = -plane->constant;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>ridge table
+//
+// Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
+// probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
+// finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
+// runs: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the first comer had written
+// before it entered the facet.
+// Doors: struct paradt__ridges, paradt__ridges_room, paradt__ridges_match, paradt__ridges_free.
+
+enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
+
+typedef struct paradt__ridges {
+    paradt_index *slots; // [mask + 1] handles
+    size_t mask;
+    size_t used; // slots that are not empty
+} paradt__ridges;
+
+// A vertex' part of the key of a facet, which is the sum of these: far from linear, for sums of the vertices themselves
+// are equal for very many of the facets of a few hundred points.
+PARADT__INLINE uint64_t paradt__ridge_part(paradt_index vertex) {
+    uint64_t h = ((uint64_t)vertex + 2) * UINT64_C(0x9e3779b97f4a7c15);
+    return (h ^ h >> 32) * UINT64_C(0xd6e8feb86659fd93);
+}
+
+PARADT__INLINE uint64_t paradt__ridge_sum(const paradt_index *row, int corners) {
+    uint64_t sum = 0;
+    int i;
+    for (i = 0; i < corners; i++) sum += paradt__ridge_part(row[i]);
+    return sum;
+}
+
+// The slot where the search for a facet begins
+PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
+    return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
+}
+
+// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
+// counts the slots that are used.
+PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
+                                                 uint64_t key, paradt_index handle, int corners, size_t *entered) {
+    size_t at = paradt__ridge_slot(key) & ridges->mask;
+    for (;; at = (at + 1) & ridges->mask) {
+        paradt_index there = PARADT__ATOMIC_SEE(ridges->slots + at);
+        if (there == PARADT__RIDGE_EMPTY) {
+            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
+                ++*entered;
+                return -1;
+            }
+        }
+        if (there >= 0 && paradt__same_facet(vertices, there, vertices, handle, corners)) {
+            PARADT__ATOMIC_SET(ridges->slots + at, PARADT__RIDGE_TAKEN);
+            return there;
+        }
+    }
+}
+
+// Makes room for `more` facets; no task runs. At most half of the slots are ever used.
+static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
+                                         paradt__memory *memory) {
+    size_t size = ridges->slots ? ridges->mask + 1 : 0, waiting = 0, larger = 256, i, j;
+    paradt_index *old = ridges->slots, *slots;
+    if (2 * (ridges->used + more) <= size) return PARADT_OK;
+    for (i = 0; i < size; i++) waiting += old[i] >= 0;
+    while (larger < 4 * (waiting + more)) larger *= 2;
+    slots = (paradt_index *)paradt__alloc(memory, larger, sizeof *slots);
+    if (!slots) return PARADT_ERROR_MEMORY;
+    memset(slots, -1, larger * sizeof *slots);
+    ridges->slots = slots;
+    ridges->mask = larger - 1;
+    ridges->used = waiting;
+    for (i = 0; i < size; i++) {
+        const paradt_index *row;
+        uint64_t key;
+        if (old[i] < 0) continue;
+        row = paradt__mesh_row(mesh, old[i] / mesh->corners);
+        key = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[old[i] % mesh->corners]);
+        for (j = paradt__ridge_slot(key) & ridges->mask; slots[j] >= 0;) j = (j + 1) & ridges->mask;
+        slots[j] = old[i];
+    }
+    paradt__release(memory, old);
+    return PARADT_OK;
+}
+
+static void paradt__ridges_free(paradt__ridges *ridges, paradt__memory *memory) {
+    paradt__release(memory, ridges->slots);
+    memset(ridges, 0, sizeof *ridges);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>conflict lists
+//
+// Lists of the points in conflict with a cell. A list is made once, by one task, and given back when its cell is not
+// needed any more, by any. Each task has lists of its own that were given back, by size: powers of two. New ones are
+// cut from chunks. Doors: struct paradt__pool, paradt__pool_take, paradt__pool_give, paradt__pool_free.
+
+enum {
+    PARADT__LIST_CLASSES = 48,
+    PARADT__LEAST_CLASS = 2,
+    PARADT__LEAST_CHUNK = 1 << 10, // indices
+    PARADT__MOST_CHUNK = 1 << 16
+};
+
+typedef struct paradt__pool {
+    void *spare[PARADT__LIST_CLASSES]; // the first list of each class that was given back; it begins with the next
+    void *chunks;                      // the last chunk; it begins with the one before
+    paradt_index *fresh;               // what is left of it
+    size_t left, chunk;                // indices; those of the next chunk
+} paradt__pool;
+
+// The class of a list of `count` > 0 points: it has memory for 2^class indices.
+PARADT__INLINE int paradt__list_class(size_t count) {
+    return paradt__max(paradt__bit_length((uint64_t)count - 1), PARADT__LEAST_CLASS);
+}
+
+// Takes a list of so many indices from a new chunk; large lists are chunks of their own. Chunks grow with their number.
+PARADT__NOINLINE paradt_index *paradt__pool_more(paradt__pool *pool, size_t size, paradt__memory *memory) {
+    enum { HEAD = 16 / sizeof(paradt_index) };
+    size_t chunk = pool->chunk ? pool->chunk : (size_t)PARADT__LEAST_CHUNK;
+    int large = size + HEAD > chunk / 4;
+    paradt_index *block = (paradt_index *)paradt__alloc(memory, large ? size + HEAD : chunk, sizeof *block);
+    if (!block) return NULL;
+    memcpy(block, &pool->chunks, sizeof(void *));
+    pool->chunks = block;
+    block += HEAD;
+    if (large) return block;
+    pool->chunk = chunk < (size_t)PARADT__MOST_CHUNK ? 2 * chunk : chunk;
+    pool->fresh = block + size;
+    pool->left = chunk - HEAD - size;
+    return block;
+}
+
+// Returns memory for `count` > 0 points; NULL: there is none.
+PARADT__INLINE paradt_index *paradt__pool_take(paradt__pool *pool, size_t count, paradt__memory *memory) {
+    int class_ = paradt__list_class(count);
+    size_t size = (size_t)1 << class_;
+    paradt_index *list = (paradt_index *)pool->spare[class_];
+    if (list) {
+        memcpy(&pool->spare[class_], list, sizeof(void *));
+        return list;
+    }
+    if (!PARADT__LIKELY(size <= pool->left)) return paradt__pool_more(pool, size, memory);
+    list = pool->fresh;
+    pool->fresh += size;
+    pool->left -= size;
+    return list;
+}
+
+// Gives a list of `count` points back. count: 0: there is none
+PARADT__INLINE void paradt__pool_give(paradt__pool *pool, paradt_index *list, size_t count) {
+    int class_;
+    if (!count) return;
+    class_ = paradt__list_class(count);
+    memcpy(list, &pool->spare[class_], sizeof(void *));
+    pool->spare[class_] = list;
+}
+
+static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
+    while (pool->chunks) {
+        void *chunk = pool->chunks;
+        memcpy(&pool->chunks, chunk, sizeof(void *));
+        paradt__release(memory, chunk);
+    }
+    memset(pool, 0, sizeof *pool);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>conflict graph
+//
+// Randomized incremental construction as a framework (thesis 1.2), in parallel. Objects are points, regions are cells:
+// simplices with a sphere, ghosts, or facets of a hull; each cell has the list of the points in conflict with it that
+// are not vertices yet. No point is located: whoever is in conflict is known from the first cells on. Blelloch, Gu,
+// Shun and Sun ("Randomized incremental convex hull is highly parallel", SPAA 2020) found that a facet needs nothing
+// but its two cells. Let t and u be these, and p the first point, in the order of insertion, in conflict with t or u:
+//
+//     no point is in conflict with either:   the facet is final
+//     p is in conflict with both:            p's insertion buries the facet
+//     p is in conflict with t alone:         p makes a cell of the facet, which takes the place of t beside u
+//
+// Points in conflict with the new cell are so with t or u: their lists are merged and tested. Those on both lists are
+// in conflict with the new cell without a test: its plane is between those of t and u, seen from the facet. The new
+// cell's other facets, with p, are matched with each other by >>ridge table; the last comer of two makes the facet
+// ready to be worked on. So all facets that are ready may be worked on in any order and concurrently; the cells that
+// are made are always the same. The order of insertion is by chance, apart from the vertices of the first simplex and
+// what the caller puts first; with it the chains of cells that have to wait for each other have an expected length of
+// O(log n). The perturbation supplies the general position which that needs.
+//
+// Tasks work in rounds. In a round each task takes facets that are ready, and works depth first on those that become
+// ready by its work, which are in its cache; between rounds what is left is shared, and room is made for all that a
+// round can make. A cell has done its duty when all its facets are settled: each of them has buried the cell. Then its
+// list is given back, and its place when the round ends.
+//
+// Lists ascend by position, along Hilbert's curve where the set does, so that rows are read nearly in sequence; the
+// order of insertion is a permutation apart from that.
+// Doors: struct paradt__graph, paradt__graph_begin, paradt__graph_run, paradt__graph_end, paradt__graph_build.
+
+typedef enum paradt__hull_side {
+    PARADT__LOWER, // cells and ghosts of T(P): the lower side of the lifted points
+    PARADT__UPPER, // cells and ghosts of the furthest-site triangulation: the upper side
+    PARADT__ROUND  // facets of the hull of the points themselves
+} paradt__hull_side;
+
+// What a cell has besides vertices and links
+typedef struct paradt__graph_cell {
+    paradt_index *list; // [count] the points in conflict with it, ascending
+    paradt_index count;
+    paradt__tag first; // the rank of the one that is inserted first; PARADT__NO_RANK: there is none
+    int unsettled;     // facets
+} paradt__graph_cell;
+
+#define PARADT__NO_RANK ((paradt__tag)-1)
+
+// What one task has of its own
+typedef struct paradt__graph_task {
+    paradt__space space; // for the counters
+    paradt__memory memory;
+    paradt_status status;
+    paradt__pool pool;
+    paradt__list ready;   // facets that are ready, as handles of the cell that is to be replaced
+    paradt__list spare;   // places that may be taken
+    paradt__list settled; // places given back in this round
+    paradt_index *merged; // [merged_capacity] two lists, merged
+    size_t merged_capacity;
+    size_t entered; // ridges entered in this round
+    size_t made;    // cells
+} paradt__graph_task;
+
+typedef struct paradt__graph {
+    const paradt__set *set;
+    const paradt__team *team;
+    paradt__memory *memory;
+    paradt__hull_side side;
+    paradt__mesh mesh;
+    paradt__planes planes;
+    double *rows;                           // [set->count][planes.terms]; NULL: the predicates decide all
+    paradt_index *order;                    // [set->count] positions in the order of insertion
+    paradt__tag *rank;                      // [set->count] by position: where it is in the order
+    paradt_index basis[PARADT_MAX_DIM + 1]; // the first simplex, the first of the order
+    paradt__graph_cell *cells;              // [cell_capacity] by place
+    size_t cell_capacity;
+    paradt__ridges ridges;
+    paradt__list ready;       // facets that are ready when a round begins,
+    size_t next;              // and the number of them that tasks have taken
+    paradt__graph_task *task; // [team->tasks]
+    size_t round_cells;       // cells that a task may make in a round
+    double expected;          // cells made in all, for the progress
+} paradt__graph;
+
+// --- who is in conflict
+
+// Asks the predicates whether x is in conflict with a cell, a ghost or a facet.
+static int paradt__graph_decide(const paradt__graph *g, paradt__space *space, const paradt_index *row,
+                                const double *x) {
+    const int dim = g->set->space.dim, ghost = g->side == PARADT__ROUND ? dim : paradt__ghost_place(row, dim + 1);
+    const double *p[PARADT_MAX_DIM + 2], *swap;
+    int i, side = 0;
+    for (i = 0; i <= dim; i++) p[i] = i == ghost ? x : paradt__record(g->set, row[i]);
+    if (ghost >= 0) {
+        side = paradt__orient(space, p);
+        if (side) return side > 0;
+        for (i = 0; i <= dim && !side; i++) { // in the plane of the facet: any cell on the facet tells
+            p[ghost] = paradt__record(g->set, g->basis[i]);
+            side = paradt__orient(space, p);
+        }
+        PARADT_ASSERT(side < 0);
+        swap = p[0]; // so that the cell is positively oriented
+        p[0] = p[1];
+        p[1] = swap;
+    }
+    p[dim + 1] = x;
+    return paradt__conflict(space, p) ^ (g->side == PARADT__UPPER);
+}
+
+// Makes the plane of a cell, a ghost or a facet.
+PARADT__INLINE void paradt__graph_plane(const paradt__graph *g, const paradt_index *row, paradt__plane *plane, int dim,
+                                        int ambient) {
+    const double *p[PARADT_MAX_DIM + 1] = {NULL};
+    int ghost = g->side == PARADT__ROUND ? dim : -1, corners = g->mesh.corners, count = 0, i;
+    for (i = 0; i < corners; i++) {
+        if (row[i] == PARADT__INFINITE) ghost = i;
+        else p[count++] = paradt__record(g->set, row[i]);
+    }
+    if (!g->rows) paradt__plane_unknown(plane, g->planes.terms);
+    else if (ghost >= 0) paradt__plane_of_facet(&g->planes, p, plane, dim, g->planes.terms);
+    else paradt__plane_of_cell(&g->planes, p, g->side == PARADT__UPPER ? -1.0 : 1.0, plane, dim, ambient);
+}
+
+// Leaves in `merged`, in place, those points that are in conflict with the cell that has these vertices. A point is
+// twice its position, and 1 more if it is in conflict for certain. Returns their number. without: a point to leave out;
+// *first: the rank of the first one in the order of insertion
+PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space *space, const paradt_index *row,
+                                           paradt_index *merged, size_t count, paradt_index without, paradt__tag *first,
+                                           int dim, int terms) {
+    const double *rows = g->rows;
+    const paradt__tag *rank = g->rank;
+    paradt__tag best = PARADT__NO_RANK;
+    paradt__plane plane;
+    size_t kept = 0, i;
+    if (!count) {
+        *first = best;
+        return 0;
+    }
+    paradt__graph_plane(g, row, &plane, dim, terms - 1);
+    for (i = 0; i < count; i++) {
+        paradt_index point = merged[i] >> 1;
+        int keep = (int)(merged[i] & 1);
+        double value = rows ? paradt__plane_value(&plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
+        paradt__tag its = rank[point];
+        if (!PARADT__LIKELY(keep | (paradt__abs(value) > plane.error))) {
+            if (point == without) continue;
+            keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
+        } else {
+            keep = (keep | (value < 0.0)) & (point != without);
+        }
+        merged[kept] = point;
+        kept += (size_t)keep;
+        its |= (paradt__tag)keep - 1;
+        best = its < best ? its : best;
+    }
+    *first = best;
+    return kept;
+}
+
+// The same for a constant number of coordinates where that is common
+PARADT__NOINLINE size_t paradt__graph_filter_one(const paradt__graph *g, paradt__space *space, const paradt_index *row,
+                                                 paradt_index *merged, size_t count, paradt__tag *first) {
+    const int dim = g->set->space.dim, terms = g->planes.terms;
+    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_filter(g, space, row, merged, count, -1, first, 3, 3);
+    if (dim == 2 && terms == 2) return paradt__graph_filter(g, space, row, merged, count, -1, first, 2, 2);
+    return paradt__graph_filter(g, space, row, merged, count, -1, first, dim, terms);
+}
+
+// Merges the lists of two cells into merged[a->count + b->count], as paradt__graph_filter needs them. Returns the
+// number of points.
+PARADT__INLINE size_t paradt__graph_merge(const paradt__graph_cell *a, const paradt__graph_cell *b,
+                                          paradt_index *merged) {
+    const paradt_index *x = a->list, *y = b->list;
+    size_t m = (size_t)a->count, n = (size_t)b->count, i = 0, j = 0, count = 0;
+    while (i < m && j < n) {
+        paradt_index p = x[i], q = y[j];
+        merged[count++] = 2 * (p < q ? p : q) + (p == q);
+        i += p <= q;
+        j += q <= p;
+    }
+    for (; i < m; i++) merged[count++] = 2 * x[i];
+    for (; j < n; j++) merged[count++] = 2 * y[j];
+    return count;
+}
+
+// Makes room for the points of two lists.
+PARADT__INLINE paradt_status paradt__graph_merge_room(paradt__graph_task *task, size_t count) {
+    return paradt__list_room(&task->merged, 0, &task->merged_capacity, count, &task->memory);
+}
+
+// Gives a cell the list of so many points.
+PARADT__INLINE paradt_status paradt__graph_list(paradt__graph_task *task, paradt__graph_cell *cell,
+                                                const paradt_index *points, size_t count) {
+    cell->count = (paradt_index)count;
+    cell->list = NULL;
+    if (!count) return PARADT_OK;
+    cell->list = paradt__pool_take(&task->pool, count, &task->memory);
+    if (!cell->list) return PARADT_ERROR_MEMORY;
+    memcpy(cell->list, points, count * sizeof *points);
+    return PARADT_OK;
+}
+
+// --- facets
+
+// A facet of the cell at a place has buried it. After the last one nobody needs the cell any more.
+PARADT__INLINE paradt_status paradt__graph_settle(paradt__graph *g, paradt__graph_task *task, paradt_index place) {
+    paradt__graph_cell *cell = g->cells + place;
+    if (PARADT__ATOMIC_PASS(&cell->unsettled, -1)) return PARADT_OK;
+    paradt__pool_give(&task->pool, cell->list, (size_t)cell->count);
+    return paradt__list_append(&task->settled, place, &task->memory);
+}
+
+// Finds out what is to be done with a facet, whose two cells have their lists.
+PARADT__INLINE paradt_status paradt__graph_ready(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
+                                                 paradt_index mirror, int corners) {
+    paradt_index a = handle / corners, b = mirror / corners;
+    paradt__tag first = g->cells[a].first, other = g->cells[b].first;
+    paradt_status status;
+    if (first != other) return paradt__list_append(&task->ready, first < other ? handle : mirror, &task->memory);
+    if (first == PARADT__NO_RANK) return PARADT_OK;
+    status = paradt__graph_settle(g, task, a);
+    return status ? status : paradt__graph_settle(g, task, b);
+}
+
+// Makes the cell that takes the place of the one whose facet this is, which is ready.
+PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
+                                                  int dim, int terms) {
+    const int corners = terms > dim ? dim + 1 : dim, place = (int)(handle % corners);
+    paradt__mesh *mesh = &g->mesh;
+    const paradt_index old = handle / corners, mirror = mesh->links[handle], beside = mirror / corners;
+    const paradt_index point = g->order[g->cells[old].first];
+    const paradt_index made = task->spare.count ? task->spare.items[--task->spare.count]
+                                                : (paradt_index)PARADT__ATOMIC_ADD(&mesh->count, 1) - 1;
+    const paradt_index base = made * corners;
+    paradt_index *row = mesh->vertices + base;
+    paradt__graph_cell *cell = g->cells + made;
+    size_t count = (size_t)g->cells[old].count + (size_t)g->cells[beside].count;
+    uint64_t sum;
+    int i;
+    paradt_status status = paradt__graph_merge_room(task, count);
+    PARADT_ASSERT((size_t)made < mesh->capacity);
+    memcpy(row, mesh->vertices + old * corners, (size_t)corners * sizeof *row);
+    row[place] = point;
+    if (status) return status;
+    count = paradt__graph_merge(g->cells + old, g->cells + beside, task->merged);
+    count = paradt__graph_filter(g, &task->space, row, task->merged, count, point, &cell->first, dim, terms);
+    cell->unsettled = corners;
+    status = paradt__graph_list(task, cell, task->merged, count);
+    if (!status) status = paradt__graph_settle(g, task, old);
+    sum = paradt__ridge_sum(row, corners);
+    paradt__mesh_tie(mesh, base + place, mirror);
+    if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
+    for (i = 0; i < corners && !status; i++) {
+        paradt_index other;
+        if (i == place) continue;
+        other = paradt__ridges_match(&g->ridges, mesh->vertices, sum - paradt__ridge_part(row[i]), base + i, corners,
+                                     &task->entered);
+        if (other < 0) continue;
+        paradt__mesh_tie(mesh, base + i, other);
+        status = paradt__graph_ready(g, task, base + i, other, corners);
+    }
+    return status;
+}
+
+static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_task *task, paradt_index handle) {
+    const int dim = g->set->space.dim, terms = g->planes.terms;
+    if (dim == 2 && terms == 3) return paradt__graph_expand(g, task, handle, 2, 3);
+    if (dim == 2 && terms == 2) return paradt__graph_expand(g, task, handle, 2, 2);
+    if (PARADT__IS(dim, 3) && terms == 4) return paradt__graph_expand(g, task, handle, 3, 4);
+    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_expand(g, task, handle, 3, 3);
+    return paradt__graph_expand(g, task, handle, dim, terms);
+}
+
+// --- rounds
+
+enum {
+    PARADT__ROUND_WORK = 1 << 21,  // points merged in a round, by each task
+    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
+    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__ROUND_PACE = 1 << 8    // cells between two looks at whether the call is cancelled
+};
+
+// Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
+PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_task *task) {
+    size_t next;
+    if (task->ready.count) return task->ready.items[--task->ready.count];
+    if (PARADT__ATOMIC_LOAD(&g->next) >= g->ready.count) return -1;
+    next = PARADT__ATOMIC_ADD(&g->next, 1);
+    return next <= g->ready.count ? g->ready.items[next - 1] : -1;
+}
+
+static void paradt__graph_task_round(void *context, size_t index) {
+    paradt__graph *g = (paradt__graph *)context;
+    paradt__graph_task *task = g->task + index;
+    size_t cells, work = 0, checked = 0;
+    for (cells = 0; cells < g->round_cells && work < PARADT__ROUND_WORK && !task->status; cells++) {
+        paradt_index handle = paradt__graph_take(g, task);
+        if (handle < 0) break;
+        work += (size_t)g->cells[handle / g->mesh.corners].count;
+        task->status = paradt__graph_expand_one(g, task, handle);
+        if (work - checked < PARADT__ROUND_WORK / 4 && cells % PARADT__ROUND_PACE) continue;
+        checked = work;
+        if (paradt__team_cancels(g->team, index, (double)g->mesh.count / g->expected))
+            task->status = PARADT_ERROR_CANCELLED;
+    }
+    task->made += cells;
+}
+
+// Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
+static paradt_status paradt__graph_team(paradt__graph *g, void (*run)(void *context, size_t index)) {
+    paradt_status status = PARADT_OK;
+    uint64_t peaks = g->memory->held;
+    size_t i;
+    for (i = 0; i < g->team->tasks; i++) g->task[i].memory = paradt__memory_fork(g->memory, g->team->tasks);
+    paradt__team_run(g->team, run, g);
+    for (i = 0; i < g->team->tasks; i++) {
+        paradt__memory_join(g->memory, &g->task[i].memory, &peaks);
+        if (!status) status = g->task[i].status;
+    }
+    if (g->memory->peak < peaks) g->memory->peak = peaks;
+    return status;
+}
+
+// Makes room for all that a round can make.
+static paradt_status paradt__graph_room(paradt__graph *g) {
+    paradt__mesh *mesh = &g->mesh;
+    size_t most = g->round_cells * g->team->tasks, needed = mesh->count + most;
+    void *cells = g->cells;
+    paradt_status status = PARADT_OK;
+    if (needed > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, needed, mesh->capacity + mesh->capacity / 2 + most, g->memory);
+    if (!status && mesh->capacity > g->cell_capacity) {
+        if (!paradt__grow(g->memory, &cells, mesh->count, mesh->capacity, sizeof *g->cells)) return PARADT_ERROR_MEMORY;
+        g->cells = (paradt__graph_cell *)cells;
+        g->cell_capacity = mesh->capacity;
+    }
+    return status ? status : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->memory);
+}
+
+// Ends a round: settled places may be taken, and facets that are ready are shared again.
+static paradt_status paradt__graph_collect(paradt__graph *g) {
+    size_t left = 0, i;
+    paradt_status status = PARADT_OK;
+    for (; g->next < g->ready.count; g->next++) g->ready.items[left++] = g->ready.items[g->next];
+    g->ready.count = left;
+    g->next = 0;
+    for (i = 0; i < g->team->tasks && !status; i++) {
+        paradt__graph_task *task = g->task + i;
+        g->ridges.used += task->entered;
+        task->entered = 0;
+        status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
+                                   task->spare.count + task->settled.count, g->memory);
+        if (!status)
+            status = paradt__list_room(&g->ready.items, g->ready.count, &g->ready.capacity,
+                                       g->ready.count + task->ready.count, g->memory);
+        if (status) break;
+        if (task->settled.count)
+            memcpy(task->spare.items + task->spare.count, task->settled.items,
+                   task->settled.count * sizeof(paradt_index));
+        if (task->ready.count)
+            memcpy(g->ready.items + g->ready.count, task->ready.items, task->ready.count * sizeof(paradt_index));
+        task->spare.count += task->settled.count;
+        g->ready.count += task->ready.count;
+        task->settled.count = task->ready.count = 0;
+    }
+    return status;
+}
+
+// Works on facets until none is ready: then all are final.
+static paradt_status paradt__graph_run(paradt__graph *g) {
+    paradt_status status = PARADT_OK;
+    while (g->ready.count && !status) {
+        status = paradt__graph_room(g);
+        if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
+        if (!status) status = paradt__graph_collect(g);
+    }
+    return status;
+}
+
+// --- the beginning
+
+// The place of the first simplex' vertex j in the first ghost or facet i, see there
+static int paradt__graph_first_place(int dim, int solid, int i, int j) {
+    int place = solid || j < i ? j : j - 1;
+    return (solid || (dim - i) % 2 == 0) && place < 2 ? 1 - place : place;
+}
+
+// Makes the first cells: the first simplex at place 0, unless facets alone are wanted, and then the ghost or facet
+// opposite each of its vertices.
+static paradt_status paradt__graph_first_cells(paradt__graph *g) {
+    paradt__mesh *mesh = &g->mesh;
+    const int dim = g->set->space.dim, corners = mesh->corners, solid = corners > dim;
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_index *simplex = g->basis;
+    int i, j;
+    paradt_status status = paradt__mesh_reserve(mesh, (size_t)dim + 2, (size_t)dim + 2, g->memory);
+    if (status) return status;
+    for (i = 0; i <= dim; i++) p[i] = paradt__record(g->set, simplex[i]);
+    paradt__planes_inner(&g->planes, p);
+    if (paradt__orient(&g->task->space, p) < 0) {
+        paradt_index swap = simplex[0];
+        simplex[0] = simplex[1];
+        simplex[1] = swap;
+    }
+    mesh->count = (size_t)(dim + 1 + solid);
+    for (j = 0; j <= dim && solid; j++) mesh->vertices[j] = simplex[j];
+    // Ghost i has vertices 0 and 1 exchanged, since the infinite vertex is on the other side than vertex i. Facet i has
+    // the vertices but for vertex i in their order, the first two exchanged where what is beyond the facet would not
+    // make it a positive cell otherwise. Ghosts i and j have the facet without vertices i and j in common, facets i and
+    // j the ridge.
+    for (i = 0; i <= dim; i++) {
+        paradt_index base = (paradt_index)((i + solid) * corners);
+        for (j = 0; j <= dim; j++) {
+            paradt_index at = base + paradt__graph_first_place(dim, solid, i, j);
+            if (j == i && !solid) continue;
+            mesh->vertices[at] = j == i ? (paradt_index)PARADT__INFINITE : simplex[j];
+            if (j == i) paradt__mesh_tie(mesh, at, (paradt_index)i);
+            else mesh->links[at] = (paradt_index)((j + solid) * corners) + paradt__graph_first_place(dim, solid, j, i);
+        }
+    }
+    return PARADT_OK;
+}
+
+// Fills a task's part of the rows.
+static void paradt__graph_task_rows(void *context, size_t index) {
+    paradt__graph *g = (paradt__graph *)context;
+    const paradt__planes *f = &g->planes;
+    size_t count = g->set->count, tasks = g->team->tasks, end = count / tasks * (index + 1), i;
+    if (index + 1 == tasks) end = count;
+    for (i = count / tasks * index; i < end; i++) {
+        const double *x = g->set->records + i * g->set->width;
+        if (f->terms == 3 && f->dim == 3) paradt__plane_row(f, x, g->rows + 3 * i, 3, 3);
+        else if (f->terms == 4 && f->dim == 3) paradt__plane_row(f, x, g->rows + 4 * i, 3, 4);
+        else paradt__plane_row(f, x, g->rows + (size_t)f->terms * i, f->dim, f->terms);
+        if (i % PARADT__PACE == 0 && paradt__team_cancels(g->team, index, 0.0)) {
+            g->task[index].status = PARADT_ERROR_CANCELLED;
+            return;
+        }
+    }
+}
+
+// Fills the lists of first cells, one cell after another that no task has taken.
+static void paradt__graph_task_lists(void *context, size_t index) {
+    paradt__graph *g = (paradt__graph *)context;
+    paradt__graph_task *task = g->task + index;
+    const size_t corners = (size_t)g->mesh.corners;
+    while (!task->status) {
+        size_t place = PARADT__ATOMIC_ADD(&g->next, 1) - 1, from = 0, count = 0, i, end;
+        paradt__graph_cell *cell = g->cells + place;
+        if (place >= g->mesh.count) return;
+        cell->first = PARADT__NO_RANK;
+        cell->unsettled = (int)corners;
+        task->status = paradt__graph_merge_room(task, g->set->count);
+        for (; from < g->set->count && !task->status; from = end) {
+            const paradt_index *row = g->mesh.vertices + place * corners;
+            paradt_index *part = task->merged + count;
+            size_t these = 0;
+            paradt__tag first;
+            end = from + PARADT__PACE < g->set->count ? from + PARADT__PACE : g->set->count;
+            for (i = from; i < end; i++) {
+                part[these] = (paradt_index)(2 * i);
+                these += g->rank[i] > (paradt__tag)g->set->space.dim;
+            }
+            count += paradt__graph_filter_one(g, &task->space, row, part, these, &first);
+            if (first < cell->first) cell->first = first;
+            if (paradt__team_cancels(g->team, index, 0.0)) task->status = PARADT_ERROR_CANCELLED;
+        }
+        if (!task->status) task->status = paradt__graph_list(task, cell, task->merged, count);
+    }
+}
+
+// Allocates what the graph works on, and ranks the points.
+static paradt_status paradt__graph_arrays(paradt__graph *g) {
+    size_t count = g->set->count, tasks = g->team->tasks, i;
+    g->task = (paradt__graph_task *)paradt__alloc(g->memory, tasks, sizeof *g->task);
+    if (!g->task) return PARADT_ERROR_MEMORY;
+    memset(g->task, 0, tasks * sizeof *g->task);
+    for (i = 0; i < tasks; i++) {
+        g->task[i].space = g->set->space;
+        memset(&g->task[i].space.counters, 0, sizeof g->task[i].space.counters);
+    }
+    g->rank = (paradt__tag *)paradt__alloc_filled(g->memory, count, sizeof *g->rank);
+    if (!g->rank) return PARADT_ERROR_MEMORY;
+    if (!g->planes.usable) return PARADT_OK;
+    g->rows = (double *)paradt__alloc(g->memory, count * (size_t)g->planes.terms, sizeof *g->rows);
+    return g->rows ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Moves the points of the first simplex, which span the set, to the front of the order.
+static void paradt__graph_span_first(paradt__graph *g) {
+    size_t i;
+    int count = paradt__set_basis(g->set, g->order, 0, g->basis, NULL, &g->task->space.counters, NULL), j;
+    PARADT_ASSERT(count == g->set->space.dim + 1);
+    for (j = 0; j < count; j++) {
+        size_t at = (size_t)j;
+        while (g->order[at] != g->basis[j]) at++;
+        g->order[at] = g->order[j];
+        g->order[j] = g->basis[j];
+    }
+    for (i = 0; i < g->set->count; i++) g->rank[g->order[i]] = (paradt__tag)i;
+}
+
+// Makes the first cells with their lists, and finds the facets that are ready.
+static paradt_status paradt__graph_start(paradt__graph *g) {
+    const int corners = g->mesh.corners;
+    paradt_status status = paradt__graph_first_cells(g);
+    size_t i;
+    if (!status && g->rows) status = paradt__graph_team(g, paradt__graph_task_rows);
+    if (status) return status;
+    g->cells = (paradt__graph_cell *)paradt__alloc(g->memory, g->mesh.capacity, sizeof *g->cells);
+    if (!g->cells) return PARADT_ERROR_MEMORY;
+    g->cell_capacity = g->mesh.capacity;
+    g->next = 0;
+    status = paradt__graph_team(g, paradt__graph_task_lists);
+    g->next = 0;
+    g->task->memory = paradt__memory_fork(g->memory, 1);
+    for (i = 0; i < g->mesh.count * (size_t)corners && !status; i++) {
+        if ((paradt_index)i < g->mesh.links[i])
+            status = paradt__graph_ready(g, g->task, (paradt_index)i, g->mesh.links[i], corners);
+    }
+    {
+        uint64_t unused = 0;
+        paradt__memory_join(g->memory, &g->task->memory, &unused);
+    }
+    return status ? status : paradt__graph_collect(g);
+}
+
+// Marks the places that are free, so that the mesh is as others are.
+static paradt_status paradt__graph_free_places(paradt__graph *g) {
+    size_t i, j;
+    for (i = 0; i < g->team->tasks; i++) {
+        const paradt__list *spare = &g->task[i].spare;
+        paradt_status status = paradt__mesh_spare_room(&g->mesh, spare->count, g->memory);
+        if (status) return status;
+        for (j = 0; j < spare->count; j++) paradt__mesh_give(&g->mesh, spare->items[j], (size_t)g->mesh.corners);
+    }
+    return PARADT_OK;
+}
+
+// Frees all but the mesh, and adds what the predicates counted.
+static void paradt__graph_end(paradt__graph *g, paradt__counters *counters) {
+    size_t i;
+    for (i = 0; g->task && i < g->team->tasks; i++) {
+        paradt__graph_task *task = g->task + i;
+        paradt__pool_free(&task->pool, g->memory);
+        paradt__list_free(&task->ready, g->memory);
+        paradt__list_free(&task->spare, g->memory);
+        paradt__list_free(&task->settled, g->memory);
+        paradt__release(g->memory, task->merged);
+        counters->orient_calls += task->space.counters.orient_calls;
+        counters->insphere_calls += task->space.counters.insphere_calls;
+        counters->exact_small += task->space.counters.exact_small;
+        counters->exact_fixed += task->space.counters.exact_fixed;
+        counters->exact_general += task->space.counters.exact_general;
+        counters->perturbed += task->space.counters.perturbed;
+    }
+    paradt__release(g->memory, g->task);
+    paradt__release(g->memory, g->rank);
+    paradt__release(g->memory, g->rows);
+    paradt__release(g->memory, g->order);
+    paradt__release(g->memory, g->cells);
+    paradt__list_free(&g->ready, g->memory);
+    paradt__ridges_free(&g->ridges, g->memory);
+}
+
+// Makes the mesh of one side of a set's hull. order: a block with the positions in the order of insertion, which is
+// freed; NULL is an error of memory. After an error the mesh is empty.
+static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_side side, paradt_index *order,
+                                         const paradt__team *team, paradt__memory *memory, paradt__mesh *mesh,
+                                         paradt__counters *counters) {
+    const int dim = set->space.dim;
+    paradt__graph g;
+    paradt_status status;
+    memset(&g, 0, sizeof g);
+    g.set = set;
+    g.team = team;
+    g.memory = memory;
+    g.side = side;
+    g.order = order;
+    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
+    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
+    g.expected = (double)set->count * paradt__cells_a_point(dim) * (dim + 1) + 1.0;
+    paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
+    paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
+    status = order ? paradt__graph_arrays(&g) : PARADT_ERROR_MEMORY;
+    if (!status) {
+        paradt__graph_span_first(&g);
+        status = paradt__graph_start(&g);
+    }
+    if (!status) status = paradt__graph_run(&g);
+    if (!status) status = paradt__graph_free_places(&g);
+    paradt__graph_end(&g, counters);
+    *mesh = g.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>lifted hull
+//
+// Triangulations as hulls (thesis 1.1.3): the lower side of the lifted points is T(P), the upper side the furthest-site
+// triangulation. Doors: paradt__lifted_hull.
+
+// Returns the positions 0 to count - 1 in an order by chance: a new block, or NULL when there is no memory.
+static paradt_index *paradt__random_order(size_t count, paradt__memory *memory) {
+    paradt_index *order = (paradt_index *)paradt__alloc_filled(memory, count, sizeof *order);
+    size_t i;
+    for (i = 0; order && i < count; i++) {
+        size_t at = (size_t)(paradt__mix((uint64_t)i + 1) % (i + 1));
+        order[i] = order[at];
+        order[at] = (paradt_index)i;
+    }
+    return order;
+}
+
+// Makes the closed mesh of a set, whose points are along a curve: T(P), or the furthest-site triangulation. Vertices
+// are positions in the set. After an error the mesh is empty.
+static paradt_status paradt__lifted_hull(const paradt__set *set, int furthest, const paradt__team *team,
+                                         paradt__memory *memory, paradt__mesh *mesh, paradt__counters *counters) {
+    return paradt__graph_build(set, furthest ? PARADT__UPPER : PARADT__LOWER, paradt__random_order(set->count, memory),
+                               team, memory, mesh, counters);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>hull of points
+//
+// The facets of the convex hull of a set, as a mesh. Doors: paradt__hull_facets.
+
+// Makes the two facets of points on a line: the smallest and the largest.
+static paradt_status paradt__hull_of_line(const paradt__set *set, paradt__memory *memory, paradt__mesh *facets) {
+    paradt_status status = paradt__mesh_reserve(facets, 2, 2, memory);
+    size_t i;
+    if (status) return status;
+    facets->count = 2;
+    facets->vertices[0] = facets->vertices[1] = 0;
+    paradt__mesh_tie(facets, 0, 1);
+    for (i = 1; i < set->count; i++) {
+        const double *x = paradt__record(set, (paradt_index)i);
+        if (paradt__compare(&set->space, x, paradt__record(set, facets->vertices[0])) < 0)
+            facets->vertices[0] = (paradt_index)i;
+        if (paradt__compare(&set->space, x, paradt__record(set, facets->vertices[1])) > 0)
+            facets->vertices[1] = (paradt_index)i;
+    }
+    return PARADT_OK;
+}
+
+// Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
+// corners a cell, all links complete, no ghosts. Vertices are positions in the set; points on the hull that are no
+// vertex of it in T(P) occur in no facet. Coplanar parts are triangulated as T(P) does (with the weights, where there
+// are any).
+//
+// The facet's vertices v[0..k-1] and any point x of the set that is not in its plane: orient(v[0..k-1], x) < 0; so
+// orient(v[0..k-1], beyond) > 0 for what is strictly outside. For k = 1 there are two facets of one vertex: place 0
+// has the smallest point, place 1 the largest, and each is the other's link.
+//   team      tasks that may run concurrently, and their progress; `memory` is divided among them meanwhile
+//   counters  of predicates: is added to
+// After an error the mesh is empty. Errors: MEMORY, TOO_LARGE, CANCELLED.
+static paradt_status paradt__hull_facets(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                         paradt__mesh *facets, paradt__counters *counters) {
+    paradt_status status;
+    if (set->space.dim == 1) {
+        paradt__mesh_begin(facets, 1, 0);
+        return paradt__hull_of_line(set, memory, facets);
+    }
+    status = paradt__graph_build(set, PARADT__ROUND, paradt__random_order(set->count, memory), team, memory, facets,
+                                 counters);
+    if (!status) paradt__mesh_compact(facets, 0, NULL, 0);
+    return status;
+}
+#endif // PARADT_NO_HULLS
+
 #if !defined(PARADT_NO_FRONTS) && !defined(PARADT_NO_REGIONS)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>regions of fronts
@@ -13007,6 +14209,23 @@ PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
     return status ? status : paradt__insert_undivided(work);
 }
 
+#ifndef PARADT_NO_HULLS
+// Builds by the lifted hull. Its tasks are as many as regions are wanted, but what they work on is not divided.
+PARADT__COLD paradt_status paradt__build_lifted_hull(paradt__work *work) {
+    paradt__counters counters;
+    paradt__team team;
+    paradt_status status;
+    size_t tasks = work->options.regions ? work->options.regions : 1;
+    paradt__begin_way(work);
+    team = paradt__team_of(&work->options, tasks, paradt__whole_progress(work));
+    memset(&counters, 0, sizeof counters);
+    work->regions = 1;
+    status = paradt__lifted_hull(&work->set, 0, &team, &work->memory, &work->mesh, &counters);
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+#endif
+
 // --- the table and the choice
 
 enum {
@@ -13036,7 +14255,11 @@ static const paradt__method *paradt__method_of(paradt_method method) {
 
         {0, 0, 0, NULL, NULL}, // DELAUNAY_TREE
 
+#ifdef PARADT_NO_HULLS
         {0, 0, 0, NULL, NULL}, // LIFTED_HULL
+#else
+        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK, 2, PARADT_MAX_DIM, NULL, paradt__build_lifted_hull},
+#endif
 
     };
     return rows + method;
@@ -13528,53 +14751,6 @@ static double paradt__minors_measure(const paradt__minors_table *table, int k, i
     squares = sqrt(squares);
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// >>hull of points
-//
-// The hull as the ghosts of T(P). Door: paradt__hull_facets.
-
-static paradt_status paradt__hull_facets(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
-                                         paradt__mesh *hull, paradt__counters *counters) {
-    paradt__mesh mesh;
-    int corners = set->space.dim + 1, i, j;
-    paradt_index *number;
-    size_t c, count = 0;
-    paradt_status status = paradt__bowyer_watson(set, memory, &mesh, &team->progress, counters);
-    paradt__mesh_begin(hull, set->space.dim, 0);
-    if (status) return status;
-    number = (paradt_index *)paradt__alloc(memory, mesh.count, sizeof *number);
-    if (!number) status = PARADT_ERROR_MEMORY;
-    for (c = 0; c < mesh.count && !status; c++) {
-        const paradt_index *v = mesh.vertices + c * (size_t)corners;
-        number[c] = -1;
-        if (v[0] != PARADT__DEAD && paradt__ghost_place(v, corners) >= 0) number[c] = (paradt_index)count++;
-    }
-    if (!status) status = paradt__mesh_reserve(hull, count, count, memory);
-    hull->count = status ? 0 : count;
-    for (c = 0; c < mesh.count && !status; c++) {
-        const paradt_index *v = mesh.vertices + c * (size_t)corners, *l = mesh.links + c * (size_t)corners;
-        int ghost = number[c] < 0 ? -1 : paradt__ghost_place(v, corners), at = 0;
-        int swap = ((corners - 1 - ghost) & 1) && corners > 2;
-        if (ghost < 0) continue;
-        for (i = 0; i < corners; i++) {
-            size_t to, other = (size_t)l[i] / (size_t)corners, facet = (size_t)l[i] % (size_t)corners;
-            const paradt_index *w = mesh.vertices + other * (size_t)corners;
-            int theirs = paradt__ghost_place(w, corners), place = 0, swapped;
-            if (i == ghost) continue;
-            for (j = 0; j < (int)facet; j++) place += j != theirs;
-            swapped = ((corners - 1 - theirs) & 1) && corners > 2;
-            if (swapped && place < 2) place = 1 - place;
-            to = (size_t)number[c] * (size_t)hull->corners + (size_t)(swap && at < 2 ? 1 - at : at);
-            at++;
-            hull->vertices[to] = v[i];
-            hull->links[to] = number[other] * hull->corners + place;
-        }
-    }
-    paradt__release(memory, number);
-    paradt__mesh_free(&mesh, memory);
-    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
