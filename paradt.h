@@ -480,6 +480,7 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_free               paradt_free_64
 #define paradt_hull_compute       paradt_hull_compute_64
 #define paradt_hull_free          paradt_hull_free_64
+#define paradt_hull_check         paradt_hull_check_64
 #define paradt_hull_hash          paradt_hull_hash_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
@@ -716,6 +717,20 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // and a hull that is all zero, are fine. Thread safety: as free.
 PARADT_DEF void paradt_hull_free(paradt_hull *hull);
 
+#ifndef PARADT_NO_CHECK
+// Proves in exact arithmetic that these are the facets of the points' hull, with their neighbours, planes and vertices.
+// Returns PARADT_OK if they are, and PARADT_ERROR_INVALID, with what was found first in *fault, if not; fault->cell is
+// a facet. Which vertices are extreme, area and volume follow from the facets and are not tested.
+//   hull     of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
+//   points   those that it was made from
+//   options  NULL: the defaults. See paradt_check.
+//   fault    NULL: not wanted
+// Errors: as those of paradt_check. Thread safety: any number of concurrent calls. Cost: a walk among the facets for
+// each point.
+PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt_points *points,
+                                           const paradt_options *options, paradt_fault *fault);
+#endif
+
 // Returns a hash of the set of facets, each as a set of point indices: as paradt_hash does for cells. Thread-safe.
 PARADT_DEF uint64_t paradt_hull_hash(const paradt_hull *hull);
 #endif
@@ -940,9 +955,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     hull faces                   312   planes, extreme points, measures
 //     hull                         264   the entry
 //   check
-//     check                        498   the certificate
+//     check                        499   the certificate
 //   division
 //     check of the hull            285   ... and of hidden points
+//     check of a hull              335   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -15843,7 +15859,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
 // has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
 // paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
-// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets,
+// paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
@@ -16293,7 +16310,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
 //
 // The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
 // and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
-// that makes triangulations. Door: paradt_check.
+// that makes triangulations. Doors: paradt_check; struct paradt__check_key, paradt__check_list, paradt__check_sort.
 
 // --- the hull and the covering: conditions (5) to (7)
 
@@ -16571,6 +16588,341 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
+
+#ifndef PARADT_NO_HULLS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of a hull
+//
+// The certificate of a hull: paradt_hull_check accepts exactly the facets of the hull of the points. It shares what
+// >>check shares, and the tests there of neighbours, with facets for cells and ridges for facets. k is the affine
+// dimension; o is a place infinitesimally near a point, inside a simplex of points; z is one infinitesimally near a
+// vertex, inside the first facet. What is tested, in exact signs, for k > 1:
+//   (1) adjacency is an involution on ridges; two neighbours have all vertices but one in common and see their ridge
+//   with
+//       opposite orientation;
+//   (2) each facet has o strictly on its inner side, and at no ridge the neighbour's other vertex beyond it; where that
+//   is
+//       in its plane, the ridge is locally Delaunay there;
+//   (3) the ray from o through z meets no facet but the first;
+//   (4) no point is beyond the facet that the ray from o through it meets, and none that is at the place of a vertex
+//   has
+//       a smaller index than the vertex;
+//   (5) facets at a ridge have one plane's number if and only if the ridge is flat, there are as many numbers as
+//   planes;
+//       and `vertices` names the facets' vertices.
+// Why that proves it: by (1) and (2) the facets, projected from o, cover the sphere of directions equally often
+// everywhere, by (3) once. So they bound a body that is star-shaped about o, and by (2) convex, as in >>check. By (4)
+// it contains all points, so it is their hull. Within a face the facets are locally Delaunay, and so they are T(P)
+// there. A walk from facet to facet ends: the cones over the facets of a convex body are a regular fan, and those in
+// one face are so with the perturbed heights. Door: paradt_hull_check.
+
+typedef struct paradt__hull_proof {
+    paradt__check check;        // facets for cells
+    paradt_triangulation cells; // the facets as `check` has them
+    const paradt_hull *hull;
+} paradt__hull_proof;
+
+// On which side of a facet is x? 1 inside, 0 in its plane, -1 beyond. corners: the facet's
+static int paradt__proof_side(paradt__check *check, const double *const *corners, const double *x) {
+    const double *p[PARADT_MAX_DIM + 1];
+    size_t i;
+    p[0] = x;
+    for (i = 0; i < check->corners; i++) p[i + 1] = corners[i];
+    return paradt__orient(&check->set.space, p);
+}
+
+// The sign of the orientation of o and the facet with vertex `place` replaced by x: negative, if the ridge opposite
+// that vertex separates the directions of the facet and of x, seen from o
+static int paradt__proof_turn(paradt__check *check, const double **corners, size_t place, const double *x) {
+    const double *own = corners[place];
+    size_t i;
+    int sign = 0;
+    corners[place] = x;
+    for (i = 0; i <= check->corners && !sign; i++) sign = paradt__proof_side(check, corners, check->origin[i]);
+    corners[place] = own;
+    return sign;
+}
+
+// Chooses o: near a vertex that is off the first facet's plane.
+static paradt_status paradt__proof_origin(paradt__check *check) {
+    size_t i, all = check->t->cell_count * check->corners;
+    paradt__check_gather(check, 0, check->origin + 1);
+    for (i = 0; i < all; i++) {
+        check->origin[0] = paradt__record(&check->set, check->t->cells[i]);
+        if (paradt__proof_side(check, check->origin + 1, check->origin[0]) > 0) return PARADT_OK;
+    }
+    return paradt__check_fail(check, "no vertex is inside of a facet", 0, -1);
+}
+
+// Are the vertices of a facet points?
+static paradt_status paradt__proof_vertices(paradt__check *check) {
+    size_t i, all = check->t->cell_count * check->corners;
+    for (i = 0; i < all; i++) {
+        paradt_index vertex = check->t->cells[i];
+        if (vertex < 0 || (size_t)vertex >= check->set.count)
+            return paradt__check_fail(check, "a vertex is no point", (paradt_index)(i / check->corners), -1);
+        check->cell_of[vertex] = (paradt_index)(i / check->corners);
+    }
+    return PARADT_OK;
+}
+
+// Conditions (1), (2) and (5) at a ridge. corners: the facet's; inside: a place strictly inside of the facet
+static paradt_status paradt__proof_ridge(paradt__hull_proof *proof, size_t facet, size_t corner,
+                                         const double *const *corners, const double *inside) {
+    paradt__check *check = &proof->check;
+    size_t ridge = facet * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin, i;
+    paradt_index neighbor = paradt__check_neighbor(check, ridge), vertex = paradt__check_cell(check, facet)[corner];
+    const double *cell[PARADT_MAX_DIM + 2];
+    int opposite = -1, side;
+    if (neighbor < 0) return paradt__check_fail(check, "a facet has no neighbour", (paradt_index)facet, vertex);
+    other = (size_t)neighbor;
+    if (other != facet) opposite = paradt__check_across(check, facet, corner, other, place);
+    if (opposite < 0)
+        return paradt__check_fail(check, "a facet does not share the ridge with the neighbour across it",
+                                  (paradt_index)facet, vertex);
+    twin = other * check->corners + (size_t)opposite;
+    if ((check->halves && (size_t)check->neighbors[ridge] != twin) ||
+        check->neighbors[twin] != (paradt_index)(check->halves ? ridge : facet))
+        return paradt__check_fail(check, "a neighbour's neighbour is another facet", (paradt_index)facet, vertex);
+    if (!paradt__check_is_odd(place, check->corners))
+        return paradt__check_fail(check, "neighbours lie on the same side of their ridge", (paradt_index)facet, vertex);
+    vertex = paradt__check_cell(check, other)[opposite];
+    side = paradt__proof_side(check, corners, paradt__record(&check->set, vertex));
+    if (side < 0) return paradt__check_fail(check, "the hull is not convex", (paradt_index)facet, vertex);
+    if (!side != (proof->hull->plane[facet] == proof->hull->plane[other]))
+        return paradt__check_fail(check, "the number of a plane is wrong", (paradt_index)facet, -1);
+    if (side) return PARADT_OK;
+    cell[0] = inside;
+    for (i = 0; i < check->corners; i++) cell[i + 1] = corners[i];
+    cell[check->corners + 1] = paradt__record(&check->set, vertex);
+    if (paradt__conflict(&check->set.space, cell))
+        return paradt__check_fail(check, "a ridge is not locally Delaunay in its plane", (paradt_index)facet, vertex);
+    return PARADT_OK;
+}
+
+// Conditions (1) to (3), and (5) at ridges.
+static paradt_status paradt__proof_facets(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const double *corners[PARADT_MAX_DIM + 1];
+    size_t facet, corner, i, count = check->t->cell_count;
+    for (facet = 0; facet < count; facet++) {
+        paradt_status status = paradt__check_pace(check, facet, count);
+        int side = 0, met = facet > 0;
+        paradt__check_gather(check, facet, corners);
+        for (i = 0; i <= check->corners && !side; i++) side = paradt__proof_side(check, corners, check->origin[i]);
+        if (side <= 0) return paradt__check_fail(check, "a facet is not outward", (paradt_index)facet, -1);
+        for (corner = 0; corner < check->corners && !status; corner++)
+            status = paradt__proof_ridge(proof, facet, corner, corners, check->origin[i - 1]);
+        for (corner = 0; corner < check->corners && met; corner++) {
+            int sign = 0;
+            for (i = 1; i <= check->corners && !sign; i++)
+                sign = paradt__proof_turn(check, corners, corner, check->origin[i]);
+            met = sign > 0;
+        }
+        if (status) return status;
+        if (met) return paradt__check_fail(check, "the facets cover a direction twice", (paradt_index)facet, -1);
+    }
+    return PARADT_OK;
+}
+
+// Condition (4) for one point: walks from *facet to the one that the ray through the point meets.
+static paradt_status paradt__proof_walk(paradt__check *check, paradt_index point, paradt_index *facet) {
+    const double *corners[PARADT_MAX_DIM + 1], *x = paradt__record(&check->set, point);
+    size_t corner;
+    for (;;) {
+        paradt__check_gather(check, (size_t)*facet, corners);
+        for (corner = 0; corner < check->corners; corner++)
+            if (corners[corner] != x && paradt__proof_turn(check, corners, corner, x) < 0) break;
+        if (corner == check->corners) break;
+        *facet = paradt__check_neighbor(check, (size_t)*facet * check->corners + corner);
+    }
+    if (paradt__proof_side(check, corners, x) < 0)
+        return paradt__check_fail(check, "a point is beyond a facet", *facet, point);
+    for (corner = 0; corner < check->corners; corner++) {
+        paradt_index vertex = paradt__check_cell(check, (size_t)*facet)[corner];
+        if (vertex > point && !paradt__compare(&check->set.space, x, corners[corner]))
+            return paradt__check_fail(check, "a vertex is not the smallest index at its place", *facet, point);
+    }
+    return PARADT_OK;
+}
+
+// Condition (4), for the points along a curve, so that walks are short.
+static paradt_status paradt__proof_points(paradt__check *check) {
+    paradt__check_key *keys;
+    paradt_status status = PARADT_OK;
+    paradt_index facet = 0;
+    size_t i, n = check->set.count;
+    keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
+    if (!keys) return PARADT_ERROR_MEMORY;
+    n = paradt__check_list(check, keys);
+    paradt__check_sort(keys, keys + n, n);
+    for (i = 0; i < n && !status; i++) {
+        status = paradt__check_pace(check, i, n);
+        if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
+        else if (!status) status = paradt__proof_walk(check, keys[i].point, &facet);
+    }
+    paradt__release(&check->memory, keys);
+    return status;
+}
+
+// Condition (5), without the ridges: are the vertices those that are listed, and are there as many planes as numbers?
+static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const paradt_hull *hull = proof->hull;
+    size_t i, vertices = 0, planes = 0, count = hull->facet_count;
+    paradt_index *flood;
+    paradt__list stack = {NULL, 0, 0};
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (hull->vertex_count != vertices || hull->extreme_count > vertices)
+        return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
+    for (i = 0; i < vertices; i++) {
+        paradt_index vertex = hull->vertices[i];
+        if (vertex < 0 || (size_t)vertex >= check->set.count || check->cell_of[vertex] < 0)
+            return paradt__check_fail(check, "a point is listed as a vertex and is none", -1, vertex);
+        check->cell_of[vertex] = -1; // so that a second one is found
+    }
+    flood = (paradt_index *)paradt__alloc(&check->memory, count, sizeof *flood);
+    if (!flood) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) flood[i] = -1;
+    for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
+        if (flood[i] >= 0) continue;
+        if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
+            status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
+        flood[i] = 0;
+        if (!status) status = paradt__list_append(&stack, (paradt_index)i, &check->memory);
+        while (stack.count && !status) {
+            size_t at = (size_t)stack.items[--stack.count], corner;
+            for (corner = 0; corner < check->corners && !status; corner++) {
+                paradt_index other = paradt__check_neighbor(check, at * check->corners + corner);
+                if (flood[other] >= 0 || hull->plane[other] != hull->plane[at]) continue;
+                flood[other] = 0;
+                status = paradt__list_append(&stack, other, &check->memory);
+            }
+        }
+    }
+    for (i = 0; i < count; i++) flood[i] = 0;
+    for (i = 0; i < count && !status; i++) flood[hull->plane[i]] = 1;
+    for (i = 0, vertices = 0; i < count && !status; i++) vertices += (size_t)flood[i];
+    if (!status && (planes != hull->plane_count || vertices != planes))
+        status = paradt__check_fail(check, "plane_count is not the number of planes", -1, -1);
+    paradt__list_free(&stack, &check->memory);
+    paradt__release(&check->memory, flood);
+    return status;
+}
+
+// The hull of points on a line, or at one place: its ends, with their smallest indices.
+static paradt_status paradt__proof_line(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const paradt_hull *hull = proof->hull;
+    size_t i, ends = hull->dim == 1 ? 2 : 1, end;
+    if (hull->facet_count != (hull->dim == 1 ? 2u : 0u) || hull->plane_count != hull->facet_count)
+        return paradt__check_fail(check, "a line has two facets, and a place none", -1, -1);
+    if (hull->vertex_count != ends || hull->extreme_count != ends)
+        return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
+    for (end = 0; end < ends; end++) {
+        paradt_index vertex = hull->dim == 1 ? hull->facets[end] : hull->vertices[0];
+        if (vertex < 0 || (size_t)vertex >= check->set.count)
+            return paradt__check_fail(check, "a vertex is no point", (paradt_index)end, -1);
+        if (hull->dim == 1 && (hull->plane[end] != (paradt_index)end || hull->plane[!end] == hull->plane[end]))
+            return paradt__check_fail(check, "the number of a plane is wrong", (paradt_index)end, -1);
+        if (hull->dim == 1 && check->neighbors && check->neighbors[end] != (paradt_index)!end)
+            return paradt__check_fail(check, "the ends are not neighbours", (paradt_index)end, -1);
+        if (hull->vertices[0] != vertex && hull->vertices[ends - 1] != vertex)
+            return paradt__check_fail(check, "a vertex is not listed", -1, vertex);
+        for (i = 0; i < check->set.count; i++) {
+            int sign = !hull->dim ? 0
+                                  : paradt__compare(&check->set.space, paradt__record(&check->set, (paradt_index)i),
+                                                    paradt__record(&check->set, vertex));
+            if (end ? sign > 0 : sign < 0)
+                return paradt__check_fail(check, "a point is beyond an end", (paradt_index)end, (paradt_index)i);
+            if (!sign && (paradt_index)i < vertex)
+                return paradt__check_fail(check, "a vertex is not the smallest index at its place", -1,
+                                          (paradt_index)i);
+        }
+    }
+    return PARADT_OK;
+}
+
+// All conditions, each in an order in which it may rely on those before.
+static paradt_status paradt__proof_all(paradt__hull_proof *proof, const paradt_points *points) {
+    paradt__check *check = &proof->check;
+    size_t i, n = points->count;
+    paradt_status status;
+    if (proof->hull->point_count != n)
+        return paradt__check_fail(check, "the hull is of another number of points", -1, -1);
+    status = paradt__check_read(check, points);
+    if (!status) status = paradt__check_dimension(check);
+    if (!status && !n && (proof->hull->facet_count || proof->hull->vertex_count))
+        status = paradt__check_fail(check, "there are facets or vertices without points", -1, -1);
+    if (status || !n) return status;
+    check->corners = (size_t)proof->hull->dim;
+    check->neighbors = check->t->neighbors;
+    if (proof->hull->dim < 2) return paradt__proof_line(proof);
+    if (!proof->hull->facet_count) return paradt__check_fail(check, "there are no facets", -1, -1);
+    check->cell_of = (paradt_index *)paradt__alloc(&check->memory, n, sizeof *check->cell_of);
+    proof->cells.representative = (paradt_index *)paradt__alloc(&check->memory, n, sizeof *check->cell_of);
+    if (!check->cell_of || !proof->cells.representative) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < n; i++) check->cell_of[i] = proof->cells.representative[i] = -1; // all points are to be listed
+    status = paradt__proof_vertices(check);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    if (!status) status = paradt__proof_origin(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__proof_facets(proof);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__proof_points(check);
+    if (!status) status = paradt__proof_lists(proof);
+    check->phase = PARADT__CHECK_END;
+    return status ? status : paradt__check_pace(check, 0, 1);
+}
+
+// Returns what is wrong with the arguments about the hull; NULL: nothing.
+static const char *paradt__proof_fault(const paradt_hull *hull, const paradt_points *points) {
+    if (points->weights) return "points.weights is not NULL, but a hull has no weights";
+    if (!hull) return "hull is NULL";
+    if (hull->facet_count && (!hull->facets || !hull->plane)) return "hull.facets or hull.plane is NULL";
+    if (hull->vertex_count && !hull->vertices) return "hull.vertices is NULL";
+    if (hull->facet_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+        return "hull.facet_count is larger than an index can number";
+    return NULL;
+}
+
+PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt_points *points,
+                                           const paradt_options *options, paradt_fault *fault) {
+    paradt__hull_proof proof;
+    paradt__check *check = &proof.check;
+    paradt_fault unwanted;
+    paradt_status status;
+    memset(&proof, 0, sizeof proof);
+    check->fault = fault ? fault : &unwanted;
+    memset(check->fault, 0, sizeof *check->fault);
+    status = paradt__check_arguments(points, options, &check->fault->reason);
+    if (!status) {
+        check->fault->reason = paradt__proof_fault(hull, points);
+        if (check->fault->reason) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) {
+        check->fault->cell = check->fault->point = -1;
+        return status;
+    }
+    proof.hull = hull;
+    proof.cells.dim = hull->dim;
+    proof.cells.cell_count = hull->facet_count;
+    proof.cells.cells = hull->facets;
+    proof.cells.neighbors = hull->neighbors;
+    check->t = &proof.cells;
+    check->options = options;
+    paradt__memory_begin(&check->memory, options);
+    status = paradt__proof_all(&proof, points);
+    paradt__release(&check->memory, check->set.records);
+    paradt__release(&check->memory, check->matched);
+    paradt__release(&check->memory, check->cell_of);
+    paradt__release(&check->memory, proof.cells.representative);
+    if (status && !check->fault->reason) paradt__check_fail(check, paradt_status_string(status), -1, -1);
+    return status;
+}
+#endif // PARADT_NO_HULLS
 #endif // PARADT_NO_CHECK
 
 #ifdef __cplusplus

@@ -253,12 +253,27 @@ static const char *check_volume(const sample *s, const paradt_hull *hull) {
     return wrong;
 }
 
+// paradt_hull_check accepts the hull, with and without neighbours.
+static const char *check_certificate(const sample *s, const paradt_hull *hull) {
+    paradt_points points = points_of(s);
+    paradt_fault fault;
+    paradt_hull bare = *hull;
+    bare.neighbors = NULL;
+    watch(s, 60);
+    if (paradt_hull_check(hull, &points, NULL, &fault) || paradt_hull_check(&bare, &points, NULL, &fault))
+        return fault.reason;
+    watch(NULL, 0);
+    return NULL;
+}
+
 static void check_all(const sample *s, const paradt_hull *hull, int deeply) {
     int axes[CELLS_MAX_DIM] = {0};
     const char *wrong = NULL;
     deeply &= hull->vertex_count < 50;
     if (axes_of(s, axes) != hull->dim)
         wrong = "the dimension is wrong";
+    if (!wrong)
+        wrong = check_certificate(s, hull);
     if (!wrong && hull->dim > 0)
         wrong = check_neighbors(hull);
     if (!wrong && hull->dim > 0)
