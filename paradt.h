@@ -539,7 +539,8 @@ typedef enum paradt_partition { PARADT_BISECTION, PARADT_UNIFORM } paradt_partit
 enum {
     PARADT_NO_NEIGHBORS = 1, // the result's neighbors are NULL
     PARADT_FACETS = 2,       // neighbors are half-facets (see RESULT), not cells; not with PARADT_NO_NEIGHBORS
-    PARADT_FULL_DIM = 4      // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
+    PARADT_FULL_DIM = 4,     // points of a lower affine dimension than their own are PARADT_ERROR_FLAT
+    PARADT_FURTHEST_SITE = 8 // the furthest-site triangulation, by PARADT_LIFTED_HULL (see paradt_triangulate)
 };
 
 // Runs task(context, i) for every i below count, in any order and on any threads, and returns when all have ended.
@@ -580,7 +581,7 @@ typedef struct paradt_options {
     paradt_progress progress;         // NULL: none
     paradt_allocator allocator;       // zero: malloc and free
     size_t memory_limit;              // bytes that a call may hold at any time; 0: no limit
-    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM
+    unsigned flags;                   // 0; PARADT_NO_NEIGHBORS or PARADT_FACETS, PARADT_FULL_DIM, PARADT_FURTHEST_SITE
     void *user;                       // handed to parallel_for and progress; NULL
 } paradt_options;
 
@@ -677,6 +678,11 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 //   options  NULL: the defaults
 // Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each
 // with its own `out`. Cost: sorting the points, and expected constant time a cell for points without structure.
+//
+// With PARADT_FURTHEST_SITE the cells are those whose sphere has all points inside or on it, ties broken by the same
+// rule: a cell is there when paradt_insphere_perturbed says for every other point that it is in conflict. They are the
+// upper side of the lifted points, and triangulate the convex hull; their vertices are on the hull, and all other
+// points are hidden. The method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
@@ -751,7 +757,7 @@ PARADT_DEF const char *paradt_method_string(paradt_method method);
 //   triangulation  of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
 //   points         those that it was made from
 //   options        NULL: the defaults. allocator, memory_limit, progress and user are used, and PARADT_FACETS in flags,
-//                  which says what neighbors hold. The rest is only checked.
+//                  which says what neighbors hold; PARADT_FURTHEST_SITE is an error. The rest is only checked.
 //   fault          NULL: not wanted. It says which argument is wrong, too.
 // Errors: INVALID; and ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, which say nothing about the triangulation.
 // Thread safety: any number of concurrent calls. Cost: expected linear time. It shares the predicates with
@@ -11109,7 +11115,7 @@ typedef struct paradt__graph_task {
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
     size_t entered; // ridges entered in this round
-    size_t made;    // cells
+    size_t work;    // done in this round, in points tested
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11130,8 +11136,16 @@ typedef struct paradt__graph {
     size_t next;              // and the number of them that tasks have taken
     paradt__graph_task *task; // [team->tasks]
     size_t round_cells;       // cells that a task may make in a round
-    double expected;          // cells made in all, for the progress
+    double expected;          // places taken in the end, for the progress
 } paradt__graph;
+
+enum {
+    PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
+    PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
+    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
+    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
+};
 
 // --- who is in conflict
 
@@ -11273,6 +11287,35 @@ PARADT__INLINE paradt_status paradt__graph_ready(paradt__graph *g, paradt__graph
     return status ? status : paradt__graph_settle(g, task, b);
 }
 
+// Fetches what matching a facet is going to read: first the slot, later what stands in it.
+PARADT__INLINE void paradt__graph_fetch_slot(const paradt__graph *g, uint64_t key) {
+    PARADT__PREFETCH(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+}
+
+PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t key, int corners) {
+    paradt_index there = PARADT__ATOMIC_SEE(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+    if (there < 0) return;
+    PARADT__PREFETCH(g->mesh.vertices + there);
+    PARADT__PREFETCH(g->mesh.links + there);
+    PARADT__PREFETCH(g->cells + there / corners);
+}
+
+// Matches the facets of a new cell, but for the one at `place`. keys: of the facets
+PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph_task *task, paradt_index base,
+                                                 int place, const uint64_t *keys, int corners) {
+    int i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < corners && !status; i++) {
+        paradt_index other;
+        if (i == place) continue;
+        other = paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered);
+        if (other < 0) continue;
+        paradt__mesh_tie(&g->mesh, base + i, other);
+        status = paradt__graph_ready(g, task, base + i, other, corners);
+    }
+    return status;
+}
+
 // Makes the cell that takes the place of the one whose facet this is, which is ready.
 PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
                                                   int dim, int terms) {
@@ -11286,31 +11329,29 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     paradt_index *row = mesh->vertices + base;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)g->cells[old].count + (size_t)g->cells[beside].count;
-    uint64_t sum;
+    uint64_t keys[PARADT_MAX_DIM + 1], sum;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
+    if (status) return status;
     memcpy(row, mesh->vertices + old * corners, (size_t)corners * sizeof *row);
     row[place] = point;
-    if (status) return status;
+    sum = paradt__ridge_sum(row, corners);
+    for (i = 0; i < corners; i++) {
+        keys[i] = sum - paradt__ridge_part(row[i]);
+        if (i != place) paradt__graph_fetch_slot(g, keys[i]);
+    }
+    task->work += count + PARADT__CELL_WORK;
     count = paradt__graph_merge(g->cells + old, g->cells + beside, task->merged);
+    for (i = 0; i < corners; i++)
+        if (i != place) paradt__graph_fetch_mirror(g, keys[i], corners);
     count = paradt__graph_filter(g, &task->space, row, task->merged, count, point, &cell->first, dim, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, old);
-    sum = paradt__ridge_sum(row, corners);
     paradt__mesh_tie(mesh, base + place, mirror);
     if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
-    for (i = 0; i < corners && !status; i++) {
-        paradt_index other;
-        if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, mesh->vertices, sum - paradt__ridge_part(row[i]), base + i, corners,
-                                     &task->entered);
-        if (other < 0) continue;
-        paradt__mesh_tie(mesh, base + i, other);
-        status = paradt__graph_ready(g, task, base + i, other, corners);
-    }
-    return status;
+    return status ? status : paradt__graph_match(g, task, base, place, keys, corners);
 }
 
 static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_task *task, paradt_index handle) {
@@ -11319,17 +11360,13 @@ static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_ta
     if (dim == 2 && terms == 2) return paradt__graph_expand(g, task, handle, 2, 2);
     if (PARADT__IS(dim, 3) && terms == 4) return paradt__graph_expand(g, task, handle, 3, 4);
     if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_expand(g, task, handle, 3, 3);
+    if (PARADT__IS(dim, 4) && terms == 5) return paradt__graph_expand(g, task, handle, 4, 5);
+    if (PARADT__IS(dim, 5) && terms == 6) return paradt__graph_expand(g, task, handle, 5, 6);
+    if (PARADT__IS(dim, 5) && terms == 5) return paradt__graph_expand(g, task, handle, 5, 5);
     return paradt__graph_expand(g, task, handle, dim, terms);
 }
 
 // --- rounds
-
-enum {
-    PARADT__ROUND_WORK = 1 << 21,  // points merged in a round, by each task
-    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
-    PARADT__ROUND_PACE = 1 << 8    // cells between two looks at whether the call is cancelled
-};
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
 PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_task *task) {
@@ -11343,18 +11380,17 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
 static void paradt__graph_task_round(void *context, size_t index) {
     paradt__graph *g = (paradt__graph *)context;
     paradt__graph_task *task = g->task + index;
-    size_t cells, work = 0, checked = 0;
-    for (cells = 0; cells < g->round_cells && work < PARADT__ROUND_WORK && !task->status; cells++) {
+    size_t cells, check = 0;
+    task->work = 0;
+    for (cells = 0; cells < g->round_cells && task->work < PARADT__ROUND_WORK && !task->status; cells++) {
         paradt_index handle = paradt__graph_take(g, task);
         if (handle < 0) break;
-        work += (size_t)g->cells[handle / g->mesh.corners].count;
         task->status = paradt__graph_expand_one(g, task, handle);
-        if (work - checked < PARADT__ROUND_WORK / 4 && cells % PARADT__ROUND_PACE) continue;
-        checked = work;
-        if (paradt__team_cancels(g->team, index, (double)g->mesh.count / g->expected))
+        if (task->work < check) continue;
+        check = task->work + PARADT__CHECK_WORK;
+        if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
             task->status = PARADT_ERROR_CANCELLED;
     }
-    task->made += cells;
 }
 
 // Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
@@ -11388,7 +11424,21 @@ static paradt_status paradt__graph_room(paradt__graph *g) {
     return status ? status : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->memory);
 }
 
-// Ends a round: settled places may be taken, and facets that are ready are shared again.
+// Moves the first `count` of a task's facets to those that all share.
+static paradt_status paradt__graph_share(paradt__graph *g, paradt__graph_task *task, size_t count) {
+    paradt__list *shared = &g->ready, *own = &task->ready;
+    paradt_status status =
+        paradt__list_room(&shared->items, shared->count, &shared->capacity, shared->count + count, g->memory);
+    if (status || !count) return status;
+    memcpy(shared->items + shared->count, own->items, count * sizeof *own->items);
+    shared->count += count;
+    own->count -= count;
+    memmove(own->items, own->items + count, own->count * sizeof *own->items);
+    return PARADT_OK;
+}
+
+// Ends a round: settled places may be taken; and of several tasks each shares the older half of the facets that it has
+// left, and keeps those that are likely to be in its cache.
 static paradt_status paradt__graph_collect(paradt__graph *g) {
     size_t left = 0, i;
     paradt_status status = PARADT_OK;
@@ -11401,26 +11451,28 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
         task->entered = 0;
         status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
                                    task->spare.count + task->settled.count, g->memory);
-        if (!status)
-            status = paradt__list_room(&g->ready.items, g->ready.count, &g->ready.capacity,
-                                       g->ready.count + task->ready.count, g->memory);
-        if (status) break;
-        if (task->settled.count)
+        if (!status && task->settled.count) {
             memcpy(task->spare.items + task->spare.count, task->settled.items,
                    task->settled.count * sizeof(paradt_index));
-        if (task->ready.count)
-            memcpy(g->ready.items + g->ready.count, task->ready.items, task->ready.count * sizeof(paradt_index));
-        task->spare.count += task->settled.count;
-        g->ready.count += task->ready.count;
-        task->settled.count = task->ready.count = 0;
+            task->spare.count += task->settled.count;
+            task->settled.count = 0;
+        }
+        if (!status && g->team->tasks > 1) status = paradt__graph_share(g, task, (task->ready.count + 1) / 2);
     }
     return status;
+}
+
+// Is there a facet that is ready?
+static int paradt__graph_is_busy(const paradt__graph *g) {
+    size_t i, count = g->ready.count;
+    for (i = 0; i < g->team->tasks; i++) count += g->task[i].ready.count;
+    return count > 0;
 }
 
 // Works on facets until none is ready: then all are final.
 static paradt_status paradt__graph_run(paradt__graph *g) {
     paradt_status status = PARADT_OK;
-    while (g->ready.count && !status) {
+    while (!status && paradt__graph_is_busy(g)) {
         status = paradt__graph_room(g);
         if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
         if (!status) status = paradt__graph_collect(g);
@@ -11630,7 +11682,7 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.order = order;
     g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
     if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
-    g.expected = (double)set->count * paradt__cells_a_point(dim) * (dim + 1) + 1.0;
+    g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
     status = order ? paradt__graph_arrays(&g) : PARADT_ERROR_MEMORY;
@@ -14236,7 +14288,8 @@ PARADT__COLD paradt_status paradt__build_lifted_hull(paradt__work *work) {
     team = paradt__team_of(&work->options, tasks, paradt__whole_progress(work));
     memset(&counters, 0, sizeof counters);
     work->regions = 1;
-    status = paradt__lifted_hull(&work->set, 0, &team, &work->memory, &work->mesh, &counters);
+    status = paradt__lifted_hull(&work->set, (work->options.flags & PARADT_FURTHEST_SITE) != 0, &team, &work->memory,
+                                 &work->mesh, &counters);
     paradt__count_predicates(work->stats, &counters);
     return status;
 }
@@ -14294,12 +14347,17 @@ static const paradt__method *paradt__choose_method(paradt_method wanted, int dim
     return paradt__method_of(incode_pays && !gave_up ? PARADT_INCODE : PARADT_BOWYER_WATSON);
 }
 
+// The method that the options ask for. AUTO leaves furthest-site triangulations to the one method that has them.
+static paradt_method paradt__wanted_method(const paradt_options *options) {
+    return options->flags & PARADT_FURTHEST_SITE ? PARADT_LIFTED_HULL : options->method;
+}
+
 // Plans the call, before the points are read: how many regions there are, how they are built, and what that asks of the
 // order of the points. Without neighbours, in three dimensions and less, insertion builds regions one after another,
 // and makes some for that of many points: each gives its links back before the next one begins.
 static void paradt__plan(paradt__work *work, const paradt_points *points) {
     enum { ONE_BY_ONE = 5, LEAST_POINTS = 500000 };
-    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     work->facets = (work->options.flags & PARADT_FACETS) != 0;
     work->regions = first->can & PARADT__CAN_REGIONS && work->options.regions ? work->options.regions : 1;
     if (work->regions > points->count) work->regions = points->count ? points->count : 1;
@@ -14328,7 +14386,7 @@ static paradt_status paradt__build_trivial(paradt__work *work) {
 
 // Builds the mesh, by another method where the first gives up.
 static paradt_status paradt__build_mesh(paradt__work *work) {
-    paradt_method wanted = work->options.method;
+    paradt_method wanted = paradt__wanted_method(&work->options);
     paradt_status status;
     if (work->set.space.dim <= 0) return paradt__build_trivial(work);
     work->method = paradt__choose_method(wanted, work->set.space.dim, 0);
@@ -14447,7 +14505,7 @@ static const char *paradt__options_fault(const paradt_options *options) {
     if ((unsigned)options->method >= PARADT_METHOD_COUNT) return "options.method is none of PARADT_METHOD_LIST";
     if ((unsigned)options->partition > PARADT_UNIFORM)
         return "options.partition is neither PARADT_BISECTION nor PARADT_UNIFORM";
-    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM))
+    if (options->flags & ~(unsigned)(PARADT_NO_NEIGHBORS | PARADT_FACETS | PARADT_FULL_DIM | PARADT_FURTHEST_SITE))
         return "options.flags has a bit that means nothing; were the options zeroed before they were filled?";
     if (options->flags & PARADT_NO_NEIGHBORS && options->flags & PARADT_FACETS)
         return "options.flags has PARADT_FACETS, which is about neighbours, and PARADT_NO_NEIGHBORS";
@@ -14461,7 +14519,13 @@ static const char *paradt__options_fault(const paradt_options *options) {
 // Returns why the method can't do what is asked of it, or NULL.
 static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
     const paradt__method *method = paradt__method_of(options->method);
-    if (!method->most_dim) return "options.method is left out of this build, by PARADT_NO_FRONTS";
+    if (!method->most_dim) return "options.method is left out of this build, by a PARADT_NO_... macro";
+    if (options->flags & PARADT_FURTHEST_SITE) {
+        if (options->method != PARADT_AUTO && options->method != PARADT_LIFTED_HULL)
+            return "options.method has no furthest-site triangulations; PARADT_LIFTED_HULL has";
+        if (!paradt__method_of(PARADT_LIFTED_HULL)->most_dim)
+            return "options.flags has PARADT_FURTHEST_SITE, which PARADT_NO_HULLS leaves out of this build";
+    }
     if (points->dim < method->least_dim || points->dim > method->most_dim)
         return "options.method has no triangulations of dimension points.dim";
     if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
@@ -14493,7 +14557,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
 
 // Returns the most bytes that a call holds, as a multiple of the result's with neighbours. Measured on uniform points.
 static double paradt__memory_factor(const paradt__work *work, const paradt_points *points) {
-    const paradt__method *first = paradt__choose_method(work->options.method, points->dim, 0);
+    const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     double each = (double)points->count / (double)work->regions;
     int several = work->regions > 1;
     if (first->front) {
@@ -14565,7 +14629,7 @@ static paradt_status paradt__find_hidden(paradt__work *work, paradt_triangulatio
     const paradt__mesh *mesh = &work->mesh;
     size_t words = out->point_count / 64 + 1, vertices = mesh->count * (size_t)mesh->corners, i;
     uint64_t *used;
-    if (!work->set.space.weighted) return PARADT_OK;
+    if (!work->set.space.weighted && !(work->options.flags & PARADT_FURTHEST_SITE)) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&work->memory, words, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     memset(used, 0, words * sizeof *used);
@@ -16573,7 +16637,9 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     memset(check.fault, 0, sizeof *check.fault);
     status = paradt__check_arguments(points, options, &check.fault->reason);
     if (!status) {
-        check.fault->reason = paradt__check_triangulation(triangulation);
+        check.fault->reason = options && options->flags & PARADT_FURTHEST_SITE
+                                  ? "options.flags has PARADT_FURTHEST_SITE: no such triangulation is certified"
+                                  : paradt__check_triangulation(triangulation);
         if (check.fault->reason) status = PARADT_ERROR_ARGUMENT;
     }
     if (status) {
