@@ -15208,10 +15208,10 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
     return kept;
 }
 
-// Makes the sieve of a sample of so many points, in place of that of a smaller one. *pays: 0: it would not pay, and
-// there is none
-static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, size_t count,
-                                          double *coordinates, int *pays) {
+// Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
+// *pays: 0: it would not pay, and there is none
+static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
+                                          size_t count, size_t next, double *coordinates, int *pays) {
     enum { MOST_OUTSIDE = 3 }; // of four points
     paradt__memory *memory = sifting->memory;
     paradt__counters counters;
@@ -15239,6 +15239,7 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         }
         *pays = !status && 4 * vertices < (size_t)MOST_OUTSIDE * count;
     }
+    *pays = *pays && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
     paradt__mesh_free(&mesh, memory);
     paradt__set_free(&set, memory);
@@ -15260,8 +15261,7 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
     for (; count <= all / STEP && pays && !status; count *= STEP) {
-        pays = paradt__sieve_scale(sieve, high, count * STEP);
-        if (pays) status = paradt__sieve_refine(sifting, sieve, count, coordinates, &pays);
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
     }
     paradt__release(sifting->memory, coordinates);
     return status;
