@@ -938,7 +938,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     planes                       351   conflict tests by one product, in any dimension
 //     ridge table                   89   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               595   randomized incremental construction in parallel
+//     conflict graph               641   randomized incremental construction in parallel
 //     lifted hull                   26   triangulations as hulls
 //     hull of points                49   convex hulls
 //   division
@@ -953,17 +953,17 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                       106   InCoDe and DeWall from set to mesh
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      258   one row a method; AUTO's choice
-//     triangulate                  358   the entry
+//     methods                      264   one row a method; AUTO's choice
+//     triangulate                  364   the entry
 //   hull
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
-//     hull faces                   312   planes, extreme points, measures
+//     hull faces                   341   planes, extreme points, measures
 //     hull                         264   the entry
 //   check
 //     check                        499   the certificate
 //   division
-//     check of the hull            285   ... and of hidden points
+//     check of the hull            287   ... and of hidden points
 //     check of a hull              335   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
@@ -1042,10 +1042,10 @@ extern "C" {
 #endif
 
 // A function that is called seldom (PARADT__COLD) is made small instead of fast. GCC treats the functions that only it
-// calls likewise, unless they are marked (PARADT__HOT).
+// calls likewise, unless they are marked (PARADT__HOT); what it inlines is part of it, so these are not.
 #if defined(__GNUC__) && !defined(__TINYC__)
 #define PARADT__COLD static __attribute__((cold, noinline))
-#define PARADT__HOT  static __attribute__((hot))
+#define PARADT__HOT  static __attribute__((hot, noinline))
 #else
 #define PARADT__COLD PARADT__NOINLINE
 #define PARADT__HOT  static
@@ -14814,7 +14814,7 @@ PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int
 }
 
 // Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error
-static double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
+PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
     double squares = 0, sizes = 0;
     unsigned mask, rest;
     int terms = 0;
@@ -14883,8 +14883,8 @@ typedef struct paradt__sifting {
 // Makes the mesh of the facets of a set's hull, outward as the result's: with a point inside for a first vertex, a
 // facet is a positively oriented cell. The mesh that is built has the point for the last vertex of a negatively
 // oriented one. That is the same in odd dimensions; in even ones two vertices change places.
-static paradt_status paradt__hull_mesh(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
-                                       paradt__mesh *mesh, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__hull_mesh(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                            paradt__mesh *mesh, paradt__counters *counters) {
     paradt_status status = paradt__hull_facets(set, team, memory, mesh, counters);
     size_t i, corners = (size_t)mesh->corners;
     if (status || corners % 2) return status;
@@ -14926,7 +14926,7 @@ PARADT__INLINE int paradt__survey_hull_points(paradt__sifting *sifting, size_t t
     return largest < 2047;
 }
 
-static void paradt__survey_hull_task(void *context, size_t task) {
+PARADT__HOT void paradt__survey_hull_task(void *context, size_t task) {
     enum { TOGETHER = 1 << 13 };
     paradt__sifting *sifting = (paradt__sifting *)context;
     int dim = sifting->source->points.dim, finite;
@@ -15024,7 +15024,7 @@ typedef struct paradt__sieve_box {
 } paradt__sieve_box;
 
 // Is the box inside of a plane: 1; outside: -1; neither: 0
-static int paradt__sieve_side(const paradt__sieve *sieve, const paradt__sieve_box *box, const double *plane) {
+PARADT__HOT int paradt__sieve_side(const paradt__sieve *sieve, const paradt__sieve_box *box, const double *plane) {
     double least = 0, most = 0, out = 8 * PARADT__ROUNDOFF * sieve->side;
     int j;
     for (j = 0; j < sieve->dim; j++) {
@@ -15050,8 +15050,8 @@ static void paradt__sieve_fill(const paradt__sieve *sieve, const paradt__sieve_b
 
 // Divides a box until its parts have no planes, or are cells. planes: [count] those that the box may cut, followed by
 // room for as many for each level below
-static paradt_status paradt__sieve_divide(paradt__sieve *sieve, const paradt__sieve_box *box, int32_t *planes,
-                                          size_t count, paradt__memory *memory) {
+PARADT__HOT paradt_status paradt__sieve_divide(paradt__sieve *sieve, const paradt__sieve_box *box, int32_t *planes,
+                                               size_t count, paradt__memory *memory) {
     enum { LONGEST = 64 }; // planes in a list
     int32_t *left = planes + count;
     paradt__sieve_box half = *box;
@@ -15172,7 +15172,7 @@ PARADT__INLINE size_t paradt__sift_points(const paradt__sifting *sifting, size_t
     return count;
 }
 
-static void paradt__sift_task(void *context, size_t task) {
+PARADT__HOT void paradt__sift_task(void *context, size_t task) {
     enum { TOGETHER = 1 << 13 };
     paradt__sifting *sifting = (paradt__sifting *)context;
     int dim = sifting->source->points.dim;
@@ -15330,7 +15330,7 @@ enum { PARADT__HULL_VERTEX = 1, PARADT__HULL_EXTREME = 2, PARADT__HULL_PACE = 1 
 // --- planes
 
 // Finds the flat ridges of a task's facets.
-static void paradt__hull_flat_task(void *context, size_t task) {
+PARADT__HOT void paradt__hull_flat_task(void *context, size_t task) {
     paradt__faces *faces = (paradt__faces *)context;
     const paradt__mesh *mesh = faces->mesh;
     paradt__space space = faces->set->space;
@@ -15363,7 +15363,7 @@ PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index
 }
 
 // Numbers the planes: faces->plane, which is the result's.
-static paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
     const paradt__mesh *mesh = faces->mesh;
     paradt__list stack;
     paradt_status status = PARADT_OK;
@@ -15486,7 +15486,7 @@ static int paradt__hull_is_extreme(const paradt__incidence *incidence, const par
 }
 
 // Finds the vertices, and which of them are extreme: faces->kind.
-static paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__meter *meter) {
+PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__meter *meter) {
     const paradt__mesh *mesh = faces->mesh;
     paradt__incidence incidence;
     paradt_status status;
@@ -15522,13 +15522,14 @@ static paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__meter *
 // the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the sums back in the
 // end.
 
-// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most.
+// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
+// and again where the sums of tasks are added.
 typedef struct paradt__cascade {
     double part[64];
     uint64_t count;
 } paradt__cascade;
 
-static void paradt__cascade_add(paradt__cascade *sum, double x) {
+PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
     uint64_t count = sum->count++;
     int i = 0;
     for (; count & 1; count >>= 1, i++) x += sum->part[i];
@@ -15547,8 +15548,8 @@ typedef struct paradt__measured {
 } paradt__measured;
 
 // Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
-static void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table, double (*x)[PARADT_MAX_DIM],
-                                   int k, int ambient) {
+PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
+                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
     double error, measure;
     int i, j;
     for (i = 0; i < k; i++)
@@ -15562,15 +15563,16 @@ static void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table 
     paradt__cascade_add(&sums->volume_error, error);
 }
 
-// Ends a measure: divides the sum by k! and scales it back. unit: the exponent of the coordinates' scale
-static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt__cascade *errors, int k, int unit,
-                                       double *error) {
+// Ends a measure of `count` facets: divides the sum by k! and scales it back. unit: the exponent of the coordinates'
+// scale
+static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt__cascade *errors, size_t count, int k,
+                                       int unit, double *error) {
     double divisor = 1, value, bound, tiny = paradt__power(-900);
     int i, exact = 1;
     for (i = 2; i <= k; i++) divisor *= i;
     value = paradt__cascade_end(sum) / divisor;
-    bound = paradt__cascade_end(errors) / divisor * (1 + 200 * PARADT__ROUNDOFF) + 70 * PARADT__ROUNDOFF * value +
-            (double)sum->count * tiny;
+    bound = paradt__cascade_end(errors) / divisor * (1 + 200 * PARADT__ROUNDOFF) + 140 * PARADT__ROUNDOFF * value +
+            (double)count * tiny;
     // the last factor makes up for bits that are cut off, and adds a whole one where the number is subnormal
     value = paradt__scale(value, k * unit, &exact);
     *error = paradt__scale(bound, k * unit, &exact) + 4 * PARADT__ROUNDOFF * value;
@@ -15579,30 +15581,57 @@ static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt_
     return value;
 }
 
-// Measures the boundary and the hull.
-static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt__meter *meter, paradt_hull *hull) {
+typedef struct paradt__measuring_hull {
+    const paradt__faces *faces;
+    paradt__measured sums[PARADT__MOST_TASKS];
+    int unit; // exponent of the scale of the set's coordinates
+} paradt__measuring_hull;
+
+// Measures a task's facets.
+PARADT__HOT void paradt__hull_measure_task(void *context, size_t task) {
+    paradt__measuring_hull *measuring = (paradt__measuring_hull *)context;
+    const paradt__faces *faces = measuring->faces;
     const paradt__mesh *mesh = faces->mesh;
-    const paradt__set *set = faces->set;
-    paradt__measured sums;
     paradt__minors_table table;
     double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
-    int k = mesh->corners, d = set->space.ambient, unit = paradt__max(set->space.coordinates.top, -1000), i, j,
-        exact = 1;
+    int k = mesh->corners, d = faces->set->space.ambient, unit = measuring->unit, i, j, exact = 1;
     double factor = unit >= -900 && unit <= 900 ? paradt__power(-unit) : 0.0;
-    size_t facet;
-    memset(&sums, 0, sizeof sums);
-    for (facet = 0; facet < mesh->count; facet++) {
-        if (facet % PARADT__HULL_PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet);
+    for (; facet < end; facet++) {
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, task, 1.0)) return;
         for (i = 0; i <= k; i++) {
             const double *p =
-                paradt__record(set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
+                paradt__record(faces->set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
             for (j = 0; j < d; j++) x[i][j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -unit, &exact);
         }
-        paradt__hull_add_facet(&sums, &table, x, k, d);
+        if (k == 3 && d == 3) paradt__hull_add_facet(&measuring->sums[task], &table, x, PARADT_MAX_DIM > 2 ? 3 : 2, 3);
+        else paradt__hull_add_facet(&measuring->sums[task], &table, x, k, d);
     }
-    unit += faces->unit;
-    hull->area = paradt__hull_end_measure(&sums.area, &sums.area_error, k - 1, unit, &hull->area_error);
-    hull->volume = paradt__hull_end_measure(&sums.volume, &sums.volume_error, k, unit, &hull->volume_error);
+}
+
+// Measures the boundary and the hull.
+static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
+    paradt__measuring_hull measuring;
+    paradt__measured sums;
+    int k = faces->mesh->corners, unit;
+    size_t task;
+    memset(&measuring, 0, sizeof measuring);
+    memset(&sums, 0, sizeof sums);
+    measuring.faces = faces;
+    measuring.unit = paradt__max(faces->set->space.coordinates.top, -1000);
+    paradt__team_run(faces->team, paradt__hull_measure_task, &measuring);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < faces->team->tasks; task++) {
+        paradt__cascade_add(&sums.area, paradt__cascade_end(&measuring.sums[task].area));
+        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&measuring.sums[task].area_error));
+        paradt__cascade_add(&sums.volume, paradt__cascade_end(&measuring.sums[task].volume));
+        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&measuring.sums[task].volume_error));
+    }
+    unit = measuring.unit + faces->unit;
+    hull->area =
+        paradt__hull_end_measure(&sums.area, &sums.area_error, faces->mesh->count, k - 1, unit, &hull->area_error);
+    hull->volume =
+        paradt__hull_end_measure(&sums.volume, &sums.volume_error, faces->mesh->count, k, unit, &hull->volume_error);
     return PARADT_OK;
 }
 
@@ -15690,7 +15719,7 @@ PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, pa
 }
 
 // Lists the vertices, the extreme ones first. kind: [set.count] as in struct paradt__faces
-static paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
+PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
     size_t i, pass, listed = 0;
     unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
@@ -15741,7 +15770,7 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     status = faces.flat && faces.plane && faces.kind ? PARADT_OK : PARADT_ERROR_MEMORY;
     if (!status) status = paradt__hull_planes(&faces, &counters);
     if (!status) status = paradt__hull_vertices(&faces, &work->meter);
-    if (!status) status = paradt__hull_measure(&faces, &work->meter, hull);
+    if (!status) status = paradt__hull_measure(&faces, hull);
     if (!status) status = paradt__hull_list(work, faces.kind, hull);
     hull->plane_count = faces.plane_count;
     paradt__count_predicates(&work->stats, &counters);
@@ -15751,7 +15780,7 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
 }
 
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-static void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
     size_t i, all = mesh->count * (size_t)mesh->corners;
     for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
