@@ -360,7 +360,9 @@ static void samples_of_samples_drop_no_point_of_the_hull(void **state) {
         if (paradt_hull_check(&hull, &points, NULL, &fault))
             fail_on_sample(&s, fault.reason);
         watch(NULL, 0);
-        assert_true(hull.stats.peak_bytes < (uint64_t)s.count * 16); // most points were not sorted
+        // Most points were not sorted.
+        if (s.dim < 4 && hull.stats.peak_bytes >= (uint64_t)s.count * 16)
+            fail_on_sample(&s, "takes too much memory");
         paradt_hull_free(&hull);
         sample_free(&s);
         if (SANITIZED)
