@@ -482,6 +482,10 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_memory_estimate    paradt_memory_estimate_64
 #define paradt_repair             paradt_repair_64
 #define paradt_free               paradt_free_64
+#define paradt_hull_compute       paradt_hull_compute_64
+#define paradt_hull_free          paradt_hull_free_64
+#define paradt_hull_check         paradt_hull_check_64
+#define paradt_hull_hash          paradt_hull_hash_64
 #define paradt_version            paradt_version_64
 #define paradt_status_string      paradt_status_string_64
 #define paradt_method_string      paradt_method_string_64
@@ -630,6 +634,32 @@ typedef struct paradt_triangulation {
     paradt_stats stats;           // what was done, also before an error; last, so that new counters move nothing
 } paradt_triangulation;
 
+#ifndef PARADT_NO_HULLS
+// The convex hull of some points. Its facets are simplices: faces with more points are triangulated, and all points
+// that lie in them are vertices there. They are the facets of T(P) that have a cell on one side only.
+typedef struct paradt_hull {
+    int dim;                    // affine dimension of the points: dim vertices a facet; -1: no points, or an error
+    size_t facet_count;         // number of facets; 0 where dim is 0 or -1
+    paradt_index *facets;       // [facet_count][dim] point indices, outward
+    paradt_index *neighbors;    // [facet_count][dim] the facet opposite each vertex, never -1; NULL: not wanted
+    paradt_index *plane;        // [facet_count] number of the facet's hyperplane, 0..plane_count - 1
+    size_t plane_count;         // number of hyperplanes: faces of the hull of dimension dim - 1
+    size_t vertex_count;        // points that are vertices of facets, one a place
+    size_t extreme_count;       // how many of them are extreme: in no segment between two other points of the hull
+    paradt_index *vertices;     // [vertex_count] these points: first the extreme ones, then the others, both ascending
+    double area;                // measure of the boundary: in space its area, in the plane its length
+    double volume;              // measure of the hull: in space its volume, in the plane its area
+    double area_error;          // proven: the true area is at most this far from `area`,
+    double volume_error;        // and the true volume at most this far from `volume`
+    size_t point_count;         // number of points, as given
+    size_t error_point;         // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;     // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
+    paradt_allocator allocator; // what paradt_hull_free gives the arrays back to
+    paradt_stats stats;         // what was done, also before an error; hull_facets is facet_count; duplicates are those
+                                // of hull points alone; last, so that new counters move nothing
+} paradt_hull;
+#endif
+
 // What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
@@ -708,6 +738,51 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *triangulation, cons
 // Gives the arrays back to the allocator they came from and leaves the triangulation empty: all zero but dim, which is
 // -1. NULL, and a triangulation that is all zero, are fine. Thread safety: as free.
 PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
+
+#ifndef PARADT_NO_HULLS
+// Computes the convex hull of the points, in 2 to PARADT_MAX_DIM dimensions, exactly: the set of facets, their planes
+// and the extreme points depend on the points alone.
+//   hull     is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
+//   are
+//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//   points   read during the call only; without weights. Of points at one place the one of the smallest index is named.
+//   options  NULL: the defaults. method and partition only have to be valid. regions is the number of tasks that
+//            parallel_for gets for work that is divided; 0: four. flags: PARADT_NO_NEIGHBORS; PARADT_FACETS, with which
+//            neighbors[i] is the position in `neighbors` of the same ridge as the other facet sees it; PARADT_FULL_DIM
+// Orientation: with a point p inside the hull, the simplex p, v0, v1, ... of a facet's vertices is positively oriented.
+// So the edges of a polygon run counterclockwise, and the triangles in space are counterclockwise seen from outside.
+// Lower dimensions: points in a flat of dimension k have their hull within it: facets of k vertices, oriented by the
+// first k axes in which the flat has its full dimension. area and volume are the measures of dimensions k - 1 and k, in
+// the flat: of points in a plane in space the perimeter and the area of the polygon. Two end points (k = 1) are facets
+// of one vertex and have the area 2. One place (k = 0) has no facets and no measures, but one vertex. Numbers: area and
+// volume are sums of terms that are not negative, and come with a proven bound on their error, about 1e-14 of their
+// size for facets that are not needles. Too large for a double: infinite, and so is the error. Errors: ARGUMENT,
+// NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, FLAT. Thread safety: any number of concurrent calls, each with its own
+// `hull`. Cost: a pass over the points, in which nearly all that are inside are dropped, and the hull of the others.
+PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_points *points,
+                                             const paradt_options *options);
+
+// Gives the arrays back to the allocator they came from and leaves the hull empty: all zero but dim, which is -1. NULL,
+// and a hull that is all zero, are fine. Thread safety: as free.
+PARADT_DEF void paradt_hull_free(paradt_hull *hull);
+
+#ifndef PARADT_NO_CHECK
+// Proves in exact arithmetic that these are the facets of the points' hull, with their neighbours, planes and vertices.
+// Returns PARADT_OK if they are, and PARADT_ERROR_INVALID, with what was found first in *fault, if not; fault->cell is
+// a facet. Which vertices are extreme, area and volume follow from the facets and are not tested.
+//   hull     of any origin: the sizes of the arrays are trusted, their values are not. neighbors may be NULL.
+//   points   those that it was made from
+//   options  NULL: the defaults. See paradt_check.
+//   fault    NULL: not wanted
+// Errors: as those of paradt_check. Thread safety: any number of concurrent calls. Cost: a walk among the facets for
+// each point.
+PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt_points *points,
+                                           const paradt_options *options, paradt_fault *fault);
+#endif
+
+// Returns a hash of the set of facets, each as a set of point indices: as paradt_hash does for cells. Thread-safe.
+PARADT_DEF uint64_t paradt_hull_hash(const paradt_hull *hull);
+#endif
 
 // Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
 PARADT_DEF int paradt_version(void);
@@ -933,7 +1008,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    184   insertions from begin to end
+//     inserting                    210   insertions from begin to end
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      170   the dag of all cells, by which points are located
 //     insertion by flips           308   search, split, collect, flip
@@ -942,7 +1017,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     ridge table                   89   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
 //     conflict graph               641   randomized incremental construction in parallel
-//     lifted hull                   26   triangulations as hulls
+//     lifted hull                   49   triangulations as hulls
 //     hull of points                49   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
@@ -957,16 +1032,23 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              267   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      263   one row a method; AUTO's choice
-//     triangulate                  358   the entry
+//     methods                      307   one row a method; AUTO's choice
+//     triangulate                  369   the entry
 //   use
 //     measures of a cell           665   spheres and volumes, rounded once
-//     mending by flips             181   what has moved, by flips
-//     mending by holes             364   what flips leave, by small triangulations
-//     repair                       469   the entry of repairing
+//     mending by flips             200   what has moved, by flips
+//     mending by holes             421   what flips leave, by small triangulations
+//     repair                       534   the entry of repairing
+//   hull
+//     minors                        65   determinants with bounds, in floating point
+//     hull points                  461   those that a hull has to look at
+//     hull faces                   341   planes, extreme points, measures
+//     hull                         264   the entry
 //   check
-//     check                        500   the certificate
+//     check                        501   the certificate
+//   division
 //     check of the hull            287   ... and of hidden points
+//     check of a hull              335   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -1044,16 +1126,13 @@ extern "C" {
 #endif
 
 // A function that is called seldom (PARADT__COLD) is made small instead of fast. GCC treats the functions that only it
-// calls likewise, unless they are marked (PARADT__HOT), and what follows a call of it; so a loop that is to be fast
-// there is a function that is not inlined (PARADT__HOT_LOOP).
+// calls likewise, unless they are marked (PARADT__HOT); what it inlines is part of it, so these are not.
 #if defined(__GNUC__) && !defined(__TINYC__)
-#define PARADT__COLD     static __attribute__((cold, noinline))
-#define PARADT__HOT      static __attribute__((hot))
-#define PARADT__HOT_LOOP static __attribute__((hot, noinline))
+#define PARADT__COLD static __attribute__((cold, noinline))
+#define PARADT__HOT  static __attribute__((hot, noinline))
 #else
-#define PARADT__COLD     PARADT__NOINLINE
-#define PARADT__HOT      static
-#define PARADT__HOT_LOOP static
+#define PARADT__COLD PARADT__NOINLINE
+#define PARADT__HOT  static
 #endif
 
 #if defined(__GNUC__)
@@ -3966,7 +4045,7 @@ PARADT__COLD void paradt__cutter_divide(paradt__cutter *c, size_t begin, size_t 
 // finite, measures the set for the predicates, takes a sample, and makes the pages of the memory that is filled from
 // then on. The loader is the state that this pass shares with the passes of >>sorting. Each pass asks every few
 // thousand points whether the call is cancelled. Doors: paradt__loader_begin, paradt__loader_allocate,
-// paradt__loader_free, paradt__loader_range, paradt__loader_cancels, paradt__loader_survey.
+// paradt__loader_free, paradt__loader_range, paradt__loader_cancels, paradt__loader_survey, paradt__first_bad.
 
 enum {
     PARADT__MOST_FIRST_BITS = 8,  // bits of a key that all points are scattered by first, at most
@@ -11802,12 +11881,35 @@ static paradt_index *paradt__random_order(size_t count, paradt__memory *memory) 
     return order;
 }
 
+// Moves the points whose weights are in the upper half of the weights' range to the front of the order, or those in the
+// lower half: of points that differ in weight as much, the others are likely to be hidden in the end, and cells made of
+// them before are made in vain. Each part stays in an order by chance.
+static void paradt__heavy_first(const paradt__set *set, int lower, paradt_index *order) {
+    const size_t at = (size_t)set->space.ambient;
+    double low = 0.0, high = 0.0, middle;
+    size_t i, front = 0;
+    if (!set->space.weighted || !set->space.filtered) return;
+    for (i = 0; i < set->count; i++) {
+        double weight = set->records[i * set->width + at];
+        low = !i || weight < low ? weight : low;
+        high = !i || weight > high ? weight : high;
+    }
+    middle = low + (high - low) * 0.5;
+    for (i = 0; i < set->count; i++) {
+        paradt_index point = order[i];
+        if ((paradt__record(set, point)[at] < middle) != lower) continue;
+        order[i] = order[front];
+        order[front++] = point;
+    }
+}
+
 // Makes the closed mesh of a set, whose points are along a curve: T(P), or the furthest-site triangulation. Vertices
 // are positions in the set. After an error the mesh is empty.
 static paradt_status paradt__lifted_hull(const paradt__set *set, int furthest, const paradt__team *team,
                                          paradt__memory *memory, paradt__mesh *mesh, paradt__counters *counters) {
-    return paradt__graph_build(set, furthest ? PARADT__UPPER : PARADT__LOWER, paradt__random_order(set->count, memory),
-                               team, memory, mesh, counters);
+    paradt_index *order = paradt__random_order(set->count, memory);
+    if (order) paradt__heavy_first(set, furthest, order);
+    return paradt__graph_build(set, furthest ? PARADT__UPPER : PARADT__LOWER, order, team, memory, mesh, counters);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -12530,7 +12632,7 @@ PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt
     return status;
 }
 
-PARADT__HOT_LOOP paradt_status paradt__flips_go(paradt__flips *f, const paradt__progress *progress) {
+PARADT__HOT paradt_status paradt__flips_go(paradt__flips *f, const paradt__progress *progress) {
     int corners = f->flipper.build.scene.mesh.corners;
     return corners == 4 ? paradt__flips_go_any(f, progress, 4) : paradt__flips_go_any(f, progress, corners);
 }
@@ -15847,8 +15949,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; paradt__withdraw; for ranks paradt__check_arguments, paradt__triangulate_region,
-// paradt__flat_text.
+// Doors: the public functions; paradt__packed_points, paradt__withdraw; for ranks, too, paradt__check_arguments,
+// paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -16210,6 +16312,1137 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     return paradt__end_call(&work, out, status, begun, paradt__now());
 }
 #endif
+
+#ifndef PARADT_NO_HULLS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>minors
+//
+// Determinants of rows and columns of a few vectors in doubles, with a proven bound of their errors. For planes that
+// only have to be right within a known error, and for measures. All minors of the first rows come together, by
+// expansion along the last row, smaller before larger. The measure of the parallelotope of m vectors is the root of the
+// sum of the squares of their m-minors (Cauchy and Binet), which has no cancellation, in whatever dimension the vectors
+// are. Doors: paradt__minors_of, paradt__minors_factor, paradt__minors_measure.
+
+enum { PARADT__MINORS = 1 << PARADT_MAX_DIM }; // sets of columns
+
+typedef struct paradt__minors_table {
+    double row[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    double minor[PARADT__MINORS]; // by the set of columns: the determinant of as many first rows
+    double size[PARADT__MINORS];  // the same with all terms positive
+} paradt__minors_table;
+
+// The error of a minor of k rows is at most this factor times its size. Each of its monomials is rounded once a factor
+// for the difference that the factor is, once where it is scaled, at each of k levels once for the product, and less
+// than r times in the sum of r terms: k (k + 5) / 2 times. Twice that covers higher orders and the rounding of the
+// size.
+PARADT__INLINE double paradt__minors_factor(int k) {
+    return PARADT__ROUNDOFF * k * (k + 5);
+}
+
+// Fills the minors of up to `rows` first rows, of `columns` columns.
+PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int columns) {
+    unsigned mask, rest;
+    table->minor[0] = table->size[0] = 1;
+    for (mask = 1; mask < 1u << columns; mask++) {
+        double sum = 0, size = 0;
+        int last = -1;
+        for (rest = mask; rest; rest &= rest - 1) last++;
+        if (last >= rows) continue;
+        for (rest = mask; rest; rest &= rest - 1) { // the sign of the last column's term is positive
+            unsigned bit = rest & (0 - rest);
+            double x = table->row[last][paradt__trailing_zeros(rest)];
+            sum = x * table->minor[mask ^ bit] - sum;
+            size += paradt__abs(x) * table->size[mask ^ bit];
+        }
+        table->minor[mask] = sum;
+        table->size[mask] = size;
+    }
+}
+
+// Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error
+PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
+    double squares = 0, sizes = 0;
+    unsigned mask, rest;
+    int terms = 0;
+    for (mask = 1; mask < 1u << columns; mask++) {
+        int count = 0;
+        for (rest = mask; rest; rest &= rest - 1) count++;
+        if (count != k) continue;
+        squares += table->minor[mask] * table->minor[mask];
+        sizes += table->size[mask];
+        terms++;
+    }
+    // the norm of the minors changes by no more than the sum of their errors; squares, sum and root err by less than
+    // terms + 3 roundoffs
+    squares = sqrt(squares);
+    *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
+    return squares;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>hull points
+//
+// What of the points a hull has to look at: one pass finds what is not finite, another one drops nearly all points that
+// are inside. Points at the boundary are never dropped, also those inside of faces, so the hull does not change.
+//
+// The sieve is the hull of a sample, as planes. A sample of m points leaves as large a part of all points outside as
+// its own hull has of the m points for vertices (Efron, "The convex hull of a random set of points", Biometrika 52,
+// 1965, for points that are independent). So the sample is made from a smaller one by the same sieve, and that from a
+// smaller one, and where too many points are vertices there is no sieve. The bounding box is divided into cells. A cell
+// has a list of the planes that it is not entirely inside of; most have none, and their points are dropped without
+// another look.
+//
+// Coordinates are relative to the box, in cells: y = (x - low) * scale. A plane is n and t: a point is strictly inside
+// of the facet's hyperplane if n y > t. The vectors between a facet's vertices are taken in the caller's coordinates
+// and then scaled, so that the minors' bound holds for n, in y exact. Let e be the bound for n, L the cells along an
+// axis, u the roundoff. y of a point and of the facet's first vertex err by 2 u L, their products with n and the sums
+// over d axes by (d + 1) u |n| L. A cell's corners are moved outward by 8 u L. So all that is computed errs by less
+// than 2 e L + (4 d + 24) u |n| L, summed over the axes, of which t has twice as much in its margin. No number is
+// outside of 2^-900..2^900, or else is so small that its loss is in the margin, too. Doors: paradt__hull_mesh,
+// paradt__hull_survey, paradt__hull_sift.
+
+typedef struct paradt__sieve {
+    int dim, side;                // cells along each axis
+    double low[PARADT_MAX_DIM];   // of all points
+    double scale[PARADT_MAX_DIM]; // cells a unit
+    double *planes;               // [plane_count][dim + 1]
+    size_t plane_count;
+    int32_t *cells; // [side^dim] number of the first entry of the cell's list in `lists`, or one of these:
+    int32_t *lists; // [list_capacity] for each list its length and its planes
+    size_t list_count, list_capacity;
+} paradt__sieve;
+
+enum { PARADT__SIEVE_INSIDE = -1, PARADT__SIEVE_OUTSIDE = -2 };
+
+// What the passes over the points work on
+typedef struct paradt__sifting {
+    const paradt__source *source;
+    const paradt__team *team;
+    paradt__memory *memory;
+    const paradt__sieve *sieve;
+    paradt_index *kept; // [count] the points that are kept; each task begins at its first point
+    size_t counts[PARADT__MOST_TASKS];
+    size_t bad[PARADT__MOST_TASKS];
+    double low[PARADT__MOST_TASKS][PARADT_MAX_DIM], high[PARADT__MOST_TASKS][PARADT_MAX_DIM];
+} paradt__sifting;
+
+// Makes the mesh of the facets of a set's hull, outward as the result's: with a point inside for a first vertex, a
+// facet is a positively oriented cell. The mesh that is built has the point for the last vertex of a negatively
+// oriented one. That is the same in odd dimensions; in even ones two vertices change places.
+PARADT__HOT paradt_status paradt__hull_mesh(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                            paradt__mesh *mesh, paradt__counters *counters) {
+    paradt_status status = paradt__hull_facets(set, team, memory, mesh, counters);
+    size_t i, corners = (size_t)mesh->corners;
+    if (status || corners % 2) return status;
+    for (i = 0; i < mesh->count * corners; i += corners) {
+        paradt_index vertex = mesh->vertices[i], link = mesh->links[i];
+        size_t j;
+        mesh->vertices[i] = mesh->vertices[i + 1];
+        mesh->links[i] = mesh->links[i + 1];
+        mesh->vertices[i + 1] = vertex;
+        mesh->links[i + 1] = link;
+        for (j = 0; j < corners; j++) {
+            paradt_index mirror = mesh->links[i + j], place = (paradt_index)((size_t)mirror % corners);
+            if (place < 2) mesh->links[i + j] = mirror + 1 - 2 * place;
+        }
+    }
+    return PARADT_OK;
+}
+
+// --- the first pass
+
+PARADT__INLINE int paradt__survey_hull_points(paradt__sifting *sifting, size_t task, size_t i, size_t end, int dim) {
+    paradt__source source = *sifting->source; // a copy, that no store through a pointer can change
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], x[PARADT_MAX_DIM + 1];
+    int axis, largest = 0;
+    source.points.dim = dim;
+    memcpy(low, sifting->low[task], sizeof low);
+    memcpy(high, sifting->high[task], sizeof high);
+    for (; i < end; i++) {
+        int exponent = paradt__read_record(&source, i, x);
+        paradt__fetch_point(&source.points, i + PARADT__POINTS_AHEAD);
+        largest = exponent > largest ? exponent : largest;
+        for (axis = 0; axis < dim; axis++) {
+            low[axis] = x[axis] < low[axis] ? x[axis] : low[axis];
+            high[axis] = x[axis] > high[axis] ? x[axis] : high[axis];
+        }
+    }
+    memcpy(sifting->low[task], low, sizeof low);
+    memcpy(sifting->high[task], high, sizeof high);
+    return largest < 2047;
+}
+
+PARADT__HOT void paradt__survey_hull_task(void *context, size_t task) {
+    enum { TOGETHER = 1 << 13 };
+    paradt__sifting *sifting = (paradt__sifting *)context;
+    int dim = sifting->source->points.dim, finite;
+    size_t i, next, end = paradt__loader_range(sifting->team, sifting->source->points.count, task, &i), first = i;
+    sifting->bad[task] = SIZE_MAX;
+    paradt__coordinates(&sifting->source->points, i, sifting->low[task]);
+    memcpy(sifting->high[task], sifting->low[task], sizeof sifting->low[task]);
+    for (; i < end; i = next) {
+        if (paradt__team_cancels(sifting->team, task, 0.5 * (double)(i - first) / (double)(end - first))) return;
+        next = end - i < TOGETHER ? end : i + TOGETHER;
+        finite = dim == 3 ? paradt__survey_hull_points(sifting, task, i, next, PARADT_MAX_DIM > 2 ? 3 : dim)
+                          : paradt__survey_hull_points(sifting, task, i, next, dim);
+        if (finite) continue;
+        sifting->bad[task] = paradt__first_bad(sifting->source, i);
+        return;
+    }
+}
+
+// Reads all points, of which there are some. Returns the sieve with the box of them all, or *bad, the first point that
+// is not finite.
+static paradt_status paradt__hull_survey(paradt__sifting *sifting, paradt__sieve *sieve, double *high, size_t *bad) {
+    size_t task;
+    int axis;
+    paradt__team_run(sifting->team, paradt__survey_hull_task, sifting);
+    if (paradt__team_cancelled(sifting->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < sifting->team->tasks; task++) {
+        if (sifting->bad[task] == SIZE_MAX) continue;
+        *bad = sifting->bad[task];
+        return PARADT_ERROR_NOT_FINITE;
+    }
+    sieve->dim = sifting->source->points.dim;
+    for (axis = 0; axis < sieve->dim; axis++) {
+        sieve->low[axis] = sifting->low[0][axis];
+        high[axis] = sifting->high[0][axis];
+        for (task = 1; task < sifting->team->tasks; task++) {
+            if (sifting->low[task][axis] < sieve->low[axis]) sieve->low[axis] = sifting->low[task][axis];
+            if (sifting->high[task][axis] > high[axis]) high[axis] = sifting->high[task][axis];
+        }
+    }
+    return PARADT_OK;
+}
+
+// --- the sieve
+
+static void paradt__sieve_free(paradt__sieve *sieve, paradt__memory *memory) {
+    paradt__release(memory, sieve->planes);
+    paradt__release(memory, sieve->cells);
+    paradt__release(memory, sieve->lists);
+    sieve->planes = NULL;
+    sieve->cells = sieve->lists = NULL;
+    sieve->plane_count = sieve->list_count = sieve->list_capacity = 0;
+}
+
+// Chooses the cells for `count` points. Returns 0 where the box does not allow a sieve.
+static int paradt__sieve_scale(paradt__sieve *sieve, const double *high, size_t count) {
+    static const int most[] = {0, 0, 512, 64, 20, 10, 6, 5, 4};
+    int axis;
+    if (!paradt__precise()) return 0;
+    sieve->side = (int)pow((double)count / 4, 1.0 / sieve->dim);
+    if (sieve->side > most[sieve->dim]) sieve->side = most[sieve->dim];
+    if (sieve->side < 2) return 0;
+    for (axis = 0; axis < sieve->dim; axis++) {
+        double width = high[axis] - sieve->low[axis]; // may be infinite
+        if (!(width > paradt__power(-900) && width < paradt__power(900))) return 0;
+        if (!(paradt__abs(high[axis]) < paradt__power(900) && paradt__abs(sieve->low[axis]) < paradt__power(900)))
+            return 0;
+        sieve->scale[axis] = sieve->side / width;
+    }
+    return 1;
+}
+
+// Makes the plane of a facet: n and t, see the head. x: [dim][dim] the facet's vertices, outward
+static void paradt__sieve_plane(const paradt__sieve *sieve, const double *const *x, paradt__minors_table *table,
+                                double *plane) {
+    int d = sieve->dim, i, j;
+    unsigned all = (1u << d) - 1;
+    double margin = 0, t = 0, span = sieve->side;
+    for (i = 0; i + 1 < d; i++)
+        for (j = 0; j < d; j++) table->row[i][j] = (x[i + 1][j] - x[0][j]) * sieve->scale[j];
+    paradt__minors_of(table, d - 1, d);
+    for (j = 0; j < d; j++) {
+        double minor = table->minor[all ^ 1u << j], y = (x[0][j] - sieve->low[j]) * sieve->scale[j];
+        plane[j] = j & 1 ? minor : -minor;
+        t += plane[j] * y;
+        margin += (2 * paradt__minors_factor(d - 1) * table->size[all ^ 1u << j] +
+                   (4 * d + 24) * PARADT__ROUNDOFF * paradt__abs(minor)) *
+                  span;
+    }
+    plane[d] = t + 2 * margin + paradt__power(-900);
+}
+
+// A box of cells, and the planes that it is not entirely inside of
+typedef struct paradt__sieve_box {
+    int from[PARADT_MAX_DIM], to[PARADT_MAX_DIM]; // cells [from, to) along each axis
+} paradt__sieve_box;
+
+// Is the box inside of a plane: 1; outside: -1; neither: 0
+PARADT__HOT int paradt__sieve_side(const paradt__sieve *sieve, const paradt__sieve_box *box, const double *plane) {
+    double least = 0, most = 0, out = 8 * PARADT__ROUNDOFF * sieve->side;
+    int j;
+    for (j = 0; j < sieve->dim; j++) {
+        double a = plane[j] * (box->from[j] - out), b = plane[j] * (box->to[j] + out);
+        least += a < b ? a : b;
+        most += a < b ? b : a;
+    }
+    return least > plane[sieve->dim] ? 1 : most <= plane[sieve->dim] ? -1 : 0;
+}
+
+// Fills the cells of a box with a value.
+static void paradt__sieve_fill(const paradt__sieve *sieve, const paradt__sieve_box *box, int32_t value) {
+    int at[PARADT_MAX_DIM], j;
+    memcpy(at, box->from, sizeof at);
+    do {
+        size_t row = 0;
+        int i;
+        for (j = sieve->dim - 1; j > 0; j--) row = (row + (size_t)at[j]) * (size_t)sieve->side;
+        for (i = box->from[0]; i < box->to[0]; i++) sieve->cells[row + (size_t)i] = value;
+        for (j = 1; j < sieve->dim && ++at[j] == box->to[j]; j++) at[j] = box->from[j];
+    } while (j < sieve->dim);
+}
+
+// Divides a box until its parts have no planes, or are cells. planes: [count] those that the box may cut, followed by
+// room for as many for each level below
+PARADT__HOT paradt_status paradt__sieve_divide(paradt__sieve *sieve, const paradt__sieve_box *box, int32_t *planes,
+                                               size_t count, paradt__memory *memory) {
+    enum { LONGEST = 64 }; // planes in a list
+    int32_t *left = planes + count;
+    paradt__sieve_box half = *box;
+    size_t i, kept = 0;
+    int j, longest = 0, middle;
+    paradt_status status;
+    for (i = 0; i < count; i++) {
+        int side = paradt__sieve_side(sieve, box, sieve->planes + (size_t)planes[i] * (size_t)(sieve->dim + 1));
+        if (side < 0) {
+            paradt__sieve_fill(sieve, box, PARADT__SIEVE_OUTSIDE);
+            return PARADT_OK;
+        }
+        if (!side) left[kept++] = planes[i];
+    }
+    for (j = 1; j < sieve->dim; j++)
+        if (box->to[j] - box->from[j] > box->to[longest] - box->from[longest]) longest = j;
+    if (!kept) {
+        paradt__sieve_fill(sieve, box, PARADT__SIEVE_INSIDE);
+        return PARADT_OK;
+    }
+    if (box->to[longest] - box->from[longest] == 1) {
+        if (kept > LONGEST || sieve->list_count > INT32_MAX / 2) {
+            paradt__sieve_fill(sieve, box, PARADT__SIEVE_OUTSIDE);
+            return PARADT_OK;
+        }
+        if (sieve->list_count + kept + 1 > sieve->list_capacity) {
+            void *lists = sieve->lists;
+            size_t larger = 2 * sieve->list_capacity + LONGEST + 1;
+            if (!paradt__grow(memory, &lists, sieve->list_count, larger, sizeof *sieve->lists))
+                return PARADT_ERROR_MEMORY;
+            sieve->lists = (int32_t *)lists;
+            sieve->list_capacity = larger;
+        }
+        paradt__sieve_fill(sieve, box, (int32_t)sieve->list_count);
+        sieve->lists[sieve->list_count++] = (int32_t)kept;
+        memcpy(sieve->lists + sieve->list_count, left, kept * sizeof *left);
+        sieve->list_count += kept;
+        return PARADT_OK;
+    }
+    middle = (box->from[longest] + box->to[longest]) / 2;
+    half.to[longest] = middle;
+    status = paradt__sieve_divide(sieve, &half, left, kept, memory);
+    half.from[longest] = middle;
+    half.to[longest] = box->to[longest];
+    return status ? status : paradt__sieve_divide(sieve, &half, left, kept, memory);
+}
+
+// Makes the sieve of a hull: its planes and cells. coordinates: [set->count][dim] of the points, as the caller has
+// them, by the index that the set's origin gives
+static paradt_status paradt__sieve_make(paradt__sieve *sieve, const paradt__mesh *mesh, const paradt__set *set,
+                                        const double *coordinates, paradt__memory *memory) {
+    enum { LEVELS = 32 }; // more than a box can be divided
+    paradt__sieve_box box;
+    paradt__minors_table table;
+    const double *x[PARADT_MAX_DIM];
+    size_t d = (size_t)sieve->dim, cells = 1, facet, i;
+    int32_t *planes;
+    paradt_status status;
+    for (i = 0; i < d; i++) {
+        box.from[i] = 0;
+        box.to[i] = sieve->side;
+        cells *= (size_t)sieve->side;
+    }
+    sieve->plane_count = mesh->count;
+    sieve->planes = (double *)paradt__alloc(memory, mesh->count * (d + 1), sizeof *sieve->planes);
+    sieve->cells = (int32_t *)paradt__alloc(memory, cells, sizeof *sieve->cells);
+    planes = (int32_t *)paradt__alloc(memory, mesh->count, LEVELS * sizeof *planes);
+    if (!sieve->planes || !sieve->cells || !planes) {
+        paradt__release(memory, planes);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (facet = 0; facet < mesh->count; facet++) {
+        for (i = 0; i < d; i++) x[i] = coordinates + (size_t)set->origin[mesh->vertices[facet * d + i]] * d;
+        paradt__sieve_plane(sieve, x, &table, sieve->planes + facet * (d + 1));
+        planes[facet] = (int32_t)facet;
+    }
+    status = paradt__sieve_divide(sieve, &box, planes, mesh->count, memory);
+    paradt__release(memory, planes);
+    return status;
+}
+
+// Is a point certainly inside? y: its coordinates in cells
+PARADT__INLINE int paradt__sieve_drops(const paradt__sieve *sieve, const double *x, int d) {
+    double y[PARADT_MAX_DIM];
+    size_t cell = 0;
+    int32_t list, i;
+    int j;
+    for (j = d - 1; j >= 0; j--) {
+        int at;
+        y[j] = (x[j] - sieve->low[j]) * sieve->scale[j];
+        at = (int)y[j];
+        cell = cell * (size_t)sieve->side + (size_t)(at < sieve->side ? at : sieve->side - 1);
+    }
+    list = sieve->cells[cell];
+    if (list < 0) return list == PARADT__SIEVE_INSIDE;
+    for (i = 1; i <= sieve->lists[list]; i++) {
+        const double *plane = sieve->planes + (size_t)sieve->lists[list + i] * (size_t)(d + 1);
+        double sum = 0;
+        for (j = 0; j < d; j++) sum += plane[j] * y[j];
+        if (!(sum > plane[d])) return 0;
+    }
+    return 1;
+}
+
+PARADT__INLINE size_t paradt__sift_points(const paradt__sifting *sifting, size_t i, size_t end, paradt_index *kept,
+                                          int dim) {
+    paradt_points points = sifting->source->points;
+    paradt__sieve sieve = *sifting->sieve; // copies, that no store through a pointer can change
+    double x[PARADT_MAX_DIM];
+    size_t count = 0;
+    points.dim = dim;
+    for (; i < end; i++) {
+        paradt__coordinates(&points, i, x);
+        paradt__fetch_point(&points, i + PARADT__POINTS_AHEAD);
+        kept[count] = (paradt_index)i;
+        count += (size_t)!paradt__sieve_drops(&sieve, x, dim);
+    }
+    return count;
+}
+
+PARADT__HOT void paradt__sift_task(void *context, size_t task) {
+    enum { TOGETHER = 1 << 13 };
+    paradt__sifting *sifting = (paradt__sifting *)context;
+    int dim = sifting->source->points.dim;
+    size_t i, next, end = paradt__loader_range(sifting->team, sifting->source->points.count, task, &i), first = i;
+    size_t count = 0;
+    for (; i < end; i = next) {
+        paradt_index *to = sifting->kept + first + count;
+        if (paradt__team_cancels(sifting->team, task, 0.5 + 0.5 * (double)(i - first) / (double)(end - first))) return;
+        next = end - i < TOGETHER ? end : i + TOGETHER;
+        count += PARADT_MAX_DIM > 2 && dim == 3 ? paradt__sift_points(sifting, i, next, to, 3)
+                 : dim == 2                     ? paradt__sift_points(sifting, i, next, to, 2)
+                                                : paradt__sift_points(sifting, i, next, to, dim);
+    }
+    sifting->counts[task] = count;
+}
+
+// --- samples
+
+// Makes a sample of so many points, less those that the sieve drops: the caller's coordinates, packed. Returns how
+// many.
+static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__sieve *sieve, size_t count,
+                                  double *coordinates) {
+    const paradt_points *points = &sifting->source->points;
+    size_t i, kept = 0, d = (size_t)points->dim;
+    double step = (double)points->count / (double)count;
+    for (i = 0; i < count;
+         i++) { // one of each interval, at random: a regular choice might meet a pattern of the points
+        size_t from = (size_t)(step * (double)i), to = (size_t)(step * (double)(i + 1));
+        paradt__coordinates(points, from + (to > from ? (size_t)(paradt__mix(i) % (to - from)) : 0),
+                            coordinates + kept * d);
+        if (!sieve->cells || !paradt__sieve_drops(sieve, coordinates + kept * d, points->dim)) kept++;
+    }
+    return kept;
+}
+
+// Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
+// *pays: 0: it would not pay, and there is none
+static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
+                                          size_t count, size_t next, double *coordinates, int *pays) {
+    enum { MOST_OUTSIDE = 3 }; // of four points
+    paradt__memory *memory = sifting->memory;
+    paradt__counters counters;
+    paradt__set set;
+    paradt__mesh mesh;
+    paradt_points sample =
+        paradt__packed_points(paradt__hull_sample(sifting, sieve, count, coordinates), sieve->dim, PARADT_F64);
+    paradt_index *representative = (paradt_index *)paradt__alloc(memory, sample.count + 1, sizeof *representative);
+    unsigned char *met = (unsigned char *)paradt__alloc(memory, sample.count + 1, 1);
+    paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
+    size_t bad = 0, i, vertices = 0;
+    sample.data = coordinates;
+    paradt__sieve_free(sieve, memory);
+    memset(&counters, 0, sizeof counters);
+    memset(&set, 0, sizeof set);
+    memset(&mesh, 0, sizeof mesh);
+    if (!status) status = paradt__set_load(&set, &sample, NULL, &paradt__alone, memory, representative, &bad);
+    *pays = !status && set.space.dim == sieve->dim;
+    if (*pays) {
+        status = paradt__hull_mesh(&set, &paradt__alone, memory, &mesh, &counters);
+        if (!status) memset(met, 0, sample.count);
+        for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
+            vertices += !met[mesh.vertices[i]];
+            met[mesh.vertices[i]] = 1;
+        }
+        *pays = !status && 4 * vertices < (size_t)MOST_OUTSIDE * count;
+    }
+    *pays = *pays && paradt__sieve_scale(sieve, high, next);
+    if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
+    paradt__mesh_free(&mesh, memory);
+    paradt__set_free(&set, memory);
+    paradt__release(memory, representative);
+    paradt__release(memory, met);
+    return status;
+}
+
+// Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
+static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
+    static const size_t least[] = {0, 0, 256, 512, 512, 512, 0, 0, 0}; // points of the first sample; 0: no sieve
+    enum { STEP = 32 };                                                // from one sample to the next, and to all
+    size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
+    double *coordinates;
+    paradt_status status = PARADT_OK;
+    int pays = 1;
+    if (!least[sieve->dim] || 2 * count < least[sieve->dim]) return PARADT_OK;
+    coordinates = (double *)paradt__alloc(sifting->memory, count, size);
+    if (!coordinates) return PARADT_ERROR_MEMORY;
+    while (count / STEP >= least[sieve->dim]) count /= STEP;
+    for (; count <= all / STEP && pays && !status; count *= STEP) {
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
+    }
+    paradt__release(sifting->memory, coordinates);
+    return status;
+}
+
+// Finds the points that the hull depends on. *kept: [*count] their indices, ascending, or NULL: all points. high: from
+// paradt__hull_survey
+static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
+                                       paradt_index **kept, size_t *count) {
+    size_t task, all = sifting->source->points.count, begin;
+    paradt_status status = paradt__sieve_begin(sifting, sieve, high);
+    *kept = NULL;
+    *count = all;
+    if (!status && sieve->cells) {
+        sifting->sieve = sieve;
+        sifting->kept = (paradt_index *)paradt__alloc(sifting->memory, all, sizeof **kept);
+        if (!sifting->kept) status = PARADT_ERROR_MEMORY;
+    }
+    if (!status && sieve->cells) {
+        paradt__team_run(sifting->team, paradt__sift_task, sifting);
+        if (paradt__team_cancelled(sifting->team)) status = PARADT_ERROR_CANCELLED;
+        *kept = sifting->kept;
+        for (task = 0, *count = 0; task < sifting->team->tasks && !status; task++) {
+            (void)paradt__loader_range(sifting->team, all, task, &begin);
+            memmove(*kept + *count, *kept + begin, sifting->counts[task] * sizeof **kept);
+            *count += sifting->counts[task];
+        }
+    }
+    paradt__sieve_free(sieve, sifting->memory);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>hull faces
+//
+// What the facets of a hull are together: planes, extreme points, measures. A hull's mesh has cells of `dim` corners,
+// which are the facets, and ridges where a mesh of cells has facets.
+//
+// Facets of one face are connected through ridges, and at each of these the facets' other vertices lie in one plane. So
+// a plane is what is reached through flat ridges, which are found by exact signs and noted in a byte a facet.
+//
+// Extreme points. Let S(v) be the planes that v lies on. A point v of the hull that is not extreme lies in the interior
+// of a face F of dimension 1 at least, F is the intersection of the planes in S(v) with the hull, and F is triangulated
+// by facets of facets: so v has neighbours w in F, with S(w) containing S(v). If v is extreme that intersection is v
+// alone, and no other point is on all the planes in S(v). So v is extreme if no w that shares a facet with v has all of
+// S(v): no arithmetic is needed. Most points need no lists: if a facet has no flat ridge at v then v is a corner of the
+// facet's plane, and extreme.
+// Doors: paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
+
+typedef struct paradt__faces {
+    paradt__set *set;
+    const paradt__mesh *mesh;
+    const paradt__team *team;
+    paradt__memory *memory;
+    unsigned char
+        *flat; // [facets] bit i: the ridge opposite vertex i is flat; each ridge is noted at its smaller handle
+    paradt_index *plane; // [facets]
+    size_t plane_count;
+    unsigned char *kind; // [set.count] PARADT__HULL_* bits of a point
+    int unit;            // the caller's coordinates are 2^unit times the set's
+    paradt__counters counters[PARADT__MOST_TASKS];
+} paradt__faces;
+
+enum { PARADT__HULL_VERTEX = 1, PARADT__HULL_EXTREME = 2, PARADT__HULL_PACE = 1 << 12 };
+
+// --- planes
+
+// Finds the flat ridges of a task's facets.
+PARADT__HOT void paradt__hull_flat_task(void *context, size_t task) {
+    paradt__faces *faces = (paradt__faces *)context;
+    const paradt__mesh *mesh = faces->mesh;
+    paradt__space space = faces->set->space;
+    const double *p[PARADT_MAX_DIM + 1];
+    int corners = mesh->corners, i;
+    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet), first = facet;
+    memset(&space.counters, 0, sizeof space.counters);
+    for (; facet < end; facet++) {
+        const paradt_index *vertices = mesh->vertices + facet * (size_t)corners;
+        unsigned flat = 0;
+        if (facet % PARADT__HULL_PACE == 0 &&
+            paradt__team_cancels(faces->team, task, (double)(facet - first) / (double)(end - first)))
+            break;
+        for (i = 0; i < corners; i++) p[i] = paradt__record(faces->set, vertices[i]);
+        for (i = 0; i < corners && corners > 1; i++) {
+            paradt_index handle = (paradt_index)(facet * (size_t)corners) + i, mirror = mesh->links[handle];
+            if (mirror < handle) continue;
+            p[corners] = paradt__record(faces->set, mesh->vertices[mirror]);
+            flat |= (unsigned)!paradt__orient(&space, p) << i;
+        }
+        faces->flat[facet] = (unsigned char)flat;
+    }
+    faces->counters[task] = space.counters;
+}
+
+// Is the ridge of a handle flat?
+PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index handle) {
+    paradt_index mirror = faces->mesh->links[handle], smaller = mirror < handle ? mirror : handle;
+    return faces->flat[smaller / faces->mesh->corners] >> smaller % faces->mesh->corners & 1;
+}
+
+// Numbers the planes: faces->plane, which is the result's.
+PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
+    const paradt__mesh *mesh = faces->mesh;
+    paradt__list stack;
+    paradt_status status = PARADT_OK;
+    size_t facet, task;
+    int i;
+    memset(faces->counters, 0, sizeof faces->counters);
+    paradt__team_run(faces->team, paradt__hull_flat_task, faces);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < faces->team->tasks; task++) {
+        counters->orient_calls += faces->counters[task].orient_calls;
+        counters->exact_small += faces->counters[task].exact_small;
+        counters->exact_fixed += faces->counters[task].exact_fixed;
+        counters->exact_general += faces->counters[task].exact_general;
+    }
+    memset(&stack, 0, sizeof stack);
+    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
+    for (facet = 0; facet < mesh->count && !status; facet++) {
+        if (faces->plane[facet] >= 0) continue;
+        faces->plane[facet] = (paradt_index)faces->plane_count;
+        status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
+        while (stack.count && !status) {
+            paradt_index at = stack.items[--stack.count] * mesh->corners;
+            for (i = 0; i < mesh->corners && !status; i++) {
+                paradt_index other = mesh->links[at + i] / mesh->corners;
+                if (faces->plane[other] >= 0 || !paradt__hull_is_flat(faces, at + i)) continue;
+                faces->plane[other] = (paradt_index)faces->plane_count;
+                status = paradt__list_append(&stack, other, faces->memory);
+            }
+        }
+        faces->plane_count++;
+    }
+    paradt__list_free(&stack, faces->memory);
+    return status;
+}
+
+// --- extreme points
+
+// For each point the facets that it is a vertex of, and its planes
+typedef struct paradt__incidence {
+    size_t *begin;        // [set.count + 1]
+    paradt_index *facets; // [facets * corners] those of a point from begin[point] on
+    paradt_index *planes; // [facets * corners] its planes from begin[point] on, ascending, each once
+    paradt_index *count;  // [set.count] number of its planes
+} paradt__incidence;
+
+static void paradt__incidence_free(paradt__incidence *incidence, paradt__memory *memory) {
+    paradt__release(memory, incidence->begin);
+    paradt__release(memory, incidence->facets);
+    paradt__release(memory, incidence->planes);
+    paradt__release(memory, incidence->count);
+}
+
+// Makes the lists. Facets are passed in the order of their planes, so that the planes of a point come in order, too.
+static paradt_status paradt__incidence_make(paradt__incidence *incidence, const paradt__faces *faces) {
+    const paradt__mesh *mesh = faces->mesh;
+    size_t points = faces->set->count, all = mesh->count * (size_t)mesh->corners, i, j, *starts;
+    paradt_index *sorted;
+    memset(incidence, 0, sizeof *incidence);
+    incidence->begin = (size_t *)paradt__alloc(faces->memory, points + 1, sizeof *incidence->begin);
+    incidence->facets = (paradt_index *)paradt__alloc(faces->memory, all, sizeof *incidence->facets);
+    incidence->planes = (paradt_index *)paradt__alloc(faces->memory, all, sizeof *incidence->planes);
+    incidence->count = (paradt_index *)paradt__alloc(faces->memory, points, sizeof *incidence->count);
+    starts = (size_t *)paradt__alloc(faces->memory, faces->plane_count + 1, sizeof *starts);
+    sorted = (paradt_index *)paradt__alloc(faces->memory, mesh->count, sizeof *sorted);
+    if (!incidence->begin || !incidence->facets || !incidence->planes || !incidence->count || !starts || !sorted) {
+        paradt__release(faces->memory, starts);
+        paradt__release(faces->memory, sorted);
+        return PARADT_ERROR_MEMORY; // the caller frees the lists
+    }
+    memset(starts, 0, (faces->plane_count + 1) * sizeof *starts);
+    memset(incidence->begin, 0, (points + 1) * sizeof *incidence->begin);
+    memset(incidence->count, 0, points * sizeof *incidence->count);
+    for (i = 0; i < mesh->count; i++) starts[faces->plane[i] + 1]++;
+    for (i = 0; i < faces->plane_count; i++) starts[i + 1] += starts[i];
+    for (i = 0; i < mesh->count; i++) sorted[starts[faces->plane[i]]++] = (paradt_index)i;
+    for (i = 0; i < all; i++) incidence->begin[mesh->vertices[i] + 1]++;
+    for (i = 0; i < points; i++) incidence->begin[i + 1] += incidence->begin[i];
+    for (i = 0; i < mesh->count; i++) { // begin[point] is where the point's next facet goes
+        const paradt_index *vertices = paradt__mesh_row(mesh, sorted[i]);
+        for (j = 0; j < (size_t)mesh->corners; j++) incidence->facets[incidence->begin[vertices[j]]++] = sorted[i];
+    }
+    for (i = points; i > 0; i--) incidence->begin[i] = incidence->begin[i - 1];
+    incidence->begin[0] = 0;
+    for (i = 0; i < points; i++) {
+        paradt_index *planes = incidence->planes + incidence->begin[i], count = 0;
+        for (j = incidence->begin[i]; j < incidence->begin[i + 1]; j++) {
+            paradt_index plane = faces->plane[incidence->facets[j]];
+            if (!count || planes[count - 1] != plane) planes[count++] = plane;
+        }
+        incidence->count[i] = count;
+    }
+    paradt__release(faces->memory, starts);
+    paradt__release(faces->memory, sorted);
+    return PARADT_OK;
+}
+
+// Is the point `other` on all planes of the point?
+static int paradt__incidence_contains(const paradt__incidence *incidence, paradt_index other, paradt_index point) {
+    const paradt_index *a = incidence->planes + incidence->begin[other];
+    const paradt_index *b = incidence->planes + incidence->begin[point];
+    paradt_index i = 0, j;
+    if (incidence->count[other] < incidence->count[point]) return 0;
+    for (j = 0; j < incidence->count[point]; j++) {
+        while (i < incidence->count[other] && a[i] < b[j]) i++;
+        if (i == incidence->count[other] || a[i] != b[j]) return 0;
+    }
+    return 1;
+}
+
+static int paradt__hull_is_extreme(const paradt__incidence *incidence, const paradt__mesh *mesh, paradt_index point) {
+    size_t i;
+    int j;
+    for (i = incidence->begin[point]; i < incidence->begin[point + 1]; i++) {
+        const paradt_index *vertices = paradt__mesh_row(mesh, incidence->facets[i]);
+        for (j = 0; j < mesh->corners; j++) {
+            if (vertices[j] != point && paradt__incidence_contains(incidence, vertices[j], point)) return 0;
+        }
+    }
+    return 1;
+}
+
+// Finds the vertices, and which of them are extreme: faces->kind.
+PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__meter *meter) {
+    const paradt__mesh *mesh = faces->mesh;
+    paradt__incidence incidence;
+    paradt_status status;
+    size_t facet, point, unknown = 0;
+    int i;
+    memset(faces->kind, 0, faces->set->count);
+    for (facet = 0; facet < mesh->count; facet++) {
+        const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
+        unsigned flat = 0;
+        for (i = 0; i < mesh->corners; i++)
+            flat |= (unsigned)paradt__hull_is_flat(faces, (paradt_index)(facet * (size_t)mesh->corners) + i) << i;
+        for (i = 0; i < mesh->corners; i++)
+            faces->kind[vertices[i]] |=
+                (unsigned char)(flat & ~(1u << i) ? PARADT__HULL_VERTEX : PARADT__HULL_VERTEX | PARADT__HULL_EXTREME);
+    }
+    for (point = 0; point < faces->set->count; point++) unknown += faces->kind[point] == PARADT__HULL_VERTEX;
+    if (!unknown) return PARADT_OK;
+    status = paradt__incidence_make(&incidence, faces);
+    for (point = 0; point < faces->set->count && !status; point++) {
+        if (point % PARADT__HULL_PACE == 0 && paradt__meter_cancels(meter)) status = PARADT_ERROR_CANCELLED;
+        if (faces->kind[point] == PARADT__HULL_VERTEX && !status &&
+            paradt__hull_is_extreme(&incidence, mesh, (paradt_index)point))
+            faces->kind[point] |= PARADT__HULL_EXTREME;
+    }
+    paradt__incidence_free(&incidence, faces->memory);
+    return status;
+}
+
+// --- measures
+//
+// The hull is cut into simplices, each the join of a facet with one place, the set's first vertex: none of them has a
+// negative volume. A facet's rows are its vertices less the first one, and then that place less the first one, so that
+// the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the sums back in the
+// end.
+
+// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
+// and again where the sums of tasks are added.
+typedef struct paradt__cascade {
+    double part[64];
+    uint64_t count;
+} paradt__cascade;
+
+PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
+    uint64_t count = sum->count++;
+    int i = 0;
+    for (; count & 1; count >>= 1, i++) x += sum->part[i];
+    sum->part[i] = x;
+}
+
+static double paradt__cascade_end(const paradt__cascade *sum) {
+    double x = 0;
+    int i;
+    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
+    return x;
+}
+
+typedef struct paradt__measured {
+    paradt__cascade area, area_error, volume, volume_error;
+} paradt__measured;
+
+// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
+PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
+                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
+    double error, measure;
+    int i, j;
+    for (i = 0; i < k; i++)
+        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
+    paradt__minors_of(table, k, ambient);
+    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
+    paradt__cascade_add(&sums->area, measure);
+    paradt__cascade_add(&sums->area_error, error);
+    measure = paradt__minors_measure(table, k, ambient, &error);
+    paradt__cascade_add(&sums->volume, measure);
+    paradt__cascade_add(&sums->volume_error, error);
+}
+
+// Ends a measure of `count` facets: divides the sum by k! and scales it back. unit: the exponent of the coordinates'
+// scale
+static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt__cascade *errors, size_t count, int k,
+                                       int unit, double *error) {
+    double divisor = 1, value, bound, tiny = paradt__power(-900);
+    int i, exact = 1;
+    for (i = 2; i <= k; i++) divisor *= i;
+    value = paradt__cascade_end(sum) / divisor;
+    bound = paradt__cascade_end(errors) / divisor * (1 + 200 * PARADT__ROUNDOFF) + 140 * PARADT__ROUNDOFF * value +
+            (double)count * tiny;
+    // the last factor makes up for bits that are cut off, and adds a whole one where the number is subnormal
+    value = paradt__scale(value, k * unit, &exact);
+    *error = paradt__scale(bound, k * unit, &exact) + 4 * PARADT__ROUNDOFF * value;
+    if (*error < paradt__power(-1000)) *error += paradt__power(-1000);
+    if (paradt__bits(value) >= UINT64_C(0x7fefffffffffffff)) value = *error = HUGE_VAL;
+    return value;
+}
+
+typedef struct paradt__measuring_hull {
+    const paradt__faces *faces;
+    paradt__measured sums[PARADT__MOST_TASKS];
+    int unit; // exponent of the scale of the set's coordinates
+} paradt__measuring_hull;
+
+// Measures a task's facets.
+PARADT__HOT void paradt__hull_measure_task(void *context, size_t task) {
+    paradt__measuring_hull *measuring = (paradt__measuring_hull *)context;
+    const paradt__faces *faces = measuring->faces;
+    const paradt__mesh *mesh = faces->mesh;
+    paradt__minors_table table;
+    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
+    int k = mesh->corners, d = faces->set->space.ambient, unit = measuring->unit, i, j, exact = 1;
+    double factor = unit >= -900 && unit <= 900 ? paradt__power(-unit) : 0.0;
+    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet);
+    for (; facet < end; facet++) {
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, task, 1.0)) return;
+        for (i = 0; i <= k; i++) {
+            const double *p =
+                paradt__record(faces->set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
+            for (j = 0; j < d; j++) x[i][j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -unit, &exact);
+        }
+        if (k == 3 && d == 3) paradt__hull_add_facet(&measuring->sums[task], &table, x, PARADT_MAX_DIM > 2 ? 3 : 2, 3);
+        else paradt__hull_add_facet(&measuring->sums[task], &table, x, k, d);
+    }
+}
+
+// Measures the boundary and the hull.
+static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
+    paradt__measuring_hull measuring;
+    paradt__measured sums;
+    int k = faces->mesh->corners, unit;
+    size_t task;
+    memset(&measuring, 0, sizeof measuring);
+    memset(&sums, 0, sizeof sums);
+    measuring.faces = faces;
+    measuring.unit = paradt__max(faces->set->space.coordinates.top, -1000);
+    paradt__team_run(faces->team, paradt__hull_measure_task, &measuring);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < faces->team->tasks; task++) {
+        paradt__cascade_add(&sums.area, paradt__cascade_end(&measuring.sums[task].area));
+        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&measuring.sums[task].area_error));
+        paradt__cascade_add(&sums.volume, paradt__cascade_end(&measuring.sums[task].volume));
+        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&measuring.sums[task].volume_error));
+    }
+    unit = measuring.unit + faces->unit;
+    hull->area =
+        paradt__hull_end_measure(&sums.area, &sums.area_error, faces->mesh->count, k - 1, unit, &hull->area_error);
+    hull->volume =
+        paradt__hull_end_measure(&sums.volume, &sums.volume_error, faces->mesh->count, k, unit, &hull->volume_error);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>hull
+//
+// The entry: arguments are checked, points are read and sifted, the hull of those that are left is built, and what its
+// facets are together is found. Doors: the public functions.
+
+typedef struct paradt__hull_work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt_stats stats;
+    size_t tasks;
+    paradt_index
+        *kept; // [kept_count] the points that are in the set, by the index that the set has for them; NULL: all
+    size_t kept_count;
+    double *coordinates; // [kept_count][dim] of the kept points; NULL: all are kept
+    paradt__set set;
+    paradt__mesh mesh;
+    uint32_t reported[4]; // of the shares of the progress
+} paradt__hull_work;
+
+// Of the work: reading and sifting, sorting, building, and what follows
+enum { PARADT__HULL_READS, PARADT__HULL_SORTS, PARADT__HULL_BUILDS, PARADT__HULL_ENDS };
+
+static paradt__team paradt__hull_team(paradt__hull_work *work, int step) {
+    static const double shares[] = {0.3, 0.05, 0.5, 0.15};
+    return paradt__team_of(&work->options, work->tasks,
+                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// Reads the points, and copies those that the hull may depend on.
+static paradt_status paradt__hull_read(paradt__hull_work *work, const paradt_points *points, size_t *bad) {
+    paradt__source source = paradt__source_of(points);
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_READS);
+    paradt__sifting sifting;
+    paradt__sieve sieve;
+    double high[PARADT_MAX_DIM];
+    size_t i;
+    paradt_status status;
+    memset(&sifting, 0, sizeof sifting);
+    memset(&sieve, 0, sizeof sieve);
+    sifting.source = &source;
+    sifting.team = &team;
+    sifting.memory = &work->memory;
+    status = paradt__hull_survey(&sifting, &sieve, high, bad);
+    if (!status) status = paradt__hull_sift(&sifting, &sieve, high, &work->kept, &work->kept_count);
+    if (status || !work->kept) return status;
+    work->coordinates =
+        (double *)paradt__alloc(&work->memory, work->kept_count, (size_t)points->dim * sizeof *work->coordinates);
+    if (!work->coordinates) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < work->kept_count; i++)
+        paradt__coordinates(points, (size_t)work->kept[i], work->coordinates + i * (size_t)points->dim);
+    return PARADT_OK;
+}
+
+// Makes the set of the points that are kept.
+static paradt_status paradt__hull_load(paradt__hull_work *work, const paradt_points *points, size_t *bad) {
+    paradt_points kept = *points;
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_SORTS);
+    paradt_index *representative;
+    paradt_status status;
+    if (work->kept) {
+        kept = paradt__packed_points(work->kept_count, points->dim, PARADT_F64);
+        kept.data = work->coordinates;
+    }
+    if (team.tasks > kept.count) team.tasks = 1;
+    representative = (paradt_index *)paradt__alloc(&work->memory, kept.count, sizeof *representative);
+    if (!representative) return PARADT_ERROR_MEMORY;
+    status = paradt__set_load(&work->set, &kept, NULL, &team, &work->memory, representative, bad);
+    paradt__release(&work->memory, representative);
+    paradt__release(&work->memory, work->coordinates);
+    work->coordinates = NULL;
+    if (status) return status;
+    work->stats.duplicates = kept.count - work->set.count;
+    return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
+}
+
+// The caller's index of a position
+PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, paradt_index position) {
+    paradt_index index = work->set.origin[position];
+    return work->kept ? work->kept[index] : index;
+}
+
+// Lists the vertices, the extreme ones first. kind: [set.count] as in struct paradt__faces
+PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
+    const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
+    size_t i, pass, listed = 0;
+    unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
+    for (i = 0; i < work->set.count; i++) {
+        hull->vertex_count += kind[i] != 0;
+        hull->extreme_count += kind[i] == extreme;
+    }
+    hull->vertices = (paradt_index *)paradt__alloc(&work->memory, hull->vertex_count, sizeof *hull->vertices);
+    if (!hull->vertices || !sorted) {
+        paradt__release(&work->memory, sorted);
+        return PARADT_ERROR_MEMORY;
+    }
+    memset(sorted, 0, work->kept_count);
+    for (i = 0; i < work->set.count; i++) sorted[work->set.origin[i]] = kind[i];
+    for (pass = 0; pass < 2; pass++) {
+        for (i = 0; i < work->kept_count; i++) {
+            if (sorted[i] && (sorted[i] == extreme) == !pass)
+                hull->vertices[listed++] = work->kept ? work->kept[i] : (paradt_index)i;
+        }
+    }
+    paradt__release(&work->memory, sorted);
+    return PARADT_OK;
+}
+
+// Returns the exponent by which the set's coordinates are smaller than the caller's: see paradt__set_scale.
+static int paradt__hull_unit(const paradt__set *set) {
+    int shift = 1023 - set->exponent, top = set->space.coordinates.top;
+    int scaled = set->exponent ? top != set->exponent - 1022 : top > -1022;
+    return scaled ? -shift : 0;
+}
+
+// Finds planes, vertices and measures of the mesh.
+static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull *hull) {
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_ENDS);
+    paradt__faces faces;
+    paradt__counters counters;
+    paradt_status status;
+    memset(&faces, 0, sizeof faces);
+    memset(&counters, 0, sizeof counters);
+    faces.set = &work->set;
+    faces.mesh = &work->mesh;
+    faces.team = &team;
+    faces.memory = &work->memory;
+    faces.unit = paradt__hull_unit(&work->set);
+    faces.flat = (unsigned char *)paradt__alloc(&work->memory, work->mesh.count, 1);
+    faces.plane = hull->plane = (paradt_index *)paradt__alloc(&work->memory, work->mesh.count, sizeof *faces.plane);
+    faces.kind = (unsigned char *)paradt__alloc(&work->memory, work->set.count, 1);
+    status = faces.flat && faces.plane && faces.kind ? PARADT_OK : PARADT_ERROR_MEMORY;
+    if (!status) status = paradt__hull_planes(&faces, &counters);
+    if (!status) status = paradt__hull_vertices(&faces, &work->meter);
+    if (!status) status = paradt__hull_measure(&faces, hull);
+    if (!status) status = paradt__hull_list(work, faces.kind, hull);
+    hull->plane_count = faces.plane_count;
+    paradt__count_predicates(&work->stats, &counters);
+    paradt__release(&work->memory, faces.flat);
+    paradt__release(&work->memory, faces.kind);
+    return status;
+}
+
+// Hands the facets over: vertices become the caller's indices, links what the flags ask for.
+PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t i, all = mesh->count * (size_t)mesh->corners;
+    for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    if (work->options.flags & PARADT_NO_NEIGHBORS) {
+        paradt__release(&work->memory, mesh->links);
+        mesh->links = NULL;
+    } else if (!(work->options.flags & PARADT_FACETS)) {
+        for (i = 0; i < all; i++) mesh->links[i] /= mesh->corners;
+    }
+    hull->facet_count = mesh->count;
+    hull->facets = mesh->vertices;
+    hull->neighbors = mesh->links;
+    mesh->vertices = mesh->links = NULL;
+}
+
+// Builds the hull of the set and finds what its facets are together.
+static paradt_status paradt__hull_build(paradt__hull_work *work, paradt_hull *hull) {
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_BUILDS);
+    paradt__counters counters;
+    paradt_status status;
+    const unsigned char place = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
+    if (work->set.space.dim == 0) return paradt__hull_list(work, &place, hull);
+    memset(&counters, 0, sizeof counters);
+    status = paradt__hull_mesh(&work->set, &team, &work->memory, &work->mesh, &counters);
+    paradt__count_predicates(&work->stats, &counters);
+    if (!status) status = paradt__hull_describe(work, hull);
+    if (!status) paradt__hull_deliver(work, hull);
+    return status;
+}
+
+// Clears the hull after an error, except for what the error is.
+static void paradt__hull_withdraw(paradt_hull *hull, paradt_status status, int dim) {
+    size_t bad = hull->error_point;
+    paradt_hull_free(hull);
+    hull->error_point = bad;
+    hull->error_text = status == PARADT_ERROR_FLAT ? paradt__flat_text(dim) : paradt_status_string(status);
+}
+
+PARADT_DEF void paradt_hull_free(paradt_hull *hull) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!hull) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = hull->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, hull->facets);
+    paradt__release(&memory, hull->neighbors);
+    paradt__release(&memory, hull->plane);
+    paradt__release(&memory, hull->vertices);
+    memset(hull, 0, sizeof *hull);
+    hull->dim = -1;
+}
+
+PARADT_DEF uint64_t paradt_hull_hash(const paradt_hull *hull) {
+    uint64_t sum = 0, vertices[PARADT_MAX_DIM];
+    size_t i;
+    int j;
+    for (i = 0; i < hull->facet_count; i++) {
+        for (j = 0; j < hull->dim; j++) vertices[j] = (uint64_t)hull->facets[i * (size_t)hull->dim + (size_t)j];
+        sum += paradt_hash_cell(vertices, hull->dim);
+    }
+    return sum;
+}
+
+// Ends a call: frees all but the hull, and fills the statistics.
+static paradt_status paradt__hull_end(paradt__hull_work *work, paradt_hull *hull, paradt_status status, double begun) {
+    int dim = work->set.space.dim;
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!status) hull->dim = hull->point_count ? dim : -1;
+    paradt__mesh_free(&work->mesh, &work->memory);
+    paradt__set_free(&work->set, &work->memory);
+    paradt__release(&work->memory, work->kept);
+    paradt__release(&work->memory, work->coordinates);
+    if (status) paradt__hull_withdraw(hull, status, hull->point_count ? dim : -1);
+    work->stats.hull_facets = hull->facet_count;
+    work->stats.peak_bytes = work->memory.peak;
+    if (status == PARADT_ERROR_MEMORY) work->stats.needed_bytes = work->memory.needed;
+    work->stats.seconds = paradt__now() - begun;
+    work->stats.seconds_build = work->stats.seconds - work->stats.seconds_points - work->stats.seconds_finish;
+    hull->stats = work->stats;
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_points *points,
+                                             const paradt_options *options) {
+    enum { WORTHWHILE = 10000 }; // points: with fewer, threads cost more than they gain
+    paradt__hull_work work;
+    paradt_status status;
+    double begun = paradt__now();
+    if (!hull) return PARADT_ERROR_ARGUMENT;
+    memset(hull, 0, sizeof *hull);
+    hull->dim = -1;
+    status = paradt__check_arguments(points, options, &hull->error_text);
+    if (!status && points->weights) {
+        hull->error_text = "points.weights is not NULL, but a hull has no weights";
+        status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
+    hull->point_count = points->count;
+    hull->allocator = work.memory.allocator;
+    work.tasks = points->count < WORTHWHILE ? 1 : work.options.regions ? work.options.regions : PARADT__MOST_TASKS;
+    if (!points->count) status = work.options.flags & PARADT_FULL_DIM ? PARADT_ERROR_FLAT : PARADT_OK;
+    if (!status && points->count) {
+        status = paradt__hull_read(&work, points, &hull->error_point);
+        if (!status) status = paradt__hull_load(&work, points, &hull->error_point);
+        work.stats.seconds_points = paradt__now() - begun;
+        if (!status) status = paradt__hull_build(&work, hull);
+    }
+    return paradt__hull_end(&work, hull, status, begun);
+}
+#endif // PARADT_NO_HULLS
 
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
@@ -17023,7 +18256,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
     return status;
 }
 
-PARADT__HOT_LOOP paradt_status paradt__repair_survey(paradt__repair *r) {
+PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     int corners = r->mend.flipper.build.scene.mesh.corners;
     if (PARADT_MAX_DIM >= 3 && r->mend.flipper.build.kept) return paradt__repair_survey_any(r, 4, 1);
     return paradt__repair_survey_any(r, corners, 0);
@@ -18082,7 +19315,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 // This section has the conditions (1) to (4), which look at points, cells and facets one by one; >>check of the hull
 // has the others. Doors: paradt__check_fail, paradt__check_pace, paradt__check_neighbor, paradt__check_cell,
 // paradt__check_gather, paradt__check_side, paradt__check_across, paradt__check_read, paradt__check_dimension,
-// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets.
+// paradt__check_representatives, paradt__check_cells, paradt__check_adjacency, paradt__check_facets,
+// paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
 
@@ -18537,7 +19771,7 @@ static paradt_status paradt__check_adjacency(paradt__check *check) {
 //
 // The conditions (5) to (8) of >>check, which need the cells as a whole: the hull, the covering and the hidden points;
 // and all conditions in their order. The walk to a hidden point is of its own, as nothing here is to rely on the code
-// that makes triangulations. Door: paradt_check.
+// that makes triangulations. Doors: paradt_check; struct paradt__check_key, paradt__check_list, paradt__check_sort.
 
 // --- the hull and the covering: conditions (5) to (7)
 
@@ -18817,6 +20051,341 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
     if (status && !check.fault->reason) paradt__check_fail(&check, paradt_status_string(status), -1, -1);
     return status;
 }
+
+#ifndef PARADT_NO_HULLS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>check of a hull
+//
+// The certificate of a hull: paradt_hull_check accepts exactly the facets of the hull of the points. It shares what
+// >>check shares, and the tests there of neighbours, with facets for cells and ridges for facets. k is the affine
+// dimension; o is a place infinitesimally near a point, inside a simplex of points; z is one infinitesimally near a
+// vertex, inside the first facet. What is tested, in exact signs, for k > 1:
+//   (1) adjacency is an involution on ridges; two neighbours have all vertices but one in common and see their ridge
+//   with
+//       opposite orientation;
+//   (2) each facet has o strictly on its inner side, and at no ridge the neighbour's other vertex beyond it; where that
+//   is
+//       in its plane, the ridge is locally Delaunay there;
+//   (3) the ray from o through z meets no facet but the first;
+//   (4) no point is beyond the facet that the ray from o through it meets, and none that is at the place of a vertex
+//   has
+//       a smaller index than the vertex;
+//   (5) facets at a ridge have one plane's number if and only if the ridge is flat, there are as many numbers as
+//   planes;
+//       and `vertices` names the facets' vertices.
+// Why that proves it: by (1) and (2) the facets, projected from o, cover the sphere of directions equally often
+// everywhere, by (3) once. So they bound a body that is star-shaped about o, and by (2) convex, as in >>check. By (4)
+// it contains all points, so it is their hull. Within a face the facets are locally Delaunay, and so they are T(P)
+// there. A walk from facet to facet ends: the cones over the facets of a convex body are a regular fan, and those in
+// one face are so with the perturbed heights. Door: paradt_hull_check.
+
+typedef struct paradt__hull_proof {
+    paradt__check check;        // facets for cells
+    paradt_triangulation cells; // the facets as `check` has them
+    const paradt_hull *hull;
+} paradt__hull_proof;
+
+// On which side of a facet is x? 1 inside, 0 in its plane, -1 beyond. corners: the facet's
+static int paradt__proof_side(paradt__check *check, const double *const *corners, const double *x) {
+    const double *p[PARADT_MAX_DIM + 1];
+    size_t i;
+    p[0] = x;
+    for (i = 0; i < check->corners; i++) p[i + 1] = corners[i];
+    return paradt__orient(&check->set.space, p);
+}
+
+// The sign of the orientation of o and the facet with vertex `place` replaced by x: negative, if the ridge opposite
+// that vertex separates the directions of the facet and of x, seen from o
+static int paradt__proof_turn(paradt__check *check, const double **corners, size_t place, const double *x) {
+    const double *own = corners[place];
+    size_t i;
+    int sign = 0;
+    corners[place] = x;
+    for (i = 0; i <= check->corners && !sign; i++) sign = paradt__proof_side(check, corners, check->origin[i]);
+    corners[place] = own;
+    return sign;
+}
+
+// Chooses o: near a vertex that is off the first facet's plane.
+static paradt_status paradt__proof_origin(paradt__check *check) {
+    size_t i, all = check->t->cell_count * check->corners;
+    paradt__check_gather(check, 0, check->origin + 1);
+    for (i = 0; i < all; i++) {
+        check->origin[0] = paradt__record(&check->set, check->t->cells[i]);
+        if (paradt__proof_side(check, check->origin + 1, check->origin[0]) > 0) return PARADT_OK;
+    }
+    return paradt__check_fail(check, "no vertex is inside of a facet", 0, -1);
+}
+
+// Are the vertices of a facet points?
+static paradt_status paradt__proof_vertices(paradt__check *check) {
+    size_t i, all = check->t->cell_count * check->corners;
+    for (i = 0; i < all; i++) {
+        paradt_index vertex = check->t->cells[i];
+        if (vertex < 0 || (size_t)vertex >= check->set.count)
+            return paradt__check_fail(check, "a vertex is no point", (paradt_index)(i / check->corners), -1);
+        check->cell_of[vertex] = (paradt_index)(i / check->corners);
+    }
+    return PARADT_OK;
+}
+
+// Conditions (1), (2) and (5) at a ridge. corners: the facet's; inside: a place strictly inside of the facet
+static paradt_status paradt__proof_ridge(paradt__hull_proof *proof, size_t facet, size_t corner,
+                                         const double *const *corners, const double *inside) {
+    paradt__check *check = &proof->check;
+    size_t ridge = facet * check->corners + corner, place[PARADT_MAX_DIM + 1], other, twin, i;
+    paradt_index neighbor = paradt__check_neighbor(check, ridge), vertex = paradt__check_cell(check, facet)[corner];
+    const double *cell[PARADT_MAX_DIM + 2];
+    int opposite = -1, side;
+    if (neighbor < 0) return paradt__check_fail(check, "a facet has no neighbour", (paradt_index)facet, vertex);
+    other = (size_t)neighbor;
+    if (other != facet) opposite = paradt__check_across(check, facet, corner, other, place);
+    if (opposite < 0)
+        return paradt__check_fail(check, "a facet does not share the ridge with the neighbour across it",
+                                  (paradt_index)facet, vertex);
+    twin = other * check->corners + (size_t)opposite;
+    if ((check->halves && (size_t)check->neighbors[ridge] != twin) ||
+        check->neighbors[twin] != (paradt_index)(check->halves ? ridge : facet))
+        return paradt__check_fail(check, "a neighbour's neighbour is another facet", (paradt_index)facet, vertex);
+    if (!paradt__check_is_odd(place, check->corners))
+        return paradt__check_fail(check, "neighbours lie on the same side of their ridge", (paradt_index)facet, vertex);
+    vertex = paradt__check_cell(check, other)[opposite];
+    side = paradt__proof_side(check, corners, paradt__record(&check->set, vertex));
+    if (side < 0) return paradt__check_fail(check, "the hull is not convex", (paradt_index)facet, vertex);
+    if (!side != (proof->hull->plane[facet] == proof->hull->plane[other]))
+        return paradt__check_fail(check, "the number of a plane is wrong", (paradt_index)facet, -1);
+    if (side) return PARADT_OK;
+    cell[0] = inside;
+    for (i = 0; i < check->corners; i++) cell[i + 1] = corners[i];
+    cell[check->corners + 1] = paradt__record(&check->set, vertex);
+    if (paradt__conflict(&check->set.space, cell))
+        return paradt__check_fail(check, "a ridge is not locally Delaunay in its plane", (paradt_index)facet, vertex);
+    return PARADT_OK;
+}
+
+// Conditions (1) to (3), and (5) at ridges.
+static paradt_status paradt__proof_facets(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const double *corners[PARADT_MAX_DIM + 1];
+    size_t facet, corner, i, count = check->t->cell_count;
+    for (facet = 0; facet < count; facet++) {
+        paradt_status status = paradt__check_pace(check, facet, count);
+        int side = 0, met = facet > 0;
+        paradt__check_gather(check, facet, corners);
+        for (i = 0; i <= check->corners && !side; i++) side = paradt__proof_side(check, corners, check->origin[i]);
+        if (side <= 0) return paradt__check_fail(check, "a facet is not outward", (paradt_index)facet, -1);
+        for (corner = 0; corner < check->corners && !status; corner++)
+            status = paradt__proof_ridge(proof, facet, corner, corners, check->origin[i - 1]);
+        for (corner = 0; corner < check->corners && met; corner++) {
+            int sign = 0;
+            for (i = 1; i <= check->corners && !sign; i++)
+                sign = paradt__proof_turn(check, corners, corner, check->origin[i]);
+            met = sign > 0;
+        }
+        if (status) return status;
+        if (met) return paradt__check_fail(check, "the facets cover a direction twice", (paradt_index)facet, -1);
+    }
+    return PARADT_OK;
+}
+
+// Condition (4) for one point: walks from *facet to the one that the ray through the point meets.
+static paradt_status paradt__proof_walk(paradt__check *check, paradt_index point, paradt_index *facet) {
+    const double *corners[PARADT_MAX_DIM + 1], *x = paradt__record(&check->set, point);
+    size_t corner;
+    for (;;) {
+        paradt__check_gather(check, (size_t)*facet, corners);
+        for (corner = 0; corner < check->corners; corner++)
+            if (corners[corner] != x && paradt__proof_turn(check, corners, corner, x) < 0) break;
+        if (corner == check->corners) break;
+        *facet = paradt__check_neighbor(check, (size_t)*facet * check->corners + corner);
+    }
+    if (paradt__proof_side(check, corners, x) < 0)
+        return paradt__check_fail(check, "a point is beyond a facet", *facet, point);
+    for (corner = 0; corner < check->corners; corner++) {
+        paradt_index vertex = paradt__check_cell(check, (size_t)*facet)[corner];
+        if (vertex > point && !paradt__compare(&check->set.space, x, corners[corner]))
+            return paradt__check_fail(check, "a vertex is not the smallest index at its place", *facet, point);
+    }
+    return PARADT_OK;
+}
+
+// Condition (4), for the points along a curve, so that walks are short.
+static paradt_status paradt__proof_points(paradt__check *check) {
+    paradt__check_key *keys;
+    paradt_status status = PARADT_OK;
+    paradt_index facet = 0;
+    size_t i, n = check->set.count;
+    keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
+    if (!keys) return PARADT_ERROR_MEMORY;
+    n = paradt__check_list(check, keys);
+    paradt__check_sort(keys, keys + n, n);
+    for (i = 0; i < n && !status; i++) {
+        status = paradt__check_pace(check, i, n);
+        if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
+        else if (!status) status = paradt__proof_walk(check, keys[i].point, &facet);
+    }
+    paradt__release(&check->memory, keys);
+    return status;
+}
+
+// Condition (5), without the ridges: are the vertices those that are listed, and are there as many planes as numbers?
+static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const paradt_hull *hull = proof->hull;
+    size_t i, vertices = 0, planes = 0, count = hull->facet_count;
+    paradt_index *flood;
+    paradt__list stack = {NULL, 0, 0};
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (hull->vertex_count != vertices || hull->extreme_count > vertices)
+        return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
+    for (i = 0; i < vertices; i++) {
+        paradt_index vertex = hull->vertices[i];
+        if (vertex < 0 || (size_t)vertex >= check->set.count || check->cell_of[vertex] < 0)
+            return paradt__check_fail(check, "a point is listed as a vertex and is none", -1, vertex);
+        check->cell_of[vertex] = -1; // so that a second one is found
+    }
+    flood = (paradt_index *)paradt__alloc(&check->memory, count, sizeof *flood);
+    if (!flood) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) flood[i] = -1;
+    for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
+        if (flood[i] >= 0) continue;
+        if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
+            status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
+        flood[i] = 0;
+        if (!status) status = paradt__list_append(&stack, (paradt_index)i, &check->memory);
+        while (stack.count && !status) {
+            size_t at = (size_t)stack.items[--stack.count], corner;
+            for (corner = 0; corner < check->corners && !status; corner++) {
+                paradt_index other = paradt__check_neighbor(check, at * check->corners + corner);
+                if (flood[other] >= 0 || hull->plane[other] != hull->plane[at]) continue;
+                flood[other] = 0;
+                status = paradt__list_append(&stack, other, &check->memory);
+            }
+        }
+    }
+    for (i = 0; i < count; i++) flood[i] = 0;
+    for (i = 0; i < count && !status; i++) flood[hull->plane[i]] = 1;
+    for (i = 0, vertices = 0; i < count && !status; i++) vertices += (size_t)flood[i];
+    if (!status && (planes != hull->plane_count || vertices != planes))
+        status = paradt__check_fail(check, "plane_count is not the number of planes", -1, -1);
+    paradt__list_free(&stack, &check->memory);
+    paradt__release(&check->memory, flood);
+    return status;
+}
+
+// The hull of points on a line, or at one place: its ends, with their smallest indices.
+static paradt_status paradt__proof_line(paradt__hull_proof *proof) {
+    paradt__check *check = &proof->check;
+    const paradt_hull *hull = proof->hull;
+    size_t i, ends = hull->dim == 1 ? 2 : 1, end;
+    if (hull->facet_count != (hull->dim == 1 ? 2u : 0u) || hull->plane_count != hull->facet_count)
+        return paradt__check_fail(check, "a line has two facets, and a place none", -1, -1);
+    if (hull->vertex_count != ends || hull->extreme_count != ends)
+        return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
+    for (end = 0; end < ends; end++) {
+        paradt_index vertex = hull->dim == 1 ? hull->facets[end] : hull->vertices[0];
+        if (vertex < 0 || (size_t)vertex >= check->set.count)
+            return paradt__check_fail(check, "a vertex is no point", (paradt_index)end, -1);
+        if (hull->dim == 1 && (hull->plane[end] != (paradt_index)end || hull->plane[!end] == hull->plane[end]))
+            return paradt__check_fail(check, "the number of a plane is wrong", (paradt_index)end, -1);
+        if (hull->dim == 1 && check->neighbors && check->neighbors[end] != (paradt_index)!end)
+            return paradt__check_fail(check, "the ends are not neighbours", (paradt_index)end, -1);
+        if (hull->vertices[0] != vertex && hull->vertices[ends - 1] != vertex)
+            return paradt__check_fail(check, "a vertex is not listed", -1, vertex);
+        for (i = 0; i < check->set.count; i++) {
+            int sign = !hull->dim ? 0
+                                  : paradt__compare(&check->set.space, paradt__record(&check->set, (paradt_index)i),
+                                                    paradt__record(&check->set, vertex));
+            if (end ? sign > 0 : sign < 0)
+                return paradt__check_fail(check, "a point is beyond an end", (paradt_index)end, (paradt_index)i);
+            if (!sign && (paradt_index)i < vertex)
+                return paradt__check_fail(check, "a vertex is not the smallest index at its place", -1,
+                                          (paradt_index)i);
+        }
+    }
+    return PARADT_OK;
+}
+
+// All conditions, each in an order in which it may rely on those before.
+static paradt_status paradt__proof_all(paradt__hull_proof *proof, const paradt_points *points) {
+    paradt__check *check = &proof->check;
+    size_t i, n = points->count;
+    paradt_status status;
+    if (proof->hull->point_count != n)
+        return paradt__check_fail(check, "the hull is of another number of points", -1, -1);
+    status = paradt__check_read(check, points);
+    if (!status) status = paradt__check_dimension(check);
+    if (!status && !n && (proof->hull->facet_count || proof->hull->vertex_count))
+        status = paradt__check_fail(check, "there are facets or vertices without points", -1, -1);
+    if (status || !n) return status;
+    check->corners = (size_t)proof->hull->dim;
+    check->neighbors = check->t->neighbors;
+    if (proof->hull->dim < 2) return paradt__proof_line(proof);
+    if (!proof->hull->facet_count) return paradt__check_fail(check, "there are no facets", -1, -1);
+    check->cell_of = (paradt_index *)paradt__alloc(&check->memory, n, sizeof *check->cell_of);
+    proof->cells.representative = (paradt_index *)paradt__alloc(&check->memory, n, sizeof *check->cell_of);
+    if (!check->cell_of || !proof->cells.representative) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < n; i++) check->cell_of[i] = proof->cells.representative[i] = -1; // all points are to be listed
+    status = paradt__proof_vertices(check);
+    check->phase = PARADT__CHECK_MATCH;
+    if (!status) status = paradt__check_adjacency(check);
+    if (!status) status = paradt__proof_origin(check);
+    check->phase = PARADT__CHECK_FACETS;
+    if (!status) status = paradt__proof_facets(proof);
+    check->phase = PARADT__CHECK_HULL;
+    if (!status) status = paradt__proof_points(check);
+    if (!status) status = paradt__proof_lists(proof);
+    check->phase = PARADT__CHECK_END;
+    return status ? status : paradt__check_pace(check, 0, 1);
+}
+
+// Returns what is wrong with the arguments about the hull; NULL: nothing.
+static const char *paradt__proof_fault(const paradt_hull *hull, const paradt_points *points) {
+    if (points->weights) return "points.weights is not NULL, but a hull has no weights";
+    if (!hull) return "hull is NULL";
+    if (hull->facet_count && (!hull->facets || !hull->plane)) return "hull.facets or hull.plane is NULL";
+    if (hull->vertex_count && !hull->vertices) return "hull.vertices is NULL";
+    if (hull->facet_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+        return "hull.facet_count is larger than an index can number";
+    return NULL;
+}
+
+PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt_points *points,
+                                           const paradt_options *options, paradt_fault *fault) {
+    paradt__hull_proof proof;
+    paradt__check *check = &proof.check;
+    paradt_fault unwanted;
+    paradt_status status;
+    memset(&proof, 0, sizeof proof);
+    check->fault = fault ? fault : &unwanted;
+    memset(check->fault, 0, sizeof *check->fault);
+    status = paradt__check_arguments(points, options, &check->fault->reason);
+    if (!status) {
+        check->fault->reason = paradt__proof_fault(hull, points);
+        if (check->fault->reason) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) {
+        check->fault->cell = check->fault->point = -1;
+        return status;
+    }
+    proof.hull = hull;
+    proof.cells.dim = hull->dim;
+    proof.cells.cell_count = hull->facet_count;
+    proof.cells.cells = hull->facets;
+    proof.cells.neighbors = hull->neighbors;
+    check->t = &proof.cells;
+    check->options = options;
+    paradt__memory_begin(&check->memory, options);
+    status = paradt__proof_all(&proof, points);
+    paradt__release(&check->memory, check->set.records);
+    paradt__release(&check->memory, check->matched);
+    paradt__release(&check->memory, check->cell_of);
+    paradt__release(&check->memory, proof.cells.representative);
+    if (status && !check->fault->reason) paradt__check_fail(check, paradt_status_string(status), -1, -1);
+    return status;
+}
+#endif // PARADT_NO_HULLS
 #endif // PARADT_NO_CHECK
 
 #ifdef __cplusplus

@@ -11,6 +11,7 @@
 #define PARADT_IMPLEMENTATION
 #include "../paradt.h"
 
+#include <float.h>
 #include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
@@ -33,6 +34,7 @@ typedef struct settings {
     size_t regions; // 0: plan() chooses
     size_t jobs;    // 0: one a processor
     int check, hash, quiet, help, version;
+    int hull; // the convex hull instead of the triangulation
 } settings;
 
 // Prints an error. Returns the status.
@@ -118,6 +120,7 @@ static const struct {
     {"--regions", "K", take_regions, 0, "divide space into K regions (default: one a job, fewer for small sets)"},
     {"--jobs", "J", take_jobs, 0, "number of threads (default: one a processor)"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
+    {"--hull", NULL, NULL, offsetof(settings, hull), "compute the convex hull alone"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
@@ -131,7 +134,7 @@ enum { OPTIONS = sizeof options_table / sizeof *options_table };
 static void print_help(void) {
     int i;
     printf("paradt [options] INPUT\n\n"
-           "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly.\n\n"
+           "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, or their convex hull, exactly.\n\n"
            "INPUT: a file by extension (%s), - (standard input, read as .txt),\n"
            "       or gen:KIND:N:SEED (generated points)\n\n",
            paradt_io_inputs());
@@ -143,7 +146,8 @@ static void print_help(void) {
     }
     printf(
         "\nOutputs, by extension: %s\n"
-        "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n\nMethods:",
+        "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n"
+        "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n\nMethods:",
         paradt_io_outputs());
     for (i = 0; i < PARADT_METHOD_COUNT; i++)
         printf(" %s", paradt_method_string((paradt_method)i));
@@ -199,6 +203,10 @@ static int parse(settings *s, int count, char **arguments) {
     }
     if (!s->input && !s->help && !s->version)
         return wrong("no input", NULL, "name a file, - or gen:KIND:N:SEED");
+    if (s->hull && s->want.weights)
+        return wrong("--hull", NULL, "a hull has no weights; --dim leaves the column of weights out");
+    if (s->hull && s->method != PARADT_AUTO)
+        return wrong("--hull", NULL, "--method is for triangulations");
     return 1;
 }
 
@@ -314,6 +322,7 @@ typedef struct job {
     const settings *s;
     paradt_io_points points;
     paradt_triangulation t;
+    paradt_hull hull; // with --hull; then `t` is empty but for its dimension and statistics
     size_t regions;
     size_t jobs;
     double seconds; // wall time of the triangulation, without reading, writing and checking
@@ -409,6 +418,25 @@ static shapes measure_shapes(const job *j) {
     return found;
 }
 
+// Appends what the JSON says of a hull. Numbers too large for a double are null.
+static void say_hull(text *out, const paradt_hull *hull) {
+    static const char *const names[] = {"area", "area_error", "volume", "volume_error"};
+    const double values[] = {hull->area, hull->area_error, hull->volume, hull->volume_error};
+    int i;
+    say(out, "  \"hull_vertices\": %zu,\n  \"hull_points\": %zu,\n  \"hull_planes\": %zu,\n", hull->extreme_count,
+        hull->vertex_count, hull->plane_count);
+    for (i = 0; i < 4; i++) {
+        if (values[i] <= DBL_MAX)
+            say(out, "  \"hull_%s\": %.17g,\n", names[i], values[i]);
+        else
+            say(out, "  \"hull_%s\": null,\n", names[i]);
+    }
+}
+
+static uint64_t hash_of(const job *j) {
+    return j->s->hull ? paradt_hull_hash(&j->hull) : paradt_hash(&j->t);
+}
+
 // Returns the statistics as JSON, from malloc; NULL if there is no memory.
 static char *make_stats(const job *j) {
     size_t capacity = 8192 + 6 * strlen(j->s->input); // an escaped character takes 6
@@ -427,7 +455,9 @@ static char *make_stats(const job *j) {
         paradt_method_string(j->s->method), j->s->partition == PARADT_UNIFORM ? "uniform" : "bisection", j->jobs,
         j->s->check ? "true" : "false");
     if (j->s->hash)
-        say(&out, "  \"hash\": \"%016" PRIx64 "\",\n", paradt_hash(&j->t));
+        say(&out, "  \"hash\": \"%016" PRIx64 "\",\n", hash_of(j));
+    if (j->s->hull)
+        say_hull(&out, &j->hull);
 #define SAY_COUNTER(field) say(&out, "  \"%s\": %" PRIu64 ",\n", #field, j->t.stats.field);
 #define SAY_TIMER(field)   say(&out, "  \"%s\": %.6f,\n", #field, j->t.stats.field);
     COUNTERS(SAY_COUNTER)
@@ -442,10 +472,8 @@ static char *make_stats(const job *j) {
     return result;
 }
 
-static void print_summary(const job *j) {
+static void print_points(const job *j) {
     static const char *const flats[] = {"at one place", "on one line", "in one plane"};
-    const paradt_stats *stats = &j->t.stats;
-    size_t i;
     printf("points       %zu in %d dimensions", j->points.count, j->points.dim);
     if (j->t.dim >= 0 && j->t.dim < j->points.dim) {
         if (j->t.dim <= 2)
@@ -453,7 +481,31 @@ static void print_summary(const job *j) {
         else
             printf(", all in a flat of dimension %d", j->t.dim);
     }
-    printf("\ncells        %zu\nhull facets  %" PRIu64 "\nduplicates   %" PRIu64 "\n", j->t.cell_count,
+    printf("\n");
+}
+
+static void print_outputs(const job *j) {
+    size_t i;
+    if (j->s->check)
+        printf("certified    in %.3f s\n", j->check_seconds);
+    for (i = 0; i < j->s->output_count; i++)
+        printf("wrote        %s\n", j->s->outputs[i]);
+}
+
+static void print_hull_summary(const job *j) {
+    const paradt_hull *hull = &j->hull;
+    print_points(j);
+    printf("hull facets  %zu in %zu planes\nvertices     %zu, %zu of them extreme\n", hull->facet_count,
+           hull->plane_count, hull->vertex_count, hull->extreme_count);
+    printf("area         %.15g\nvolume       %.15g\n", hull->area, hull->volume);
+    printf("time         %.3f s (%zu job%s)\n", j->seconds, j->jobs, j->jobs == 1 ? "" : "s");
+    print_outputs(j);
+}
+
+static void print_summary(const job *j) {
+    const paradt_stats *stats = &j->t.stats;
+    print_points(j);
+    printf("cells        %zu\nhull facets  %" PRIu64 "\nduplicates   %" PRIu64 "\n", j->t.cell_count,
            stats->hull_facets, stats->duplicates);
     if (j->points.weights)
         printf("hidden       %" PRIu64 "\n", stats->hidden);
@@ -462,10 +514,7 @@ static void print_summary(const job *j) {
         printf(", %.0f cells a second", (double)j->t.cell_count / j->seconds);
     printf(" (%s, %zu job%s, %" PRIu64 " region%s)\n", paradt_method_string(j->s->method), j->jobs,
            j->jobs == 1 ? "" : "s", stats->regions, stats->regions == 1 ? "" : "s");
-    if (j->s->check)
-        printf("certified    in %.3f s\n", j->check_seconds);
-    for (i = 0; i < j->s->output_count; i++)
-        printf("wrote        %s\n", j->s->outputs[i]);
+    print_outputs(j);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -486,7 +535,7 @@ static int io_failed(const paradt_io_error *error) {
 static int check_outputs(const settings *s, int dim, paradt_io_error *error) {
     size_t i;
     for (i = 0; i < s->output_count; i++)
-        if (!paradt_io_check_output(s->outputs[i], dim, s->input, error))
+        if (!(s->hull ? paradt_io_check_hull_output : paradt_io_check_output)(s->outputs[i], dim, s->input, error))
             return 0;
     return !s->stats || strcmp(s->stats, "-") == 0 || paradt_io_check_place(s->stats, s->input, error);
 }
@@ -517,6 +566,23 @@ static void describe_fault(char *reason, size_t size, const paradt_fault *fault)
         say(&out, ", point %lld", (long long)fault->point);
 }
 
+// Triangulates the points, or computes their hull. Returns the status.
+static paradt_status compute(job *j, const paradt_points *points, const paradt_options *options) {
+    paradt_status status;
+    if (!j->s->hull)
+        return paradt_triangulate(&j->t, points, options);
+    status = paradt_hull_compute(&j->hull, points, options);
+    j->t.dim = j->hull.dim;
+    j->t.stats = j->hull.stats;
+    return status;
+}
+
+static paradt_status certify(const job *j, const paradt_points *points, const paradt_options *options,
+                             paradt_fault *fault) {
+    return j->s->hull ? paradt_hull_check(&j->hull, points, options, fault)
+                      : paradt_check(&j->t, points, options, fault);
+}
+
 // Triangulates the points and, if asked to, certifies the result. Returns the exit status.
 static int triangulate(job *j) {
     paradt_points points;
@@ -539,11 +605,11 @@ static int triangulate(job *j) {
     options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
     options.user = &w;
     work_begin(&w, j->jobs);
-    status = paradt_triangulate(&j->t, &points, &options);
+    status = compute(j, &points, &options);
     j->seconds = paradt_io_now() - w.bar.begun;
     snprintf(reason, sizeof reason, "%s", paradt_status_string(status));
     if (!status && j->s->check) {
-        status = paradt_check(&j->t, &points, &options, &fault);
+        status = certify(j, &points, &options, &fault);
         j->check_seconds = paradt_io_now() - w.bar.begun - j->seconds;
         snprintf(reason, sizeof reason, "the check can't be done: %s", paradt_status_string(status));
         if (fault.reason)
@@ -561,7 +627,9 @@ static int write_all(const job *j, const char *stats, paradt_io_error *error) {
     const settings *s = j->s;
     size_t i;
     for (i = 0; i < s->output_count; i++)
-        if (!paradt_io_write(&stage, s->outputs[i], &j->points, &j->t, error))
+        if (!(s->hull ? paradt_io_write_hull(&stage, s->outputs[i], &j->points, j->hull.facets, j->hull.facet_count,
+                                             j->hull.dim, error)
+                      : paradt_io_write(&stage, s->outputs[i], &j->points, &j->t, error)))
             return 0;
     if (stats && strcmp(s->stats, "-") != 0 && !paradt_io_write_text(&stage, s->stats, stats, error))
         return 0;
@@ -578,10 +646,12 @@ static int print_all(const job *j, const char *stats) {
     const settings *s = j->s;
     if (stats && strcmp(s->stats, "-") == 0)
         fputs(stats, stdout);
+    else if (!s->quiet && s->hull)
+        print_hull_summary(j);
     else if (!s->quiet)
         print_summary(j);
     if (s->hash)
-        printf("%016" PRIx64 "\n", paradt_hash(&j->t));
+        printf("%016" PRIx64 "\n", hash_of(j));
     return flush_output();
 }
 
@@ -624,6 +694,7 @@ static int run(const settings *s) {
         if (!status)
             status = finish(&j);
         paradt_free(&j.t);
+        paradt_hull_free(&j.hull);
     }
     paradt_io_free(&j.points);
     return status;

@@ -27,6 +27,7 @@
 //                   fewer. .off has all points (as nOFF from four dimensions on), .ply and .obj those of the surface.
 //   .npy            the array of cells
 //   .svg .png       a picture (paradt_picture.h)
+// A hull alone is written as .off, .ply or .obj, with all its facets for faces, or as .npy, the array of facets.
 // Files are written under temporary names and renamed when all are complete: see paradt_io_stage.
 
 #ifndef PARADT_IO_H
@@ -112,6 +113,10 @@ int paradt_io_check_output(const char *name, int dim, const char *input, paradt_
 // neighbours as half-facets (PARADT_FACETS), except for .vtu and .npy. Returns 1, or 0 with the error filled in.
 int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
                     const paradt_triangulation *triangulation, paradt_io_error *error);
+// The same for the facets of a hull. facets: [count][corners]
+int paradt_io_check_hull_output(const char *name, int dim, const char *input, paradt_io_error *error);
+int paradt_io_write_hull(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
+                         const paradt_index *facets, size_t count, int corners, paradt_io_error *error);
 // Writes a text into the stage as a file. Returns 1, or 0 with the error filled in.
 int paradt_io_write_text(paradt_io_stage *stage, const char *name, const char *text, paradt_io_error *error);
 
@@ -1655,7 +1660,8 @@ typedef struct paradt_io__writer {
     paradt_io_stage *stage;
     const char *name; // of the output, as the caller gave it
     const paradt_io_points *points;
-    const paradt_triangulation *t;
+    const paradt_triangulation *t; // of a hull: facets for cells
+    int hull;                      // 1: of a hull
     paradt_io_error *error;
     paradt_io__out out;
 } paradt_io__writer;
@@ -1840,7 +1846,7 @@ static int paradt_io__surface_of(paradt_io__writer *w, paradt_io__surface *surfa
     surface->count = t->cell_count;
     surface->corners = corners;
     surface->own = NULL;
-    if (t->dim < 3)
+    if (w->hull || t->dim < 3)
         return 1;
     for (i = 0; i < total; i++)
         n += t->neighbors[i] < 0;
@@ -2026,15 +2032,16 @@ static const struct paradt_io__output {
     const char *extension;
     int (*write)(paradt_io__writer *w);
     int max_dim; // of the points
+    int hulls;   // 1: holds the facets of a hull, too
 } paradt_io__outputs[] = {
-    {".ele", paradt_io__write_ele, PARADT_MAX_DIM},
-    {".vtu", paradt_io__write_vtu, 3},
-    {".off", paradt_io__write_off, PARADT_MAX_DIM},
-    {".ply", paradt_io__write_ply, 3},
-    {".obj", paradt_io__write_obj, 3},
-    {".npy", paradt_io__write_npy, PARADT_MAX_DIM},
-    {".svg", paradt_io__write_svg, 3},
-    {".png", paradt_io__write_png, 3},
+    {".ele", paradt_io__write_ele, PARADT_MAX_DIM, 0},
+    {".vtu", paradt_io__write_vtu, 3, 0},
+    {".off", paradt_io__write_off, PARADT_MAX_DIM, 1},
+    {".ply", paradt_io__write_ply, 3, 1},
+    {".obj", paradt_io__write_obj, 3, 1},
+    {".npy", paradt_io__write_npy, PARADT_MAX_DIM, 1},
+    {".svg", paradt_io__write_svg, 3, 0},
+    {".png", paradt_io__write_png, 3, 0},
 };
 
 const char *paradt_io_outputs(void) {
@@ -2098,6 +2105,14 @@ int paradt_io_check_output(const char *name, int dim, const char *input, paradt_
     return 1;
 }
 
+int paradt_io_check_hull_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+    const struct paradt_io__output *output = paradt_io__output_of(name);
+    if (output && !output->hulls)
+        return paradt_io__error(error, PARADT_IO_BAD_NAME,
+                                "%.700s: %s files hold no hull; .off, .ply, .obj and .npy do", name, output->extension);
+    return paradt_io_check_output(name, dim, input, error);
+}
+
 // Allocates what a writer gets. Returns NULL after an error.
 static paradt_io__writer *paradt_io__writer_of(paradt_io_stage *stage, const char *name, paradt_io_error *error) {
     paradt_io__writer *w = (paradt_io__writer *)malloc(sizeof *w);
@@ -2108,6 +2123,7 @@ static paradt_io__writer *paradt_io__writer_of(paradt_io_stage *stage, const cha
     w->stage = stage;
     w->name = name;
     w->error = error;
+    w->hull = 0;
     return w;
 }
 
@@ -2122,6 +2138,28 @@ int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_po
         return 0;
     w->points = points;
     w->t = triangulation;
+    good = paradt_io__output_of(name)->write(w);
+    free(w);
+    return good;
+}
+
+int paradt_io_write_hull(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
+                         const paradt_index *facets, size_t count, int corners, paradt_io_error *error) {
+    paradt_triangulation cells;
+    paradt_io__writer *w;
+    int good;
+    if (!paradt_io_check_hull_output(name, points->dim, NULL, error))
+        return 0;
+    w = paradt_io__writer_of(stage, name, error);
+    if (!w)
+        return 0;
+    memset(&cells, 0, sizeof cells);
+    cells.dim = corners - 1;
+    cells.cell_count = count;
+    cells.cells = (paradt_index *)(uintptr_t)facets; // which nothing writes to
+    w->points = points;
+    w->t = &cells;
+    w->hull = 1;
     good = paradt_io__output_of(name)->write(w);
     free(w);
     return good;

@@ -170,9 +170,10 @@ static inline int exact_invert(const exact_points *e, const int *points, int n, 
     return sign;
 }
 
-// Computes T(P) of a small sample: its cells, sorted and with leaders for vertices (see sample_leaders), and, unless
-// representative is NULL, the leader of each point, or -1 where the leader is hidden. Returns the affine dimension.
-static inline int oracle_triangulate(const sample *s, cell_set *cells, int *representative) {
+// Computes T(P) of a small sample, or where furthest is 1 its furthest-site triangulation, whose cells have all points below
+// their hyperplanes: the cells, sorted and with leaders for vertices (see sample_leaders), and, unless representative is NULL,
+// the leader of each point, or -1 where the leader is hidden. Returns the affine dimension.
+static inline int oracle_triangulate_side(const sample *s, int furthest, cell_set *cells, int *representative) {
     int *leader = (int *)need((size_t)s->count, sizeof(int)), *rank = (int *)need((size_t)s->count, sizeof(int));
     int *points = (int *)need((size_t)s->count, sizeof(int)), *used = (int *)need((size_t)s->count, sizeof(int));
     int axes[CELLS_MAX_DIM], choice[CELLS_MAX_DIM + 1], corner[CELLS_MAX_DIM + 1], distinct = 0, k, n;
@@ -223,7 +224,7 @@ static inline int oracle_triangulate(const sample *s, cell_set *cells, int *repr
                     below = rank[corner[largest]];
                 }
             }
-            empty = side > 0;
+            empty = furthest ? side < 0 : side > 0;
         }
         if (empty) {
             cells_add(cells, cell_make(corner, n));
@@ -255,6 +256,10 @@ static inline int oracle_triangulate(const sample *s, cell_set *cells, int *repr
     free(rank);
     free(leader);
     return k;
+}
+
+static inline int oracle_triangulate(const sample *s, cell_set *cells, int *representative) {
+    return oracle_triangulate_side(s, 0, cells, representative);
 }
 
 #endif

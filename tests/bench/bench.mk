@@ -3,7 +3,7 @@
 B     := build/bench
 CC    ?= cc
 CXX   ?= c++
-PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull hxt
+PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull qhull-hull hxt
 # Some compilers don't know -march=native.
 NATIVE := $(shell echo 'int one;' | $(CC) -march=native -x c -c -o /dev/null - 2>/dev/null && echo yes)
 
@@ -57,6 +57,9 @@ $(B)/tetgen: tests/bench/tetgen.cpp $(B)/library.o
 	$(CXX) $(FLAGS) -DTETLIBRARY $(DEPENDS) -o $@ $(SOURCES) -ltet -lm
 
 $(B)/qhull: tests/bench/qhull.c $(B)/library.o
+	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
+
+$(B)/qhull-hull: tests/bench/qhull_hull.c $(B)/library.o
 	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
 
 $(B)/hxt: tests/bench/hxt.c $(B)/library.o

@@ -1,4 +1,4 @@
-// ParaDT: --method NAME, --regions K, --jobs J (threads of the parallel_for), --no-neighbors. The line has the
+// ParaDT: --method NAME (hull: the convex hull), --regions K, --jobs J (threads of the parallel_for), --no-neighbors. The line has the
 // statistics. --copies C shows what C processors achieve if no process waits for another.
 #include <pthread.h>
 #include <stdatomic.h>
@@ -95,6 +95,8 @@ static paradt_method method_named(const char *name) {
     return PARADT_AUTO;
 }
 
+static int is_hull(const bench_arguments *a) { return !strcmp(a->method, "hull"); }
+
 static void describe(char *text, size_t size, const paradt_triangulation *t, const bench_arguments *a) {
     const paradt_stats *s = &t->stats;
     snprintf(text, size,
@@ -115,7 +117,22 @@ static void triangulate(paradt_triangulation *result, const bench_arguments *a, 
     paradt_points input = paradt_points_f64(set->coordinates, set->count, set->dim);
     paradt_status status;
     input.weights = set->weights;
-    status = paradt_triangulate(result, &input, options);
+    if (is_hull(a)) { // its facets are the result's cells
+        paradt_hull hull;
+        status = paradt_hull_compute(&hull, &input, options);
+        memset(result, 0, sizeof *result);
+        result->dim = hull.dim - 1;
+        result->cell_count = hull.facet_count;
+        result->cells = hull.facets;
+        result->neighbors = hull.neighbors;
+        result->representative = hull.plane;
+        result->allocator = hull.allocator;
+        result->stats = hull.stats;
+        hull.facets = hull.neighbors = hull.plane = NULL;
+        paradt_hull_free(&hull);
+    } else {
+        status = paradt_triangulate(result, &input, options);
+    }
     if (status != PARADT_OK)
         bench_fail(a->path, paradt_status_string(status));
 }
@@ -145,7 +162,7 @@ int main(int argc, char **argv) {
     bench_points points = bench_read(arguments.path);
     paradt_options options;
     memset(&options, 0, sizeof options);
-    options.method = method_named(arguments.method);
+    options.method = is_hull(&arguments) ? PARADT_AUTO : method_named(arguments.method);
     options.regions = arguments.regions;
     options.flags = arguments.no_neighbors ? PARADT_NO_NEIGHBORS : 0;
     if (arguments.jobs > MAX_JOBS || arguments.copies > MAX_JOBS)

@@ -4,8 +4,8 @@
 # `make bench` does.
 #
 #   BENCH=full|quick          everything (an hour or more), or small sets of a few families (a few minutes)
-#   BENCH_SECTIONS="..."      any of families sizes scans dimensions weighted threads speedup small predicates; all by
-#                             default
+#   BENCH_SECTIONS="..."      any of families sizes scans dimensions weighted hulls threads speedup small predicates;
+#                             all by default
 #   BENCH_SCANS="..."         files of points in space for the section scans; none by default
 #   BENCH_METHODS="..."       methods of ParaDT; auto incode dewall by default
 #   BENCH_PEERS="..."         peers; by default all that can be built
@@ -35,6 +35,7 @@ cgal-dd Eigen/Core libeigen3-dev libcgal-dev
 cgal-tbb tbb/global_control.h libtbb-dev libcgal-dev
 tetgen tetgen.h libtet1.5-dev
 qhull libqhull_r/qhull_ra.h libqhull-dev
+qhull-hull libqhull_r/qhull_ra.h libqhull-dev
 hxt gmshc.h libgmsh-dev
 END
 }
@@ -193,7 +194,7 @@ measure() {
 
 # --- the cases --------------------------------------------------------------------------------------------------------
 
-SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted threads speedup small predicates}
+SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted hulls threads speedup small predicates}
 wants() { case " $SECTIONS " in *" $1 "*) ;; *) false ;; esac; }
 
 # Prints the first word of a list: the method that represents ParaDT where one is enough.
@@ -239,6 +240,14 @@ measure_all() {
         for n in $sizes; do
             measure weighted uniform "$n" 3 1 1 cgal-regular $METHODS
         done
+    fi
+    if wants hulls; then # the hull alone; hull/k2/j2 has two threads
+        measure hulls ball "$large" 2 0 1 qhull-hull hull hull/k2/j2
+        measure hulls ball "$large" 3 0 1 qhull-hull hull hull/k2/j2
+        measure hulls uniform "$large" 3 0 1 qhull-hull hull hull/k2/j2
+        measure hulls sphere $((large / 10)) 3 0 1 qhull-hull hull hull/k2/j2
+        measure hulls ball $((large / 10)) 4 0 1 qhull-hull hull hull/k2/j2
+        measure hulls ball $((large / 10)) 5 0 1 qhull-hull hull hull/k2/j2
     fi
     if wants threads; then
         for kind in uniform clusters; do
