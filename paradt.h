@@ -859,7 +859,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 // Every number is the double nearest to the true one (a tie to the even), whatever the order of the vertices and the
 // compiler's flags: infinity beyond the largest double, 0 for what is nearer to 0 than to any other. What is said of a
 // point is the exact sign. No memory is allocated. Thread-safe. A call costs some microseconds in 2 and 3 dimensions,
-// milliseconds at worst in 8; it takes 48 KB of stack in 2 and 3 dimensions, up to 200 KB in more where exponents are
+// milliseconds at worst in 8; it takes 36 KB of stack in 2 and 3 dimensions, up to 160 KB in more where exponents are
 // far apart.
 
 // Fills the centre and the squared radius of the sphere through all vertices. Returns 1, or 0 with nothing filled if
@@ -976,7 +976,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        618   signs in integers
+//     exact                        621   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -2683,8 +2683,11 @@ static const paradt__digit *paradt__general_halves(paradt__minors *m, paradt__di
         const paradt__digit *a = paradt__minor(m, mask, work, minor_sum, &a_digits);
         m->first = half;
         const paradt__digit *b = paradt__minor(m, ((1u << n) - 1) ^ mask, b_work, minor_sum, &b_digits);
-        paradt__make_room(sum, digits, &used, paradt__min(a_digits, b_digits));
-        paradt__multiply_add_any(sum, sign ? -1 : 1, a, a_digits, b, b_digits);
+        for (int part = 0; part < a_digits; part += PARADT__SUMMANDS) {
+            int part_digits = paradt__min(a_digits - part, PARADT__SUMMANDS);
+            paradt__make_room(sum, digits, &used, paradt__min(part_digits, b_digits));
+            paradt__multiply_add_any(sum + part, sign ? -1 : 1, a + part, part_digits, b, b_digits);
+        }
     }
     paradt__store_any(work, sum, digits);
     return work;
@@ -19009,7 +19012,7 @@ static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out)
 // The signs of a face's solution in floating point
 typedef struct paradt__estimate {
     int k;
-    double gram[PARADT_MAX_DIM][PARADT_MAX_DIM], lift[PARADT_MAX_DIM];
+    double gram[PARADT__MAX_COLUMNS][PARADT__MAX_COLUMNS], lift[PARADT__MAX_COLUMNS];
 } paradt__estimate;
 
 // The determinant of a square whose column `replaced` is the lifts; -1: none is. minor[mask] is the determinant of the
@@ -19033,7 +19036,7 @@ static double paradt__estimate_determinant(const paradt__estimate *e, int replac
 
 // The same for two and three rows: fills L, and returns det G.
 static double paradt__estimate_few(const paradt__estimate *e, double *solution) {
-    const double(*g)[PARADT_MAX_DIM] = e->gram;
+    const double(*g)[PARADT__MAX_COLUMNS] = e->gram;
     const double *l = e->lift;
     double c00, c01, c02, c11, c12, c22;
     if (e->k == 2) {
@@ -19059,8 +19062,8 @@ static double paradt__estimate_few(const paradt__estimate *e, double *solution) 
 // k factors, which are rounded at most k (k + 1) / 2 times more. A half more is for errors of higher order.
 static int paradt__filter_centre(int dim, const double *const *points, const double *weights) {
     static const double factorial[] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320};
-    const double small = paradt__power(-50), large = paradt__power(50);
-    double u[PARADT_MAX_DIM][PARADT_MAX_DIM], r[PARADT_MAX_DIM], solution[PARADT_MAX_DIM];
+    const double least = paradt__power(-50), most = paradt__power(50);
+    double u[PARADT_MAX_DIM][PARADT_MAX_DIM], r[PARADT_MAX_DIM], solution[PARADT__MAX_COLUMNS];
     double longest = 0, heavy = 0, product = 1, error, bound, determinant, rest, sum_of_bounds = 0;
     paradt__estimate e;
     int i, j, h, sign = 1;
@@ -19073,10 +19076,10 @@ static int paradt__filter_centre(int dim, const double *const *points, const dou
         }
         e.lift[i] = e.gram[i][i] = square;
         r[i] = sqrt(square) * 1.001;
-        if (!(r[i] > small && r[i] < large)) return PARADT__UNDECIDED;
+        if (!(r[i] > least && r[i] < most)) return PARADT__UNDECIDED;
         longest = paradt__larger(longest, r[i]);
         if (!weights) continue;
-        if (!(paradt__abs(weights[i + 1]) < large && paradt__abs(weights[0]) < large)) return PARADT__UNDECIDED;
+        if (!(paradt__abs(weights[i + 1]) < most && paradt__abs(weights[0]) < most)) return PARADT__UNDECIDED;
         heavy = paradt__larger(heavy, paradt__abs(weights[i + 1]) + paradt__abs(weights[0]));
         e.lift[i] -= weights[i + 1] - weights[0];
     }
