@@ -192,9 +192,16 @@
 //     PARADT_DEWALL         divide and conquer, merge first: the wall of cells across a plane, then each side of it
 //     PARADT_BOWYER_WATSON  insertion of one point after the other: cells whose sphere contains the new point are
 //                           replaced by cells that join it to the hole's boundary
+//     PARADT_FLIP           insertion by flips: the point splits the cell that a dag of all former cells finds, then
+//                           facets that are not locally regular are flipped while there are any
+//     PARADT_DELAUNAY_TREE  insertion of points that are located by all cells ever made, each a son of the cell that it
+//                           replaced and a stepson of its neighbour
+//     PARADT_LIFTED_HULL    the lower hull of the lifted points: each facet keeps the points beyond it, and all ridges
+//                           are worked on at once, in rounds of tasks
 //
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
-// in a hierarchical grid of the points, and never change a cell once it is made.
+// in a hierarchical grid of the points, and never change a cell once it is made. PARADT_LIFTED_HULL alone has
+// furthest-site triangulations, with PARADT_FURTHEST_SITE in options.flags.
 //
 //
 // REGIONS AND THREADS
@@ -370,34 +377,54 @@
 //     points       2^30 - 1; with PARADT_INDEX64 as many as memory holds
 //     cells        cells * (dim + 1) below 2^31 (536,870,911 tetrahedra); with PARADT_INDEX64 as many as memory holds;
 //                  for insertion the facets of the hull count as cells too
-//     changes      a triangulation is computed as a whole; points are not added to it or taken away later
+//     changes      a triangulation is computed as a whole; points are not added to it or taken away later. When they
+//                  have moved, paradt_repair mends it
 //     constraints  none: no edges or facets can be demanded
-//     methods      those of PARADT_METHOD_LIST: no flips, Delaunay tree or lifted hull yet
+//     regions      those of methods that divide space: PARADT_BOWYER_WATSON, PARADT_INCODE, and tasks of PARADT_DEWALL
+//                  and PARADT_LIFTED_HULL. PARADT_FLIP and PARADT_DELAUNAY_TREE work undivided
 //     machine      right shift of negative integers is arithmetic, doubles are IEEE 754, as on all platforms met so far
 //
 //
 // THE THESIS
 //
-// InCoDe, DeWall and their parallel forms follow "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where
-// its parts are:
+// "Parallel Delaunay Triangulation in 3D and Higher Dimensions". Where its parts are:
 //
-//     InCoDe      MakeFirstSimplex       paradt__cell_towards: paradt__simplex_guess grows it from the nearest
-//                                        neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
-//                 MakeSimplex            paradt__search_apex, the smallest signed Delaunay distance outside of a facet
-//                 active face list       struct paradt__facets, a hash table: paradt__facets_match
-//                 update of the AFL      paradt__front_add
-//                 uniform grid           paradt__grid_build: a hierarchy of boxes that adapts to the points
-//                 the loop               paradt__incode, with paradt__front_expand for each facet
-//     DeWall      dividing plane         paradt__grid_cut
-//                 simplex wall           paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
-//                 AFL alpha, 1, 2        struct paradt__wall; paradt__wall_activate says which one a facet enters
-//                 recursion              paradt__wall_build, from paradt__dewall
-//     ParaInCoDe  regions                paradt__build_by_front; one of them: paradt__front_task
-//                 owner                  paradt__cell_owner, the box with most vertices instead of the one with the
-//                                        ULF vertex, and which facets a region needs for that: paradt__needs
-//                 uniform partition      paradt__cutter_divide with PARADT_UNIFORM
-//                 adaptive partition     the same with PARADT_BISECTION
-//                 joining                paradt__collect_fronts
+//     1.1   definition, dual, empty spheres  paradt_insphere_perturbed, paradt_check
+//     1.1.3 embedding in d + 1 dimensions    PARADT_LIFTED_HULL: >>conflict graph, >>lifted hull; convex hulls by the
+//                                            same code, paradt_hull_compute
+//     1.1.4 optimality                       paradt_enclosing_sphere, paradt_is_self_centred, paradt_circumsphere;
+//                                            theorems 1.2 and 1.3 and lemma 1.5 in tests/optimality.c
+//     1.2   objects, regions, conflicts      points, cells, and paradt__graph_filter, which hands conflicts on
+//           the framework                    paradt__graph_expand for a ridge, paradt__graph_run for the rounds
+//           theorems 1.4 to 1.6              make theory (tests/bench/theory.c)
+//     2.1   InCoDe      MakeFirstSimplex     paradt__cell_towards: paradt__simplex_guess grows it from the nearest
+//                                            neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
+//                       MakeSimplex          paradt__search_apex, the smallest signed Delaunay distance outside of a
+//                                            facet
+//                       active face list     struct paradt__facets, a hash table: paradt__facets_match
+//                       update of the AFL    paradt__front_add
+//                       uniform grid         paradt__grid_build: a hierarchy of boxes that adapts to the points
+//                       the loop             paradt__incode, with paradt__front_expand for each facet
+//     2.2   DeWall      dividing plane       paradt__grid_cut
+//                       simplex wall         paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
+//                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
+//                       recursion            paradt__wall_build, from paradt__dewall
+//     2     local improvement by flips       paradt_repair: >>mending by flips
+//     2.3   incremental flips                PARADT_FLIP: search, collect, connect, flip: paradt__history_locate,
+//                                            paradt__flip_collect, paradt__flips_connect, paradt__flip
+//     3.1   regular triangulations in R^d    the same with weights; the history dag is >>history
+//     3.2   Delaunay tree location           paradt__tree_locate
+//                         creation           paradt__tree_record
+//     4     ParaInCoDe  regions              paradt__build_by_front; one of them: paradt__front_task
+//                       owner                paradt__cell_owner, the box with most vertices instead of the one with the
+//                                            ULF vertex, and which facets a region needs for that: paradt__needs
+//                       uniform partition    paradt__cutter_divide with PARADT_UNIFORM
+//                       joining              paradt__collect_fronts
+//           parallel DeWall                  paradt__build_levels: walls of the first levels, then the ranges between
+//                                            them; one of either: paradt__half_task
+//     5     experiments                      make thesis (tests/bench/thesis.sh)
+//     6     adaptive partition               paradt__cutter_divide with PARADT_BISECTION
+//           parallel randomized insertion    paradt__graph_task_round, a task of a round
 //
 // Here every decision is exact, ties follow the perturbation, and one code serves all dimensions, with and without
 // weights. Why a region reaches all the cells that it owns is shown in >>reach.
@@ -412,6 +439,16 @@
 //         Geometry 44, 2011: the perturbation
 //     A. Bowyer, "Computing Dirichlet tessellations", and D. F. Watson, "Computing the n-dimensional Delaunay
 //         tessellation with application to Voronoi polytopes", The Computer Journal 24, 1981: insertion
+//     H. Edelsbrunner, N. R. Shah, "Incremental topological flipping works for regular triangulations", Algorithmica 15,
+//         1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
+//         Computer Aided Geometric Design 8, 1991; V. T. Rajan, "Optimality of the Delaunay triangulation in R^d",
+//         Discrete and Computational Geometry 12, 1994: flips, optimality
+//     J.-D. Boissonnat, M. Teillaud, "On the randomized construction of the Delaunay tree", Theoretical Computer Science
+//         112, 1993: the Delaunay tree
+//     K. L. Clarkson, P. W. Shor, "Applications of random sampling in computational geometry, II", Discrete and
+//         Computational Geometry 4, 1989: conflict graphs
+//     G. E. Blelloch, Y. Gu, J. Shun, Y. Sun, "Randomized incremental convex hull is highly parallel", Symposium on
+//         Parallelism in Algorithms and Architectures, 2020: all ridges at once
 //     N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on Computational Geometry, 2003: the
 //         order of insertion
 //     C. H. Hamilton, "Compact Hilbert indices", Dalhousie University, CS-2006-07: Hilbert's curve in any dimension
