@@ -17520,31 +17520,48 @@ typedef struct paradt__mend {
     int vanished;        // vertices may be in no cell any more
 } paradt__mend;
 
-// Does the mesh have the simplices that a flip of one cell and its neighbours replaces as the circuit has them: the
-// facets opposite vertices in Q and no others lead to other cells? That is certain in a triangulation, but not where
-// cells are turned over.
-static int paradt__mend_is_circuit(const paradt__mend *m, paradt_index cell) {
-    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
-    paradt_index corners = mesh->corners, killed[PARADT_MAX_DIM + 2], count = 0, i, j, k;
-    killed[count++] = cell;
-    for (i = 0; i < corners; i++) {
-        if (mesh->vertices[mesh->links[cell * corners + i]] == m->flipper.point)
-            killed[count++] = mesh->links[cell * corners + i] / corners;
+// Is a vertex of what was collected in Q?
+PARADT__INLINE int paradt__mend_in_q(const paradt__flipper *f, paradt_index vertex) {
+    int i;
+    for (i = f->negative; i < f->negative + f->positive; i++) {
+        if (f->member[i] == vertex) return 1;
     }
-    for (i = 0; i < count; i++) {
-        for (j = 0; j < i; j++) {
-            if (killed[i] == killed[j]) return 0;
-        }
-        for (j = 0; j < corners; j++) {
-            int inner = 1, among = 0;
-            paradt_index vertex = mesh->vertices[killed[i] * corners + j];
-            paradt_index other = mesh->links[killed[i] * corners + j] / corners;
-            for (k = 0; k < m->flipper.positive; k++) inner &= vertex != m->flipper.member[m->flipper.negative + k];
-            for (k = 0; k < count; k++) among |= killed[k] == other;
-            if (inner != among) return 0;
-        }
+    return 0;
+}
+
+// Do the facets of a cell that is to be flipped lead to other cells where they are opposite to vertices in Q, and
+// nowhere else?
+static int paradt__mend_is_part(const paradt__mend *m, paradt_index cell) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    for (i = cell * corners; i < (cell + 1) * corners; i++) {
+        int leaves = !(mesh->marks[mesh->links[i] / corners] & PARADT__WAITING);
+        if (leaves != paradt__mend_in_q(&m->flipper, mesh->vertices[i])) return 0;
     }
     return 1;
+}
+
+// The cell of number i of those that the flip would kill: for each cell of the star that cell and those across from N
+static paradt_index paradt__mend_killed(const paradt__mend *m, size_t i) {
+    const paradt__flipper *f = &m->flipper;
+    const paradt__mesh *mesh = &f->build.scene.mesh;
+    paradt_index corners = mesh->corners;
+    size_t each = (size_t)f->negative + 1, at = i / each;
+    if (i % each == 0) return f->star.items[at];
+    return mesh->links[f->star.items[at] * corners + f->places[at * (size_t)corners + i % each - 1]] / corners;
+}
+
+// Does the mesh have the simplices that the flip replaces as the circuit has them? That is certain in a triangulation,
+// but not where cells are turned over.
+static int paradt__mend_is_circuit(paradt__mend *m) {
+    paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    size_t count = m->flipper.star.count * (size_t)(m->flipper.negative + 1), i, marked;
+    int is = 1;
+    for (marked = 0; marked < count && is; marked += is != 0)
+        is = paradt__mesh_mark(mesh, (size_t)paradt__mend_killed(m, marked), PARADT__WAITING);
+    for (i = 0; i < count && is; i++) is = paradt__mend_is_part(m, paradt__mend_killed(m, i));
+    for (i = 0; i < marked; i++) paradt__mesh_unmark(mesh, (size_t)paradt__mend_killed(m, i), PARADT__WAITING);
+    return is;
 }
 
 // Flips what was collected, and lists the facets of the new cells.
@@ -17596,7 +17613,7 @@ static paradt_status paradt__mend_try(paradt__mend *m, paradt_index cell, paradt
     }
     if (!signs.positive) return PARADT_OK;
     status = paradt__flip_collect(&m->flipper, cell, point, signs, corners, &possible);
-    if (status || !possible || !paradt__mend_is_circuit(m, cell)) return status;
+    if (status || !possible || !paradt__mend_is_circuit(m)) return status;
     *done = 1;
     return paradt__mend_flip(m);
 }
@@ -17648,7 +17665,7 @@ static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, 
     for (at = 0; at < m->flipper.star.count && possible; at++)
         possible = !paradt__mend_is_wrong(mesh, m->flipper.star.items[at]);
     if (status) return status;
-    return possible ? paradt__mend_flip(m) : paradt__mend_note(m, handle);
+    return possible && paradt__mend_is_circuit(m) ? paradt__mend_flip(m) : paradt__mend_note(m, handle);
 }
 
 // Looks at a facet, if its cell is still there.
