@@ -854,7 +854,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    209   insertions from begin to end
-//     Delaunay tree                315   location by the cells that there were
+//     Delaunay tree                331   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -10518,6 +10518,7 @@ typedef struct paradt__tree {
     size_t places;
     paradt__list waiting; // nodes that the search has yet to look at
     paradt__tag searches; // so far; numbers them
+    size_t looked;        // how often they have looked at a node
 } paradt__tree;
 
 PARADT__INLINE paradt__tree_node *paradt__tree_at(const paradt__tree *tree, paradt_index node) {
@@ -10665,6 +10666,7 @@ static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *sce
         paradt__tree_node *node = paradt__tree_at(tree, tree->waiting.items[--tree->waiting.count]);
         if (node->seen == tree->searches) continue;
         node->seen = tree->searches;
+        tree->looked++;
         if (!paradt__tree_conflicts(scene, node, x)) continue;
         *found = node->place;
         if (*found != PARADT__NOWHERE) return PARADT_OK;
@@ -10712,7 +10714,8 @@ PARADT__INLINE void paradt__tree_enter(const paradt__tree *tree, paradt_index nu
 
 // Enters the cells that the insertion of a point has made, the thesis' `creation`. Fathers and stepfathers are found by
 // their places before new cells have these.
-static paradt_status paradt__tree_record(paradt__tree *tree, const paradt__insertion *build, paradt_index point) {
+PARADT__NOINLINE paradt_status paradt__tree_record(paradt__tree *tree, const paradt__insertion *build,
+                                                   paradt_index point) {
     const paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
     size_t i, first = tree->count;
@@ -10734,21 +10737,34 @@ static paradt_status paradt__tree_record(paradt__tree *tree, const paradt__inser
 
 // --- construction
 
+// Returns a cell to begin the search for x at: if there is one, a cell in conflict with x among some of the last new
+// cells. In four dimensions that makes the search five times as short as beginning at any of them. Kept spheres know
+// the best.
+static paradt_index paradt__tree_start(paradt__insertion *build, const double *x) {
+    enum { TRIED = 32 };
+    size_t count = build->update.made_count, step = count / TRIED + 1, i;
+    for (i = 0; i < count && !build->kept; i += step) {
+        paradt_index cell = paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
+        if (paradt__conflicts(&build->scene, cell, x)) return cell;
+    }
+    return paradt__insertion_start(build);
+}
+
 // Inserts the points that are left, each located by the tree.
-static paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__insertion *build,
-                                             const paradt__progress *progress) {
-    enum { REPORTED = 1 << 14 }; // nodes between two reports of progress
+PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__insertion *build,
+                                                  const paradt__progress *progress) {
+    enum { REPORTED = 1 << 14 }; // nodes made and looked at between two reports of progress
     size_t due = REPORTED;
     paradt_status status = PARADT_OK;
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted), cell;
-        if (tree->count >= due) {
-            due = tree->count + REPORTED;
+        const double *x = paradt__scene_record(&build->scene, point);
+        if (tree->count + tree->looked >= due) {
+            due = tree->count + tree->looked + REPORTED;
             if (paradt__progress_cancels(progress, (double)build->inserted / (double)build->count))
                 return PARADT_ERROR_CANCELLED;
         }
-        status = paradt__tree_locate(tree, &build->scene, paradt__insertion_start(build),
-                                     paradt__scene_record(&build->scene, point), &cell);
+        status = paradt__tree_locate(tree, &build->scene, paradt__tree_start(build, x), x, &cell);
         if (!status) status = paradt__insert_next(build, cell);
         if (!status) status = paradt__tree_record(tree, build, point);
     }
