@@ -20,8 +20,8 @@ static int stops(void *user, double fraction) {
 }
 
 // Inserts points in the given order: all of them, or those before the first report of progress.
-static void begin_in(int dim, building *b, const double *x, size_t points, int all) {
-    paradt_points given = paradt_points_f64(x, points, dim);
+static void begin(building *b, const double *x, size_t points, int all) {
+    paradt_points given = paradt_points_f64(x, points, 3);
     paradt_options options = {0};
     paradt__meter meter;
     uint32_t told = 0;
@@ -42,10 +42,6 @@ static void begin_in(int dim, building *b, const double *x, size_t points, int a
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
     assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
-}
-
-static void begin(building *b, const double *x, size_t points, int all) {
-    begin_in(3, b, x, points, all);
 }
 
 static void end(building *b) {
@@ -128,21 +124,6 @@ static void stars_after_a_very_large_one_are_whole(void **state) {
     building b;
     begin(&b, x, MOST_POINTS, 1);
     check_links(&b.build);
-    end(&b);
-}
-
-// A large star makes the table of ridges large. The table is empty after every star, so nobody has to clear it.
-static void a_large_star_does_not_slow_what_follows(void **state) {
-    (void)state;
-    static double x[2 * POINTS];
-    building b;
-    for (size_t i = 0; i < POINTS; i++) { // the middle of a circle comes after half of the circle's points
-        x[2 * i] = i == POINTS / 2 ? 0.0 : cos(2e-3 * (double)i);
-        x[2 * i + 1] = i == POINTS / 2 ? 0.0 : sin(2e-3 * (double)i);
-    }
-    begin_in(2, &b, x, POINTS, 1);
-    assert_true(b.build.ridges.mask >= POINTS / 2 - 2);
-    assert_int_equal(b.build.ridges.count, 0);
     end(&b);
 }
 
@@ -335,7 +316,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
         cmocka_unit_test(stars_after_a_very_large_one_are_whole),
-        cmocka_unit_test(a_large_star_does_not_slow_what_follows),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
         cmocka_unit_test(powers_are_as_exact_as_they_say),
         cmocka_unit_test(powers_by_sagittas_tell_more),
