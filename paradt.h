@@ -861,11 +861,11 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
 //     planes                       351   conflict tests by one product, in any dimension
-//     ridge table                   75   facets that wait for their mirrors, for many threads
+//     ridge table                   89   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               595   randomized incremental construction in parallel
-//     lifted hull                   26   triangulations as hulls
-//     hull of points                49   convex hulls
+//     conflict graph               641   randomized incremental construction in parallel
+//     lifted hull                   49   triangulations as hulls
+//     hull of points                50   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -878,12 +878,12 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     fronts                       106   InCoDe and DeWall from set to mesh
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      258   one row a method; AUTO's choice
-//     triangulate                  357   the entry
+//     methods                      264   one row a method; AUTO's choice
+//     triangulate                  363   the entry
 //   check
 //     check                        498   the certificate
 //   division
-//     check of the hull            285   ... and of hidden points
+//     check of the hull            287   ... and of hidden points
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -1842,7 +1842,7 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 // error bound for all points of the set, which costs nothing; only where that does not decide, it computes the bound
 // for its points. The bounds are derived in >>space.
 // Doors: paradt__filter_orient2, paradt__filter_orient3, paradt__filter_insphere2, paradt__filter_insphere3,
-// paradt__filter4, paradt__filter_any.
+// paradt__filter4, paradt__filter_any, paradt__lift_rest.
 
 #define PARADT__UNDECIDED 2
 
@@ -10498,8 +10498,8 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 //     is certain where the size exceeds twice the error.
 // (5) Numbers of a filtered set (see >>space) are so far from the limits of doubles that an underflow costs less than
 //     2^-600 of any of these bounds; B is only used while |B| |A| is at most 2^44.
-// Doors: paradt__planes_begin, paradt__planes_inner, paradt__plane_of_cell, paradt__plane_of_facet, paradt__plane_row,
-// paradt__plane_value.
+// Doors: paradt__planes_begin, paradt__planes_inner, paradt__plane_of_cell, paradt__plane_of_facet,
+// paradt__plane_unknown, paradt__plane_row, paradt__plane_value.
 
 #define PARADT__NO_PLANE 3.2733906078961419e150 // 2^500: more than any value in a filtered set
 
@@ -10818,7 +10818,7 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
 // runs: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the first comer had written
 // before it entered the facet.
-// Doors: struct paradt__ridges, paradt__ridges_room, paradt__ridges_match, paradt__ridges_free.
+// Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_free, paradt__ridge_*.
 
 enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
 
@@ -10904,7 +10904,7 @@ static void paradt__ridges_free(paradt__ridges *ridges, paradt__memory *memory) 
 //
 // Lists of the points in conflict with a cell. A list is made once, by one task, and given back when its cell is not
 // needed any more, by any. Each task has lists of its own that were given back, by size: powers of two. New ones are
-// cut from chunks. Doors: struct paradt__pool, paradt__pool_take, paradt__pool_give, paradt__pool_free.
+// cut from chunks. Doors: paradt__pool_take, paradt__pool_give, paradt__pool_free.
 
 enum {
     PARADT__LIST_CLASSES = 48,
@@ -11004,7 +11004,7 @@ static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
 //
 // Lists ascend by position, along Hilbert's curve where the set does, so that rows are read nearly in sequence; the
 // order of insertion is a permutation apart from that.
-// Doors: struct paradt__graph, paradt__graph_begin, paradt__graph_run, paradt__graph_end, paradt__graph_build.
+// Doors: paradt__graph_build.
 
 typedef enum paradt__hull_side {
     PARADT__LOWER, // cells and ghosts of T(P): the lower side of the lifted points
@@ -11621,7 +11621,7 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
 // >>lifted hull
 //
 // Triangulations as hulls (thesis 1.1.3): the lower side of the lifted points is T(P), the upper side the furthest-site
-// triangulation. Doors: paradt__lifted_hull.
+// triangulation. Doors: paradt__lifted_hull, paradt__random_order.
 
 // Returns the positions 0 to count - 1 in an order by chance: a new block, or NULL when there is no memory.
 static paradt_index *paradt__random_order(size_t count, paradt__memory *memory) {
@@ -11700,8 +11700,9 @@ static paradt_status paradt__hull_of_line(const paradt__set *set, paradt__memory
 //   team      tasks that may run concurrently, and their progress; `memory` is divided among them meanwhile
 //   counters  of predicates: is added to
 // After an error the mesh is empty. Errors: MEMORY, TOO_LARGE, CANCELLED.
-static paradt_status paradt__hull_facets(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
-                                         paradt__mesh *facets, paradt__counters *counters) {
+PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const paradt__team *team,
+                                                   paradt__memory *memory, paradt__mesh *facets,
+                                                   paradt__counters *counters) {
     paradt_status status;
     if (set->space.dim == 1) {
         paradt__mesh_begin(facets, 1, 0);
@@ -14086,7 +14087,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 // >>methods
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
-// Doors: paradt__method_of, paradt__choose_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
+// Doors: paradt__method_of, paradt__choose_method, paradt__wanted_method, paradt__plan, paradt__build_mesh, paradt__build_trivial,
 // paradt__release_helpers.
 
 #ifndef PARADT_NO_REGIONS
