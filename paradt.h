@@ -16618,7 +16618,8 @@ static int paradt__sieve_scale(paradt__sieve *sieve, const double *high, size_t 
     static const int most[] = {0, 0, 512, 64, 20, 10, 6, 5, 4};
     int axis;
     if (!paradt__precise()) return 0;
-    sieve->side = (int)pow((double)count / 4, 1.0 / sieve->dim);
+    sieve->side =
+        (int)pow((double)count / (sieve->dim < 4 ? 4 : 32), 1.0 / sieve->dim); // lists are long in 4 dimensions
     if (sieve->side > most[sieve->dim]) sieve->side = most[sieve->dim];
     if (sieve->side < 2) return 0;
     for (axis = 0; axis < sieve->dim; axis++) {
@@ -16845,7 +16846,6 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 // *pays: 0: it would not pay, and there is none
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
                                           size_t count, size_t next, double *coordinates, int *pays) {
-    enum { MOST_OUTSIDE = 3 }; // of four points
     paradt__memory *memory = sifting->memory;
     paradt__counters counters;
     paradt__set set;
@@ -16870,7 +16870,7 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
             vertices += !met[mesh.vertices[i]];
             met[mesh.vertices[i]] = 1;
         }
-        *pays = !status && 4 * vertices < (size_t)MOST_OUTSIDE * count;
+        *pays = !status && 2 * vertices < count; // else more than half of all points are outside
     }
     *pays = *pays && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
@@ -16883,8 +16883,8 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
 
 // Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
 static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
-    static const size_t least[] = {0, 0, 256, 512, 512, 512, 0, 0, 0}; // points of the first sample; 0: no sieve
-    enum { STEP = 32 };                                                // from one sample to the next, and to all
+    static const size_t least[] = {0, 0, 256, 512, 512, 64, 0, 0, 0}; // points of the first sample; 0: no sieve
+    enum { STEP = 32 };                                               // from one sample to the next, and to all
     size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
     double *coordinates;
     paradt_status status = PARADT_OK;
