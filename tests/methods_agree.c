@@ -1,5 +1,5 @@
-// Sets that are too large for the definition: all methods, numbers of regions, partitions, input orders and ways of
-// running the regions give the same cells, which paradt_check certifies.
+// Sets that are too large for the definition: all methods, numbers of regions, partitions, input orders and ways of running the
+// regions give the same cells, which paradt_check certifies.
 #include "harness.h"
 
 #include <pthread.h>
@@ -26,7 +26,8 @@ static reference reference_make(int f, int w, int dim, int count) {
     r.cells = cells_of(&t, NULL);
     r.hash = paradt_hash(&t);
     r.dim = t.dim;
-    if (t.stats.cells_recomputed) fail_on_sample(&r.s, "an undivided run says that it recomputed cells");
+    if (t.stats.cells_recomputed)
+        fail_on_sample(&r.s, "an undivided run says that it recomputed cells");
     paradt_free(&t);
     return r;
 }
@@ -37,15 +38,15 @@ static void reference_free(reference *r) {
 }
 
 // Without neighbours, insertion builds the regions in another way, one after another. Returns what differs, or NULL.
-static const char *differs_without_neighbors(const reference *r, paradt_options options,
-                                             const paradt_triangulation *with) {
+static const char *differs_without_neighbors(const reference *r, paradt_options options, const paradt_triangulation *with) {
     paradt_points points = points_of(&r->s);
     paradt_triangulation without;
     options.flags = PARADT_NO_NEIGHBORS;
     watch(&r->s, 20);
     paradt_status status = paradt_triangulate(&without, &points, &options);
     watch(NULL, 0);
-    if (status) return paradt_status_string(status);
+    if (status)
+        return paradt_status_string(status);
     int equal = paradt_hash(&without) == r->hash && without.stats.hull_facets == with->stats.hull_facets;
     paradt_free(&without);
     return equal ? NULL : "other cells or hull facets without neighbours";
@@ -57,14 +58,17 @@ static void expect_reference(const reference *r, const paradt_options *options, 
     watch(&r->s, 20);
     paradt_status status = paradt_triangulate(&t, &points, options);
     watch(NULL, 0);
-    if (status) fail_on_sample(&r->s, paradt_status_string(status));
+    if (status)
+        fail_on_sample(&r->s, paradt_status_string(status));
     const char *wrong = t.dim != r->dim ? "another affine dimension" : verify_records(&t, &r->s);
-    if (!wrong) wrong = verify_neighbors(&t);
+    if (!wrong)
+        wrong = verify_neighbors(&t);
     if (!wrong && (t.stats.regions < 1 || t.stats.regions > (options->regions ? options->regions : 1)))
         wrong = "stats.regions is more than was asked for";
     cell_set found = cells_of(&t, NULL);
     fail_if_different(&r->s, how, &r->cells, &found);
-    if (!wrong && paradt_hash(&t) != r->hash) wrong = "equal cells have different hashes";
+    if (!wrong && paradt_hash(&t) != r->hash)
+        wrong = "equal cells have different hashes";
     if (!wrong && options->regions > 1 && options->method == PARADT_BOWYER_WATSON && r->dim <= 3)
         wrong = differs_without_neighbors(r, *options, &t);
     if (wrong) {
@@ -83,7 +87,8 @@ static void expect_reference_from_shuffled(const reference *r, const paradt_opti
     sample_leaders(&r->s, leader, NULL);
     shuffle(order, r->s.count, &seed);
     sample shuffled = sample_pick(&r->s, order, r->s.count);
-    for (int i = 0; i < r->s.count; i++) order[i] = leader[order[i]];
+    for (int i = 0; i < r->s.count; i++)
+        order[i] = leader[order[i]];
     paradt_points points = points_of(&shuffled);
     watch(&r->s, 20);
     assert_int_equal(paradt_triangulate(&t, &points, options), PARADT_OK);
@@ -104,7 +109,8 @@ static void methods_and_regions_agree(void **state) {
         for (int turn = 0; turn < 2; turn++) {
             int w = turn ? 1 + (f + dim) % (WEIGHTING_COUNT - 1) : 0;
             int extremes = families[f].extremes || weightings[w].extremes;
-            if (extremes && dim > (is_quick() ? 3 : 5)) continue;
+            if (extremes && dim > (is_quick() ? 3 : 5))
+                continue;
             reference r = reference_make(f, w, dim, extremes ? few_points_in[dim] : points_in[dim]);
             for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
                 paradt_options options = {0};
@@ -131,7 +137,8 @@ static void more_regions_than_points_agree(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         for (int f = 0; f < FAMILY_COUNT; f++) {
-            if (families[f].extremes && sizes[i].count > 40) continue;
+            if (families[f].extremes && sizes[i].count > 40)
+                continue;
             reference r = reference_make(f, f % 2, sizes[i].dim, sizes[i].count);
             for (int way = 0; way < 2 * PARADT_METHOD_COUNT; way++) {
                 paradt_options options = {0};
@@ -159,7 +166,8 @@ static void *run_job(void *argument) {
         pthread_mutex_lock(&j->lock);
         size_t index = j->next++;
         pthread_mutex_unlock(&j->lock);
-        if (index >= j->count) return NULL;
+        if (index >= j->count)
+            return NULL;
         j->task(j->context, index);
     }
 }
@@ -169,13 +177,16 @@ static void run_on_threads(void *user, size_t count, void (*task)(void *context,
     pthread_t threads[THREADS];
     job j = {task, context, 0, count, PTHREAD_MUTEX_INITIALIZER};
     ++*(int *)user;
-    for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, run_job, &j), 0);
-    for (int i = 0; i < THREADS; i++) pthread_join(threads[i], NULL);
+    for (int i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, run_job, &j), 0);
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(threads[i], NULL);
 }
 
 static void run_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     ++*(int *)user;
-    while (count-- > 0) task(context, count);
+    while (count-- > 0)
+        task(context, count);
 }
 
 static void regions_may_run_in_any_order_and_on_threads(void **state) {
@@ -194,14 +205,15 @@ static void regions_may_run_in_any_order_and_on_threads(void **state) {
                     options.parallel_for = runners[runner];
                     options.user = &calls;
                     expect_reference(&r, &options, runner ? "regions run backwards" : "regions run on threads");
-                    if (r.dim > 0 && r.cells.count > 100) assert_true(calls > 0);
+                    if (r.dim > 0 && r.cells.count > 100)
+                        assert_true(calls > 0);
                 }
             reference_free(&r);
         }
 }
 
-// Regions of many points are built in legs: all of them pause together, and other tasks may continue them. The result's
-// arrays are the same as without pauses, whoever continues.
+// Regions of many points are built in legs: all of them pause together, and other tasks may continue them. The result's arrays
+// are the same as without pauses, whoever continues.
 static void regions_that_change_hands_build_what_they_build_alone(void **state) {
     static const struct {
         const char *family;
@@ -254,7 +266,8 @@ static void large_sets_agree(void **state) {
         for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
             paradt_options options = {0};
             options.method = (paradt_method)method;
-            if (!RACES_ONLY) expect_reference(&r, &options, how_text(&options));
+            if (!RACES_ONLY)
+                expect_reference(&r, &options, how_text(&options));
             options.parallel_for = run_on_threads;
             options.user = &calls;
             options.regions = 5;
@@ -267,8 +280,8 @@ static void large_sets_agree(void **state) {
     }
 }
 
-// The first of four regions has points on a sphere; two others have a dense cluster each, close to that sphere. The
-// cells of the first region's own points are wrong in two separate places.
+// The first of four regions has points on a sphere; two others have a dense cluster each, close to that sphere. The cells of the
+// first region's own points are wrong in two separate places.
 static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
     enum { LEFT = 396, BELOW = 198, SPHERE = 206 }; // put the cuts close to the lowest points of the sphere
     (void)state;
@@ -284,8 +297,10 @@ static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
                     norm += x[k] * x[k];
                 }
             }
-            for (int k = 0; k < dim; k++) x[k] = i < LEFT + BELOW ? 1 + 0.01 * x[k] : 1 + 0.9 * x[k] / sqrt(norm);
-            if (i < LEFT + BELOW) x[i >= LEFT] -= 0.95;
+            for (int k = 0; k < dim; k++)
+                x[k] = i < LEFT + BELOW ? 1 + 0.01 * x[k] : 1 + 0.9 * x[k] / sqrt(norm);
+            if (i < LEFT + BELOW)
+                x[i >= LEFT] -= 0.95;
         }
         for (int regions = 1; regions <= 4; regions += 3) {
             paradt_options options = {0};
@@ -293,7 +308,8 @@ static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
             options.regions = (size_t)regions;
             paradt_triangulation t = triangulate_and_verify(&s, &options, how_text(&options));
             assert_int_equal(t.stats.regions, regions);
-            if (regions == 1) expected = paradt_hash(&t);
+            if (regions == 1)
+                expected = paradt_hash(&t);
             assert_true(paradt_hash(&t) == expected);
             paradt_free(&t);
         }
@@ -328,8 +344,7 @@ static void tasks_between_walls_agree(void **state) {
     }
 }
 
-// The longest axis of the plane is a multiple of its first axis, and not one of the axes that its cells are oriented
-// in.
+// The longest axis of the plane is a multiple of its first axis, and not one of the axes that its cells are oriented in.
 static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) {
     static const paradt_method methods[] = {PARADT_BOWYER_WATSON, PARADT_INCODE, PARADT_DEWALL};
     sample s = sample_make("leaning plane", 3, 2000);
@@ -349,7 +364,8 @@ static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) 
             paradt_triangulation t = triangulate_and_verify(&s, &options, how_text(&options));
             assert_int_equal(t.dim, 2);
             assert_int_equal(t.stats.regions, regions);
-            if (!expected) expected = paradt_hash(&t);
+            if (!expected)
+                expected = paradt_hash(&t);
             assert_true(paradt_hash(&t) == expected);
             paradt_free(&t);
         }
@@ -419,15 +435,15 @@ static void many_calls_at_once_do_not_disturb_each_other(void **state) {
     }
     for (int i = 0; i < CALLERS; i++)
         assert_int_equal(pthread_create(&callers[i].thread, NULL, call_often, &callers[i]), 0);
-    for (int i = 0; i < CALLERS; i++) pthread_join(callers[i].thread, NULL);
+    for (int i = 0; i < CALLERS; i++)
+        pthread_join(callers[i].thread, NULL);
     for (int i = 0; i < CALLERS; i++) {
         assert_int_equal(callers[i].failures, 0);
         sample_free(&callers[i].s);
     }
 }
 
-// The hash is the sum of the hashes of the cells. It does not depend on the order of a cell's vertices, and differs for
-// other sets.
+// The hash is the sum of the hashes of the cells. It does not depend on the order of a cell's vertices, and differs for other sets.
 static void the_hash_is_one_of_a_set(void **state) {
     sample s = family_make(&families[0], NULL, 3, 100, 9);
     paradt_points points = points_of(&s);
@@ -471,13 +487,13 @@ int main(void) {
         tests[count++] = named_test(stars_of_thousands_of_cells_agree, NULL, "stars_of_thousands_of_cells_agree");
         tests[count++] = named_test(the_hash_is_one_of_a_set, NULL, "the_hash_is_one_of_a_set");
     }
-    tests[count++] =
-        named_test(regions_may_run_in_any_order_and_on_threads, NULL, "regions_may_run_in_any_order_and_on_threads");
+    tests[count++] = named_test(regions_may_run_in_any_order_and_on_threads, NULL,
+                                "regions_may_run_in_any_order_and_on_threads");
     tests[count++] = named_test(regions_that_change_hands_build_what_they_build_alone, NULL,
                                 "regions_that_change_hands_build_what_they_build_alone");
     tests[count++] = named_test(tasks_between_walls_agree, NULL, "tasks_between_walls_agree");
     tests[count++] = named_test(large_sets_agree, NULL, "large_sets_agree");
-    tests[count++] =
-        named_test(many_calls_at_once_do_not_disturb_each_other, NULL, "many_calls_at_once_do_not_disturb_each_other");
+    tests[count++] = named_test(many_calls_at_once_do_not_disturb_each_other, NULL,
+                                "many_calls_at_once_do_not_disturb_each_other");
     return run_named_tests("methods_agree", tests, count);
 }

@@ -1,5 +1,5 @@
-// Memory, cancelling and side effects: every allocation may fail, every call of progress may cancel, the memory limit
-// is kept, all memory comes from the caller's allocator and goes back to it, and nothing else in the process changes.
+// Memory, cancelling and side effects: every allocation may fail, every call of progress may cancel, the memory limit is kept, all
+// memory comes from the caller's allocator and goes back to it, and nothing else in the process changes.
 
 #include "harness.h"
 
@@ -37,13 +37,13 @@ void *watched_calloc(size_t count, size_t size) {
 
 typedef struct books {
     pthread_mutex_t lock;
-    size_t calls;   // of alloc, refused ones included
-    size_t fail_at; // the number of the first refused call; 0: none
-    int fail_after; // 1: all later ones too
-    size_t live;    // blocks
+    size_t calls;    // of alloc, refused ones included
+    size_t fail_at;  // the number of the first refused call; 0: none
+    int fail_after;  // 1: all later ones too
+    size_t live;     // blocks
     size_t bytes, peak;
     int refused;
-    int faults;           // blocks freed that were not allocated, sizes of 0
+    int faults; // blocks freed that were not allocated, sizes of 0
     struct header *first; // of the blocks
 } books;
 
@@ -60,7 +60,8 @@ static void *books_alloc(void *user, size_t size) {
     pthread_mutex_lock(&b->lock);
     b->calls++;
     b->faults += size == 0;
-    if (b->fail_at && (b->calls == b->fail_at || (b->fail_after && b->calls > b->fail_at))) b->refused++;
+    if (b->fail_at && (b->calls == b->fail_at || (b->fail_after && b->calls > b->fail_at)))
+        b->refused++;
     else if ((block = (char *)malloc(size + HEADER)) != NULL) {
         header *h = (header *)(void *)block;
         memset(block, 0xcd, size + HEADER); // new memory may contain anything
@@ -68,11 +69,13 @@ static void *books_alloc(void *user, size_t size) {
         h->mark = BLOCK_MARK;
         h->before = NULL;
         h->next = b->first;
-        if (b->first) b->first->before = h;
+        if (b->first)
+            b->first->before = h;
         b->first = h;
         b->live++;
         b->bytes += size;
-        if (b->bytes > b->peak) b->peak = b->bytes;
+        if (b->bytes > b->peak)
+            b->peak = b->bytes;
     }
     pthread_mutex_unlock(&b->lock);
     return block ? block + HEADER : NULL;
@@ -81,15 +84,20 @@ static void *books_alloc(void *user, size_t size) {
 static void books_free(void *user, void *memory) {
     books *b = (books *)user;
     header *h = (header *)(void *)((char *)memory - HEADER);
-    if (!memory) return;
+    if (!memory)
+        return;
     pthread_mutex_lock(&b->lock);
-    if (h->mark != BLOCK_MARK) b->faults++;
+    if (h->mark != BLOCK_MARK)
+        b->faults++;
     else {
         b->live--;
         b->bytes -= h->size;
-        if (h->next) h->next->before = h->before;
-        if (h->before) h->before->next = h->next;
-        else b->first = h->next;
+        if (h->next)
+            h->next->before = h->before;
+        if (h->before)
+            h->before->next = h->next;
+        else
+            b->first = h->next;
         memset(h, 0xdd, h->size + HEADER);
         free(h);
     }
@@ -119,7 +127,8 @@ int watched_madvise(void *address, size_t length, int advice);
 int watched_madvise(void *address, size_t length, int advice) {
     const char *begin = (const char *)address;
     int inside = 0;
-    if (!watcher) return madvise(address, length, advice);
+    if (!watcher)
+        return madvise(address, length, advice);
     pthread_mutex_lock(&watcher->lock);
     for (const header *h = watcher->first; h && !inside; h = h->next) {
         const char *block = (const char *)h + HEADER;
@@ -145,7 +154,8 @@ static void run_on_threads(void *user, size_t count, void (*task)(void *context,
 // A paradt_parallel_for that uses the calling thread alone
 static void run_in_turn(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     (void)user;
-    while (count-- > 0) task(context, count);
+    while (count-- > 0)
+        task(context, count);
 }
 
 // Sets that are large enough for DeWall to have tasks, of which those in four dimensions search for walls together
@@ -154,7 +164,8 @@ static int scene_of_walls(int number, scene *out) {
         int family, weighting, dim, count, tasks;
     } sets[] = {{0, 0, 3, 150, 0}, {0, 0, 4, 140, 1}, {1, 1, 3, 150, 1},
                 {5, 0, 4, 140, 1}, {1, 0, 5, 90, 1},  {0, 1, 2, 200, 1}};
-    if (number >= (int)(sizeof sets / sizeof sets[0])) return 0;
+    if (number >= (int)(sizeof sets / sizeof sets[0]))
+        return 0;
     out->s = family_make(&families[sets[number].family], &weightings[sets[number].weighting], sets[number].dim,
                          sets[number].count, 6);
     out->options.method = PARADT_DEWALL;
@@ -163,14 +174,15 @@ static int scene_of_walls(int number, scene *out) {
     return 1;
 }
 
-// Makes scene `number`; returns 0 when there is none. Families, weights, dimensions, methods and regions are chosen so
-// that all code that allocates runs. A sanitized program gets every third scene: these have all inputs, ways and
-// methods, but not in all combinations.
+// Makes scene `number`; returns 0 when there is none. Families, weights, dimensions, methods and regions are chosen so that all
+// code that allocates runs. A sanitized program gets every third scene: these have all inputs, ways and methods, but not in
+// all combinations.
 static int next_scene(int number, scene *out) {
     static const struct {
         int family, weighting, dim, count;
-    } inputs[] = {{0, 0, 3, 60}, {5, 3, 3, 50}, {17, 1, 3, 60}, {0, 2, 2, 60},  {12, 0, 3, 40}, {15, 1, 3, 20},
-                  {16, 1, 3, 5}, {0, 0, 5, 14}, {9, 0, 4, 20},  {21, 0, 3, 20}, {5, 0, 4, 50}};
+    } inputs[] = {{0, 0, 3, 60}, {5, 3, 3, 50}, {17, 1, 3, 60}, {0, 2, 2, 60},   {12, 0, 3, 40},
+                  {15, 1, 3, 20}, {16, 1, 3, 5}, {0, 0, 5, 14},  {9, 0, 4, 20}, {21, 0, 3, 20},
+                  {5, 0, 4, 50}};
     static const struct {
         size_t regions;
         paradt_partition partition;
@@ -185,7 +197,8 @@ static int next_scene(int number, scene *out) {
     int each = SANITIZED ? 3 * number : number;
     int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
-    if (method >= PARADT_METHOD_COUNT) return scene_of_walls(each - INPUTS * WAYS * PARADT_METHOD_COUNT, out);
+    if (method >= PARADT_METHOD_COUNT)
+        return scene_of_walls(each - INPUTS * WAYS * PARADT_METHOD_COUNT, out);
     out->s = family_make(&families[inputs[input].family], &weightings[inputs[input].weighting], inputs[input].dim,
                          inputs[input].count, 6);
     out->options.method = (paradt_method)method;
@@ -217,7 +230,8 @@ static void run_on_threads(void *user, size_t count, void (*task)(void *context,
         jobs[i] = j;
         assert_int_equal(pthread_create(&jobs[i].thread, NULL, run_job, &jobs[i]), 0);
     }
-    for (size_t i = 0; i < count; i++) pthread_join(jobs[i].thread, NULL);
+    for (size_t i = 0; i < count; i++)
+        pthread_join(jobs[i].thread, NULL);
     free(jobs);
 }
 
@@ -282,14 +296,14 @@ static void every_failing_allocation_is_an_error_and_leaks_nothing(void **state)
                 if (status != PARADT_ERROR_MEMORY || b.live || b.faults) {
                     char text[256];
                     snprintf(text, sizeof text, "%s, allocation %u refused: %s, %u blocks leaked, %d faults",
-                             how_text(&c.options), (unsigned)k, paradt_status_string(status), (unsigned)b.live,
-                             b.faults);
+                             how_text(&c.options), (unsigned)k, paradt_status_string(status), (unsigned)b.live, b.faults);
                     fail_on_sample(&c.s, text);
                 }
                 assert_empty(&t);
                 paradt_free(&t);
                 tried++;
-                if (!serial && k > 200) break;
+                if (!serial && k > 200)
+                    break;
             }
         sample_free(&c.s);
     }
@@ -317,7 +331,8 @@ static void the_memory_limit_is_kept(void **state) {
             b = books_open();
             c.options.memory_limit = limit;
             paradt_status status = paradt_triangulate(&t, &points, &c.options);
-            if (b.peak > limit) fail_on_sample(&c.s, "more memory was held than memory_limit allows");
+            if (b.peak > limit)
+                fail_on_sample(&c.s, "more memory was held than memory_limit allows");
             if (status == PARADT_OK) {
                 assert_true(paradt_hash(&t) == hash);
             } else {
@@ -348,8 +363,10 @@ static int note_progress(void *user, double fraction) {
     reports *r = (reports *)user;
     pthread_mutex_lock(&r->lock);
     r->calls++;
-    if (!(fraction >= 0 && fraction <= 1)) r->in_range = 0;
-    if (fraction < r->last) r->ordered = 0;
+    if (!(fraction >= 0 && fraction <= 1))
+        r->in_range = 0;
+    if (fraction < r->last)
+        r->ordered = 0;
     r->last = fraction;
     int cancel = r->cancel_at && r->calls >= r->cancel_at;
     pthread_mutex_unlock(&r->lock);
@@ -367,10 +384,7 @@ static void every_progress_call_can_cancel(void **state) {
     for (int method = 0; method < PARADT_METHOD_COUNT; method++)
         for (int way = 0; way < 8; way++) {
             sample s = family_make(&families[way % 2 ? 0 : 5], &weightings[way % 3], 2 + way % 3,
-                                   way % 3 == 2 ? 400
-                                   : SANITIZED  ? 2000
-                                                : 8000,
-                                   3);
+                                   way % 3 == 2 ? 400 : SANITIZED ? 2000 : 8000, 3);
             paradt_points points = points_of(&s);
             paradt_options options = {0};
             paradt_triangulation t;
@@ -385,7 +399,8 @@ static void every_progress_call_can_cancel(void **state) {
                 keep_books(&options, &b);
                 options.user = &r;
                 paradt_status status = paradt_triangulate(&t, &points, &options);
-                if (!r.in_range || !r.ordered) fail_on_sample(&s, "progress goes back or leaves 0..1");
+                if (!r.in_range || !r.ordered)
+                    fail_on_sample(&s, "progress goes back or leaves 0..1");
                 if (k == 0) {
                     assert_int_equal(status, PARADT_OK);
                     calls = r.calls;
@@ -406,14 +421,14 @@ static void every_progress_call_can_cancel(void **state) {
     assert_true(reported > 0);
 }
 
-// With many cells and many hidden points, walks and hash chains are long, and each phase reports progress several
-// times.
+// With many cells and many hidden points, walks and hash chains are long, and each phase reports progress several times.
 static void a_triangulation_of_thousands_of_points_is_accepted(void **state) {
     (void)state;
     for (int dim = 2; dim <= 3; dim++)
         for (int weighted = 0; weighted < 2; weighted++) {
             sample s = family_make(&families[0], &weightings[weighted], dim, 20000, 11);
-            for (int i = 0; weighted && i < s.count; i++) s.w[i] *= 0.08;
+            for (int i = 0; weighted && i < s.count; i++)
+                s.w[i] *= 0.08;
             paradt_points points = points_of(&s);
             paradt_options options = {0};
             paradt_triangulation t;
@@ -458,13 +473,13 @@ static void without_neighbors_the_cells_are_the_same(void **state) {
     }
 }
 
-// Makes a slightly perturbed lattice. It has more cells than uniform points, which shows only after most points are
-// inserted.
+// Makes a slightly perturbed lattice. It has more cells than uniform points, which shows only after most points are inserted.
 static sample points_of_a_shaken_lattice(int side) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, side * side * side, 1);
     for (int i = 0; i < s.count; i++) {
         const int place[3] = {i % side, i / side % side, i / side / side};
-        for (int axis = 0; axis < 3; axis++) s.x[3 * i + axis] = place[axis] + (s.x[3 * i + axis] - 0.5) * 1e-6;
+        for (int axis = 0; axis < 3; axis++)
+            s.x[3 * i + axis] = place[axis] + (s.x[3 * i + axis] - 0.5) * 1e-6;
     }
     return s;
 }
@@ -502,8 +517,8 @@ static void pages_are_made_within_blocks(void **state) {
     sample_free(&s);
 }
 
-// Without neighbours, the links of only one region in five are held at a time. Eight regions drop a tenth of their
-// cells. A lattice has fewer cells than uniform points, a perturbed one has more.
+// Without neighbours, the links of only one region in five are held at a time. Eight regions drop a tenth of their cells.
+// A lattice has fewer cells than uniform points, a perturbed one has more.
 static void large_sets_take_few_bytes_a_point(void **state) {
     static const struct {
         const char *family; // NULL: a perturbed lattice
@@ -513,11 +528,12 @@ static void large_sets_take_few_bytes_a_point(void **state) {
                  {"lattice", 0, 0, 300}, {"lattice", PARADT_NO_NEIGHBORS, 0, 220}, {NULL, 0, 0, 300},
                  {NULL, 0, 2, 350}};
     (void)state;
-    if (SANITIZED) skip(); // smaller sets show as much in less time
+    if (SANITIZED)
+        skip(); // smaller sets show as much in less time
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const char *name = cases[i].family;
-        sample s =
-            name ? family_make(&families[family_named(name)], NULL, 3, 500000, 1) : points_of_a_shaken_lattice(60);
+        sample s = name ? family_make(&families[family_named(name)], NULL, 3, 500000, 1)
+                        : points_of_a_shaken_lattice(60);
         paradt_points points = points_of(&s);
         paradt_options options = {0};
         paradt_triangulation t;
@@ -536,8 +552,8 @@ static void large_sets_take_few_bytes_a_point(void **state) {
     }
 }
 
-// Regions are given up on sets where their questions to other regions would take longer than everything else, with and
-// without neighbours, one after another and on threads. On other sets they are kept.
+// Regions are given up on sets where their questions to other regions would take longer than everything else, with and without
+// neighbours, one after another and on threads. On other sets they are kept.
 static void regions_give_up_where_questions_abound(void **state) {
     static const struct {
         const char *family;
@@ -561,7 +577,8 @@ static void regions_give_up_where_questions_abound(void **state) {
             assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
             assert_true(paradt_hash(&t) == paradt_hash(&whole));
             assert_true(t.stats.hull_facets == whole.stats.hull_facets);
-            if (t.stats.regions != (cases[i].gives_up ? 1 : 4)) fail_on_sample(&s, "the number of regions built");
+            if (t.stats.regions != (cases[i].gives_up ? 1 : 4))
+                fail_on_sample(&s, "the number of regions built");
             paradt_free(&t);
         }
         paradt_free(&whole);
@@ -582,8 +599,8 @@ static sample points_of_a_cylinder(int count) {
     return s;
 }
 
-// If there are enough points, a sample of them shows before anything is built that regions would be given up. An
-// allocation that fails meanwhile leaks nothing.
+// If there are enough points, a sample of them shows before anything is built that regions would be given up. An allocation that
+// fails meanwhile leaks nothing.
 static void regions_that_would_give_up_are_not_begun(void **state) {
     static const struct {
         const char *family;
@@ -698,8 +715,8 @@ static void some_regions_of_a_lattice_tell_others(void **state) {
     sample_free(&s);
 }
 
-// Regions that are built facet by facet compute few cells twice: little more than those that have two vertices on
-// either side of a border.
+// Regions that are built facet by facet compute few cells twice: little more than those that have two vertices on either side of
+// a border.
 static void regions_make_few_cells_again(void **state) {
     static const struct {
         int dim, count;
@@ -720,8 +737,8 @@ static void regions_make_few_cells_again(void **state) {
             assert_int_equal(t.stats.cells_recomputed, 0);
         assert_int_equal(t.stats.regions, options.regions);
         if (share > cases[i / 2].share)
-            fail_msg("%d points in %zu regions, d = %d: %.4f of the cells made again", cases[i / 2].count,
-                     options.regions, cases[i / 2].dim, share);
+            fail_msg("%d points in %zu regions, d = %d: %.4f of the cells made again", cases[i / 2].count, options.regions,
+                     cases[i / 2].dim, share);
         paradt_free(&t);
         sample_free(&s);
     }
@@ -746,10 +763,10 @@ static void memory_may_run_out_where_regions_are_given_up(void **state) {
         keep_books(&options, &b);
         paradt_status status = paradt_triangulate(&t, &points, &options);
         assert_true(status == PARADT_OK || (b.refused && status == PARADT_ERROR_MEMORY));
-        if (status) assert_empty(&t);
+        if (status)
+            assert_empty(&t);
         else
-            assert_true(t.stats.regions == 1 &&
-                        paradt_hash(&t) == hash); // the refused memory was only needed for speed
+            assert_true(t.stats.regions == 1 && paradt_hash(&t) == hash); // the refused memory was only needed for speed
         paradt_free(&t);
         assert_int_equal(b.live, 0);
         assert_int_equal(b.faults, 0);
@@ -759,8 +776,8 @@ static void memory_may_run_out_where_regions_are_given_up(void **state) {
     sample_free(&s);
 }
 
-// So many points in six dimensions could have a million cells, but all except the corners of a cube are hidden. Memory
-// for the expected cells is not required.
+// So many points in six dimensions could have a million cells, but all except the corners of a cube are hidden. Memory for the
+// expected cells is not required.
 static void room_that_is_only_expected_is_not_needed(void **state) {
     enum { CORNERS = 64, COUNT = CORNERS + 1000, DIM = 6 };
     static double x[COUNT * DIM], weights[COUNT];
@@ -791,7 +808,8 @@ static sample points_exactly_on_a_sphere(int radius2) {
     for (int x = -side; x <= side; x++)
         for (int y = -side; y <= side; y++) {
             int rest = radius2 - x * x - y * y, z = rest < 0 ? -1 : (int)sqrt(rest);
-            if (z < 0 || z * z != rest || count + 2 > s.count) continue;
+            if (z < 0 || z * z != rest || count + 2 > s.count)
+                continue;
             for (int sign = -1; sign <= (z ? 1 : -1); sign += 2, count++) {
                 s.x[3 * count] = x;
                 s.x[3 * count + 1] = y;
@@ -818,9 +836,9 @@ static void regions_give_up_on_points_measured_from_a_sphere(void **state) {
             options.flags = way & 1 ? PARADT_NO_NEIGHBORS : 0;
             assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
             assert_true(paradt_hash(&t) == paradt_hash(&whole));
-            // Only the first set has all integer points of its sphere. With two regions, the second need not ask about
-            // most ghosts.
-            if (s.count > 1000) assert_int_equal(t.stats.regions, i == 0 && way == 0 ? 2 : 1);
+            // Only the first set has all integer points of its sphere. With two regions, the second need not ask about most ghosts.
+            if (s.count > 1000)
+                assert_int_equal(t.stats.regions, i == 0 && way == 0 ? 2 : 1);
             paradt_free(&t);
         }
         paradt_free(&whole);
@@ -850,7 +868,8 @@ static void errno_the_rounding_mode_and_the_input_are_left_alone(void **state) {
         assert_int_equal(number_after, 4321);
         assert_int_equal(mode_after, mode);
         assert_memory_equal(before.x, c.s.x, bytes);
-        if (c.s.w) assert_memory_equal(before.w, c.s.w, sizeof(double) * (size_t)c.s.count);
+        if (c.s.w)
+            assert_memory_equal(before.w, c.s.w, sizeof(double) * (size_t)c.s.count);
         assert_memory_equal(&points, &points_before, sizeof points);
         paradt_free(&t);
         sample_free(&before);
@@ -873,12 +892,12 @@ static void *call_on_small_stack(void *argument) {
     return NULL;
 }
 
-// The depth of recursion does not grow with the input: 256 KB of stack are enough for the sets with the deepest
-// recursion.
+// The depth of recursion does not grow with the input: 256 KB of stack are enough for the sets with the deepest recursion.
 static void a_small_stack_is_enough(void **state) {
     static const int deep[] = {0, 3, 5, 13, 15, 24, 31};
     (void)state;
-    if (SANITIZED) skip(); // its stack frames are many times larger
+    if (SANITIZED)
+        skip(); // its stack frames are many times larger
     for (int method = 0; method < PARADT_METHOD_COUNT; method++)
         for (size_t i = 0; i < sizeof deep / sizeof deep[0]; i++) {
             small_stack_call c;
@@ -898,8 +917,8 @@ static void a_small_stack_is_enough(void **state) {
         }
 }
 
-// A search looks at a bounded number of points, whether they fill space, clusters or a surface, with one region and
-// with several. Without the bounds for surfaces it would look at thousands of points for each cell of a sphere.
+// A search looks at a bounded number of points, whether they fill space, clusters or a surface, with one region and with several.
+// Without the bounds for surfaces it would look at thousands of points for each cell of a sphere.
 static void searches_look_at_few_points(void **state) {
     enum { MOST = 120 }; // points a cell, half as many again as the worst case has
     static const int kinds[] = {0, 1, 2, 3, 5};
@@ -923,15 +942,15 @@ static void searches_look_at_few_points(void **state) {
             }
 }
 
-// In four and more dimensions AUTO begins with InCoDe, but gives it up on lattices, with one region and with several.
-// In some of the uniform sets the first cells of regions take more predicates than AUTO allows for cells with ties.
+// In four and more dimensions AUTO begins with InCoDe, but gives it up on lattices, with one region and with several. In some of
+// the uniform sets the first cells of regions take more predicates than AUTO allows for cells with ties.
 static void auto_gives_up_searching_where_ties_abound(void **state) {
     static const struct {
         const char *family;
         int dim, count;
         size_t regions;
     } cases[] = {{"uniform", 4, 600, 1}, {"uniform", 5, 1012, 3}, {"uniform", 6, 200, 5}, {"uniform", 6, 300, 4},
-                 {"lattice", 4, 600, 1}, {"lattice", 5, 600, 1},  {"lattice", 5, 300, 3}};
+                 {"lattice", 4, 600, 1}, {"lattice", 5, 600, 1}, {"lattice", 5, 300, 3}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int f = family_named(cases[i].family), ties = strcmp(cases[i].family, "lattice") == 0;
@@ -949,7 +968,8 @@ static void auto_gives_up_searching_where_ties_abound(void **state) {
             paradt_free(&t);
         }
         assert_true(hashes[0] == hashes[1]);
-        if (!ties && looked_at[0] != looked_at[1]) fail_on_sample(&s, "AUTO gave InCoDe up");
+        if (!ties && looked_at[0] != looked_at[1])
+            fail_on_sample(&s, "AUTO gave InCoDe up");
         if (ties && cases[i].regions == 1 && looked_at[0] > looked_at[1] / 2)
             fail_on_sample(&s, "AUTO went on with InCoDe");
         sample_free(&s);
