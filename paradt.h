@@ -1037,7 +1037,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   making
 //     first simplex                139   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
-//     front                        429   what facet by facet has in common
+//     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
@@ -1066,7 +1066,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
-//     parallel dewall              267   DeWall by tasks
+//     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      264   one row a method; AUTO's choice
@@ -7907,8 +7907,8 @@ static paradt_index paradt__cell_owner(const paradt__region_view *view, const pa
 // A method with an order of its own keeps active facets in work lists, linked lists of handles. A facet that is tied
 // while it is in a list stays there, and is passed over when it comes up.
 // Doors: paradt__front_begin, paradt__front_end, paradt__front_add, paradt__front_adopt, paradt__front_expand,
-// paradt__front_next_seed, paradt__front_seed, paradt__front_take, paradt__front_is_stuck, paradt__finished_begin,
-// paradt__list_push, paradt__list_pop.
+// paradt__front_settle, paradt__front_next_seed, paradt__front_seed, paradt__front_take, paradt__front_is_stuck,
+// paradt__finished_begin, paradt__list_push, paradt__list_pop.
 
 typedef struct paradt__node {
     paradt_index handle, next; // next: PARADT__OPEN at the end
@@ -8209,23 +8209,31 @@ PARADT__OPTIONAL paradt_status paradt__front_adopt(paradt__front *front, const p
     return activate(front, method, handle);
 }
 
-// The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
-// cell; if there is none the facet is one of the hull's.
-static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
-                                          void *method) {
-    int corners = front->mesh.corners, opposite = (int)(handle % corners), place;
+// Adds the cell that has been found across a facet, which has just been taken out of the AFL. place: -1: there is none,
+// the facet is one of the hull's
+PARADT__INLINE paradt_status paradt__front_settle(paradt__front *front, paradt_index handle, const paradt_index *made,
+                                                  int place, paradt__activate activate, void *method) {
+    int corners = front->mesh.corners, opposite = (int)(handle % corners);
     const paradt_index *cell = front->mesh.vertices + (handle - opposite);
-    paradt_index made[PARADT_MAX_DIM + 1];
     PARADT_ASSERT(front->mesh.links[handle] == PARADT__OPEN);
-    if (paradt__search_apex(&front->search, cell, opposite, made, &place) >= 0) {
-        return paradt__front_add(front, made, place, handle, activate, method);
-    }
+    if (place >= 0) return paradt__front_add(front, made, place, handle, activate, method);
     front->hull_facets++;
     front->mesh.links[handle] = PARADT__HULL;
     for (place = 0; place < corners && front->finished.incident; place++) {
         if (place != opposite) paradt__finished_count(&front->finished, front->grid, cell[place], -1);
     }
     return PARADT_OK;
+}
+
+// The thesis' MakeSimplex. Searches for the cell across a facet that has just been taken out of the AFL and adds the
+// cell; if there is none the facet is one of the hull's.
+static paradt_status paradt__front_expand(paradt__front *front, paradt_index handle, paradt__activate activate,
+                                          void *method) {
+    int opposite = (int)(handle % front->mesh.corners), place;
+    const paradt_index *cell = front->mesh.vertices + (handle - opposite);
+    paradt_index made[PARADT_MAX_DIM + 1];
+    if (paradt__search_apex(&front->search, cell, opposite, made, &place) < 0) place = -1;
+    return paradt__front_settle(front, handle, made, place, activate, method);
 }
 
 // Takes a facet that came from a work list out of the AFL. Returns 0 if it was not active any more.
@@ -14944,9 +14952,26 @@ PARADT__COLD paradt_status paradt__build_by_front(paradt__work *work) {
 // The planes are those of the grid, which do not halve exactly: one half has a power of two of grid cells, the other
 // has what is left. So ranges are halved until there are several times as many as regions were asked for: tasks of
 // about equal size, and some smaller ones. All walls but the first are tasks too.
+//
+// In four dimensions and more the first walls have a large part of all cells, and nearly all time goes into searches.
+// There all tasks search for these walls together, round after round: a quarter of the active facets that cross a
+// plane, which few cells have two of; then each range's cells are added, where no other facet has led to them.
 // Doors: paradt__build_by_dewall.
 
-enum { PARADT__RANGES_A_REGION = 4 };
+enum {
+    PARADT__RANGES_A_REGION = 4,
+    PARADT__TOGETHER_DIM = 4,     // from here on walls are searched for together
+    PARADT__TOGETHER_PART = 4,    // of the active facets, in a round
+    PARADT__TOGETHER_LEAST = 256, // active facets; with fewer, a round is not worth while
+    PARADT__TOGETHER_PACE = 256   // searches between two looks at whether the call is cancelled
+};
+
+// A facet of a round, and what the search across it has found
+typedef struct paradt__found {
+    paradt_index handle;
+    int place; // of the vertex opposite the facet; -1: there is no cell
+    paradt_index cell[PARADT_MAX_DIM + 1];
+} paradt__found;
 
 // A range of points in which cells are still to be made
 typedef struct paradt__half {
@@ -14957,12 +14982,23 @@ typedef struct paradt__half {
     double wall;          // and the part of the share that is the wall's
 } paradt__half;
 
+// A wall that is searched for together with others
+typedef struct paradt__raised {
+    paradt__front front;
+    paradt__wall wall;
+    paradt__list active;  // the facets that cross the plane, when a round begins
+    paradt__found *found; // [capacity] the round
+    size_t count, capacity;
+} paradt__raised;
+
 // The ranges of a level, in the order of their points
 typedef struct paradt__level {
     paradt__half *ranges; // [capacity]
     size_t count, capacity;
-    size_t most; // points in a range that is not halved
-    int last;    // all that is left is to be made
+    size_t most;            // points in a range that is not halved
+    int last;               // all that is left is to be made
+    size_t asked, places;   // regions that were asked for; room for regions
+    paradt__raised *raised; // [count] while walls are searched for together
 } paradt__level;
 
 static int paradt__half_is_whole(const paradt__level *level, const paradt__half *range) {
@@ -15017,28 +15053,223 @@ static paradt_status paradt__half_build(const paradt__work *work, paradt__half *
     return status;
 }
 
+// Begins the front of a range's task.
+static paradt_status paradt__half_open(paradt__work *work, size_t index, paradt__front *front) {
+    const paradt__region_view undivided = {NULL, NULL, 0};
+    paradt__region *region = work->region + index;
+    const paradt__half *range = work->level->ranges + index;
+    double portion = work->level->last ? 1.0 : range->wall;
+    double part = (double)(range->end - range->begin) / (double)work->set.count * portion;
+    paradt_status status = paradt__front_begin(front, &work->set, &work->grid, &region->memory, undivided, part);
+    front->progress =
+        paradt__progress_of_task(paradt__progress_of(&work->meter, &region->reported, range->share * portion), index);
+    return status;
+}
+
+// Ends the front of a range's task: leaves its mesh, and what it counted.
+static void paradt__half_close(paradt__region *region, paradt__front *front) {
+    paradt__count_front(&region->stats, front);
+    region->stats.hull_facets = front->hull_facets;
+    paradt__front_end(front);
+    region->mesh = front->mesh;
+}
+
 // A range's task at a level. Ranges that are not halved wait for the last level.
 static void paradt__half_task(void *context, size_t index) {
-    const paradt__region_view undivided = {NULL, NULL, 0};
     paradt__work *work = (paradt__work *)context;
     paradt__region *region = work->region + index;
     paradt__half *range = work->level->ranges + index;
-    paradt__progress progress;
     paradt__front front;
-    double part = (double)(range->end - range->begin) / (double)work->set.count, share = range->share;
-    if (!work->level->last) {
-        if (paradt__half_is_whole(work->level, range)) return;
-        part *= range->wall;
-        share *= range->wall;
-    }
-    progress = paradt__progress_of(&work->meter, &region->reported, share);
-    region->status = paradt__front_begin(&front, &work->set, &work->grid, &region->memory, undivided, part);
-    front.progress = paradt__progress_of_task(progress, index);
+    if (!work->level->last && paradt__half_is_whole(work->level, range)) return;
+    region->status = paradt__half_open(work, index, &front);
     if (!region->status) region->status = paradt__half_build(work, range, &front);
-    paradt__count_front(&region->stats, &front);
-    region->stats.hull_facets = front.hull_facets;
-    paradt__front_end(&front);
-    region->mesh = front.mesh;
+    paradt__half_close(region, &front);
+}
+
+// --- walls that are searched for together
+
+// Adds the cells of a round that no other facet has led to.
+static paradt_status paradt__round_settle(paradt__raised *raised) {
+    paradt__front *front = &raised->front;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < raised->count && !status; i++) {
+        const paradt__found *found = raised->found + i;
+        if (paradt__front_take(front, found->handle))
+            status = paradt__front_settle(front, found->handle, found->cell, found->place, paradt__wall_activate,
+                                          &raised->wall);
+    }
+    raised->count = 0;
+    return status;
+}
+
+// Lists the active facets that cross the plane.
+static paradt_status paradt__round_list(paradt__raised *raised) {
+    paradt__front *front = &raised->front;
+    paradt_status status = PARADT_OK;
+    raised->active.count = 0;
+    while (raised->wall.alpha >= 0 && !status) {
+        paradt_index handle = paradt__list_pop(&front->lists, &raised->wall.alpha);
+        if (front->mesh.links[handle] == PARADT__OPEN)
+            status = paradt__list_append(&raised->active, handle, front->memory);
+    }
+    return status;
+}
+
+// Takes a part of the facets listed for the next round; the others wait.
+static paradt_status paradt__round_choose(paradt__raised *raised) {
+    paradt__front *front = &raised->front;
+    paradt_status status = PARADT_OK;
+    size_t most = raised->active.count / PARADT__TOGETHER_PART + 1, i;
+    if (raised->capacity < most) {
+        void *found = raised->found;
+        if (!paradt__grow(front->memory, &found, 0, most * 2, sizeof *raised->found)) return PARADT_ERROR_MEMORY;
+        raised->found = (paradt__found *)found;
+        raised->capacity = most * 2;
+    }
+    for (i = 0; i < raised->active.count && !status; i++) {
+        paradt_index handle = raised->active.items[i];
+        if (i % PARADT__TOGETHER_PART == 0) raised->found[raised->count++].handle = handle;
+        else status = paradt__list_push(&front->lists, &raised->wall.alpha, handle, front->memory);
+    }
+    return status;
+}
+
+// Expands the facets listed, which are few.
+static paradt_status paradt__round_expand(paradt__raised *raised) {
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < raised->active.count && !status; i++) {
+        paradt_index handle = raised->active.items[i];
+        if (paradt__front_take(&raised->front, handle))
+            status = paradt__front_expand(&raised->front, handle, paradt__wall_activate, &raised->wall);
+    }
+    return status;
+}
+
+// Prepares the next round of a wall, by the results of the last. There is none when the wall is built.
+static paradt_status paradt__round_next(paradt__raised *raised) {
+    paradt_status status = paradt__round_settle(raised);
+    while (!status) {
+        status = paradt__round_list(raised);
+        if (status || !raised->active.count) return status;
+        if (raised->active.count >= PARADT__TOGETHER_LEAST) return paradt__round_choose(raised);
+        status = paradt__round_expand(raised);
+    }
+    return status;
+}
+
+// Begins a wall.
+static void paradt__raise_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    const paradt__half *range = work->level->ranges + index;
+    paradt__raised *raised = work->level->raised + index;
+    paradt_status status = paradt__half_open(work, index, &raised->front);
+    raised->wall = paradt__wall_of(range->begin, range->end);
+    if (!status) status = paradt__half_begin(work, range, &raised->front, &raised->wall);
+    if (!status) status = paradt__wall_begin(&raised->front, &raised->wall);
+    paradt__search_limit(&raised->front.search, range->begin, range->end);
+    if (!status) status = paradt__round_next(raised);
+    work->region[index].status = status;
+}
+
+// Searches across some facets of a wall's round.
+static paradt_status paradt__round_search(paradt__work *work, size_t index, const paradt__half *range,
+                                          paradt__raised *raised, size_t first, size_t end) {
+    const paradt__mesh *mesh = &raised->front.mesh;
+    paradt__region *region = work->region + index;
+    paradt__progress progress =
+        paradt__progress_of_task(paradt__progress_of(&work->meter, &region->reported, 0.0), index);
+    paradt_status status = PARADT_OK;
+    paradt__search search;
+    paradt__search_begin(&search, &work->set, &work->grid);
+    paradt__search_limit(&search, range->begin, range->end);
+    for (; first < end && !status; first++) {
+        paradt__found *found = raised->found + first;
+        int opposite = (int)(found->handle % mesh->corners);
+        const paradt_index *cell = mesh->vertices + (found->handle - opposite);
+        if (paradt__search_apex(&search, cell, opposite, found->cell, &found->place) < 0) found->place = -1;
+        if (first % PARADT__TOGETHER_PACE == 0 && paradt__progress_cancels(&progress, 0.0))
+            status = PARADT_ERROR_CANCELLED;
+    }
+    paradt__search_add_counts(&search, &region->stats);
+    paradt__count_predicates(&region->stats, paradt__search_counters(&search));
+    return status;
+}
+
+// The part of a round that one task does: an equal part of all facets, of whatever walls
+static void paradt__search_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    const paradt__level *level = work->level;
+    paradt_status status = PARADT_OK;
+    size_t total = 0, before = 0, first, end, i;
+    for (i = 0; i < level->count; i++) total += level->raised[i].count;
+    first = total / work->regions * index + total % work->regions * index / work->regions;
+    end = total / work->regions * (index + 1) + total % work->regions * (index + 1) / work->regions;
+    for (i = 0; i < level->count && !status; before += level->raised[i++].count) {
+        size_t count = level->raised[i].count, from = first > before ? first - before : 0;
+        size_t to = end > before ? end - before : 0;
+        to = to < count ? to : count;
+        if (from < to) status = paradt__round_search(work, index, level->ranges + i, level->raised + i, from, to);
+    }
+    work->region[index].status = status;
+}
+
+// A wall's part of a round when all searches have ended
+static void paradt__settle_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    work->region[index].status = paradt__round_next(work->level->raised + index);
+}
+
+// Ends the walls of a level: leaves their meshes and the facets on their sides.
+static paradt_status paradt__raise_end(paradt__work *work, paradt_status status) {
+    paradt__level *level = work->level;
+    size_t i;
+    for (i = 0; i < level->count; i++) {
+        paradt__raised *raised = level->raised + i;
+        if (!raised->front.memory) continue; // it was not begun
+        raised->front.memory = &work->memory;
+        if (!status) status = paradt__half_leave(&raised->front, &raised->wall.one, &level->ranges[i].left[0]);
+        if (!status) status = paradt__half_leave(&raised->front, &raised->wall.two, &level->ranges[i].left[1]);
+        paradt__half_close(work->region + i, &raised->front);
+        paradt__list_free(&raised->active, &work->memory);
+        paradt__release(&work->memory, raised->found);
+    }
+    paradt__release(&work->memory, level->raised);
+    level->raised = NULL;
+    return status;
+}
+
+// Builds the walls of a level, of which all ranges are halved.
+static paradt_status paradt__raise_together(paradt__work *work) {
+    paradt__level *level = work->level;
+    size_t tasks = level->asked * PARADT__RANGES_A_REGION, waiting = 1, i;
+    paradt_status status;
+    if (tasks > level->places) tasks = level->places;
+    level->raised = (paradt__raised *)paradt__alloc(&work->memory, level->count, sizeof *level->raised);
+    if (!level->raised) return PARADT_ERROR_MEMORY;
+    memset(level->raised, 0, level->count * sizeof *level->raised);
+    work->regions = level->count;
+    status = paradt__run_step(work, PARADT_OK, paradt__raise_task);
+    while (!status && waiting) {
+        for (i = 0, waiting = 0; i < level->count; i++) waiting += level->raised[i].count;
+        work->regions = tasks;
+        if (waiting) status = paradt__run_step(work, status, paradt__search_task);
+        work->regions = level->count;
+        if (waiting) status = paradt__run_step(work, status, paradt__settle_task);
+    }
+    return paradt__raise_end(work, status);
+}
+
+// Are the walls of a level few, so that they are searched for together?
+static int paradt__level_is_together(const paradt__work *work) {
+    const paradt__level *level = work->level;
+    size_t i;
+    if (!work->options.parallel_for || work->set.space.dim < PARADT__TOGETHER_DIM || level->last) return 0;
+    for (i = 0; i < level->count; i++) {
+        if (paradt__half_is_whole(level, level->ranges + i)) return 0;
+    }
+    return level->count <= level->asked;
 }
 
 // Appends the cells that a task has made, and ties the facets that were handed to it. Afterwards the facets that it has
@@ -15142,9 +15373,10 @@ static paradt_status paradt__level_begin(paradt__work *work, paradt__level *leve
     size_t count = work->set.count;
     paradt_status status;
     memset(level, 0, sizeof *level);
+    level->asked = work->regions;
     level->most = count / (work->regions * PARADT__RANGES_A_REGION);
     if (level->most < PARADT__WALL_SMALL) level->most = PARADT__WALL_SMALL;
-    work->regions = count / level->most * 2 + 2;
+    level->places = work->regions = count / level->most * 2 + 2;
     status = paradt__begin_regions(work);
     level->ranges = (paradt__half *)paradt__alloc(&work->memory, 1, sizeof *level->ranges);
     if (status || !level->ranges) return PARADT_ERROR_MEMORY;
@@ -15165,9 +15397,11 @@ static paradt_status paradt__build_levels(paradt__work *work) {
     work->level = &level;
     while (!status && !last && level.count) {
         last = level.last;
-        PARADT_ASSERT(level.count <= work->set.count / level.most * 2 + 2);
+        PARADT_ASSERT(level.count <= level.places);
         work->regions = level.count;
-        status = paradt__level_append(work, paradt__run_step(work, PARADT_OK, paradt__half_task));
+        if (paradt__level_is_together(work)) status = paradt__raise_together(work);
+        else status = paradt__run_step(work, PARADT_OK, paradt__half_task);
+        status = paradt__level_append(work, status);
         if (!status && !last) status = paradt__level_halve(work, &level);
     }
     for (i = 0; i < level.count; i++) paradt__half_free(level.ranges + i, &work->memory);

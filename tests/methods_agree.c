@@ -317,6 +317,33 @@ static void a_first_region_that_is_wrong_in_two_places_agrees(void **state) {
     }
 }
 
+// DeWall has a task for each range between walls; in four dimensions and more all tasks search for the first walls
+// together.
+static void tasks_between_walls_agree(void **state) {
+    static const struct {
+        const char *family;
+        int w, dim, count;
+    } sets[] = {{"uniform", 0, 4, 700},  {"uniform", 1, 5, 220},  {"lattice", 0, 4, 625}, {"gauss", 2, 4, 500},
+                {"sphere", 0, 4, 300},   {"plane", 0, 5, 500},    {"uniform", 0, 6, 90},  {"clusters", 1, 3, 3000},
+                {"lattice", 0, 3, 1000}, {"clusters", 0, 2, 3000}};
+    static const paradt_parallel_for runners[] = {NULL, run_on_threads, run_backwards};
+    (void)state;
+    for (size_t i = 0; i < (SANITIZED ? 3 : sizeof sets / sizeof sets[0]); i++) {
+        reference r = reference_make(family_named(sets[i].family), sets[i].w, sets[i].dim, sets[i].count);
+        for (size_t regions = 2; regions <= 17; regions = 3 * regions - 1)
+            for (int runner = RACES_ONLY; runner < (RACES_ONLY ? 2 : 3); runner++) {
+                int calls = 0;
+                paradt_options options = {0};
+                options.method = PARADT_DEWALL;
+                options.regions = regions;
+                options.parallel_for = runners[runner];
+                options.user = &calls;
+                expect_reference(&r, &options, how_text(&options));
+            }
+        reference_free(&r);
+    }
+}
+
 // The longest axis of the plane is a multiple of its first axis, and not one of the axes that its cells are oriented in.
 static void regions_cut_across_an_axis_that_does_not_orient_agree(void **state) {
     static const paradt_method methods[] = {PARADT_BOWYER_WATSON, PARADT_INCODE, PARADT_DEWALL};
@@ -446,7 +473,7 @@ static void the_hash_is_one_of_a_set(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[FAMILY_COUNT + 9];
+    static struct CMUnitTest tests[FAMILY_COUNT + 10];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT && !RACES_ONLY; f++)
         tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
@@ -464,6 +491,7 @@ int main(void) {
                                 "regions_may_run_in_any_order_and_on_threads");
     tests[count++] = named_test(regions_that_change_hands_build_what_they_build_alone, NULL,
                                 "regions_that_change_hands_build_what_they_build_alone");
+    tests[count++] = named_test(tasks_between_walls_agree, NULL, "tasks_between_walls_agree");
     tests[count++] = named_test(large_sets_agree, NULL, "large_sets_agree");
     tests[count++] = named_test(many_calls_at_once_do_not_disturb_each_other, NULL,
                                 "many_calls_at_once_do_not_disturb_each_other");

@@ -10,12 +10,14 @@ enum { LARGEST_DIM = PARADT_MAX_DIM, MOST = LARGEST_DIM + 1 };
 
 static mpq_t *rationals(int count) {
     mpq_t *q = (mpq_t *)need((size_t)count, sizeof(mpq_t));
-    for (int i = 0; i < count; i++) mpq_init(q[i]);
+    for (int i = 0; i < count; i++)
+        mpq_init(q[i]);
     return q;
 }
 
 static void rationals_free(mpq_t *q, int count) {
-    for (int i = 0; i < count; i++) mpq_clear(q[i]);
+    for (int i = 0; i < count; i++)
+        mpq_clear(q[i]);
     free(q);
 }
 
@@ -38,21 +40,29 @@ static int solve(mpq_t *m, int n, mpq_t *determinant) {
     mpq_set_ui(product, 1, 1);
     for (int c = 0; c < n && regular; c++) {
         int pivot = c;
-        while (pivot < n && mpq_sgn(m[pivot * width + c]) == 0) pivot++;
+        while (pivot < n && mpq_sgn(m[pivot * width + c]) == 0)
+            pivot++;
         regular = pivot < n;
-        for (int j = 0; j < width && regular && pivot != c; j++) mpq_swap(m[pivot * width + j], m[c * width + j]);
-        if (regular && pivot != c) mpq_neg(product, product);
-        if (!regular) break;
+        for (int j = 0; j < width && regular && pivot != c; j++)
+            mpq_swap(m[pivot * width + j], m[c * width + j]);
+        if (regular && pivot != c)
+            mpq_neg(product, product);
+        if (!regular)
+            break;
         mpq_mul(product, product, m[c * width + c]);
-        for (int j = width - 1; j >= c; j--) mpq_div(m[c * width + j], m[c * width + j], m[c * width + c]);
+        for (int j = width - 1; j >= c; j--)
+            mpq_div(m[c * width + j], m[c * width + j], m[c * width + c]);
         for (int i = 0; i < n; i++) {
-            if (i == c) continue;
+            if (i == c)
+                continue;
             mpq_neg(factor, m[i * width + c]);
-            for (int j = c; j < width; j++) add_product(m[i * width + j], factor, m[c * width + j]);
+            for (int j = c; j < width; j++)
+                add_product(m[i * width + j], factor, m[c * width + j]);
         }
     }
     if (determinant) {
-        if (!regular) mpq_set_ui(product, 0, 1);
+        if (!regular)
+            mpq_set_ui(product, 0, 1);
         mpq_set(*determinant, product);
     }
     mpq_clear(factor);
@@ -84,7 +94,8 @@ static int is_nearest(double x, const mpq_t value) {
             double next = nextafter(x, side * INFINITY);
             uint64_t bits;
             memcpy(&bits, &x, sizeof bits);
-            if (isinf(next)) continue;
+            if (isinf(next))
+                continue;
             mpq_set_d(there, next);
             mpq_sub(there, there, value);
             mpq_abs(there, there);
@@ -135,30 +146,37 @@ static void power_of(mpq_t power, const exact_sphere *s, int dim, mpq_t *x, doub
 static int sphere_of(exact_sphere *s, int dim, const double *const *points, const double *weights, unsigned vertices) {
     int v[MOST], n = 0, regular;
     for (int i = 0; i <= dim; i++)
-        if (vertices >> i & 1) v[n++] = i;
+        if (vertices >> i & 1)
+            v[n++] = i;
     int size = n + 1, width = n + 2;
     mpq_t *m = rationals(size * width), *p = rationals(n * dim), t;
     mpq_init(t);
     for (int i = 0; i < n; i++)
-        for (int k = 0; k < dim; k++) mpq_set_d(p[i * dim + k], points[v[i]][k]);
+        for (int k = 0; k < dim; k++)
+            mpq_set_d(p[i * dim + k], points[v[i]][k]);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
-            for (int k = 0; k < dim; k++) add_product(m[i * width + j], p[i * dim + k], p[j * dim + k]);
+            for (int k = 0; k < dim; k++)
+                add_product(m[i * width + j], p[i * dim + k], p[j * dim + k]);
             mpq_add(m[i * width + j], m[i * width + j], m[i * width + j]);
         }
         mpq_set_si(m[i * width + n], -1, 1);
-        for (int k = 0; k < dim; k++) add_product(m[i * width + n + 1], p[i * dim + k], p[i * dim + k]);
+        for (int k = 0; k < dim; k++)
+            add_product(m[i * width + n + 1], p[i * dim + k], p[i * dim + k]);
         mpq_set_d(t, weights ? weights[v[i]] : 0);
         mpq_sub(m[i * width + n + 1], m[i * width + n + 1], t);
         mpq_set_ui(m[n * width + i], 1, 1);
     }
     mpq_set_ui(m[n * width + n + 1], 1, 1);
     regular = solve(m, size, NULL);
-    for (int i = 0; i <= dim; i++) mpq_set_ui(s->bary[i], 0, 1);
-    for (int k = 0; k < dim; k++) mpq_set_ui(s->centre[k], 0, 1);
+    for (int i = 0; i <= dim; i++)
+        mpq_set_ui(s->bary[i], 0, 1);
+    for (int k = 0; k < dim; k++)
+        mpq_set_ui(s->centre[k], 0, 1);
     for (int i = 0; i < n && regular; i++) {
         mpq_set(s->bary[v[i]], m[i * width + n + 1]);
-        for (int k = 0; k < dim; k++) add_product(s->centre[k], m[i * width + n + 1], p[i * dim + k]);
+        for (int k = 0; k < dim; k++)
+            add_product(s->centre[k], m[i * width + n + 1], p[i * dim + k]);
     }
     mpq_set_ui(s->radius2, 0, 1);
     power_of(t, s, dim, p, weights ? weights[v[0]] : 0);
@@ -191,13 +209,20 @@ static void simplex_of_kind(simplex *c, kind k, int dim, uint64_t *random) {
         c->p[i] = c->x[i];
         for (int j = 0; j < dim; j++) {
             double x = random_unit(random);
-            if (k == LATTICE || k == FLAT) x = floor(4 * x);
-            if (k == SLIVER && j == dim - 1) x *= 1e-9;
-            if (k == FAR) x += 1e6;
-            if (k == SCALES) x = any_double(random, -40, 40);
-            if (k == EXTREMES) x = any_double(random, -1070, 1024);
-            if (k == FLAT && j == dim - 1) x = c->x[i][0];
-            if (k == REGULAR) x = i == j;
+            if (k == LATTICE || k == FLAT)
+                x = floor(4 * x);
+            if (k == SLIVER && j == dim - 1)
+                x *= 1e-9;
+            if (k == FAR)
+                x += 1e6;
+            if (k == SCALES)
+                x = any_double(random, -40, 40);
+            if (k == EXTREMES)
+                x = any_double(random, -1070, 1024);
+            if (k == FLAT && j == dim - 1)
+                x = c->x[i][0];
+            if (k == REGULAR)
+                x = i == j;
             c->x[i][j] = x;
         }
         c->w[i] = k == EXTREMES  ? any_double(random, -1070, 1024)
@@ -218,7 +243,8 @@ static void exchange(simplex *c, int i, int j) {
 
 static void fail_on_cell(const simplex *c, const char *what) {
     for (int i = 0; i <= c->dim; i++) {
-        for (int j = 0; j < c->dim; j++) print_message("%a ", c->p[i][j]);
+        for (int j = 0; j < c->dim; j++)
+            print_message("%a ", c->p[i][j]);
         print_message("| %a\n", c->w[i]);
     }
     fail_msg("%s", what);
@@ -230,11 +256,14 @@ static void expect_circumsphere(const simplex *c, const double *weights, exact_s
     if (paradt_circumsphere(c->dim, c->p, weights, centre, &radius2) != regular)
         fail_on_cell(c, "paradt_circumsphere is wrong about whether the cell is flat");
     for (int j = 0; j < c->dim && regular; j++)
-        if (!is_nearest(centre[j], s->centre[j])) fail_on_cell(c, "a circumcentre is not the nearest double");
+        if (!is_nearest(centre[j], s->centre[j]))
+            fail_on_cell(c, "a circumcentre is not the nearest double");
     if (regular && !is_nearest(radius2, s->radius2))
         fail_on_cell(c, "a circumsphere's radius is not the nearest double");
-    for (int i = 0; i <= c->dim; i++) inside &= mpq_sgn(s->bary[i]) >= 0;
-    if (paradt_is_self_centred(c->dim, c->p, weights) != inside) fail_on_cell(c, "paradt_is_self_centred is wrong");
+    for (int i = 0; i <= c->dim; i++)
+        inside &= mpq_sgn(s->bary[i]) >= 0;
+    if (paradt_is_self_centred(c->dim, c->p, weights) != inside)
+        fail_on_cell(c, "paradt_is_self_centred is wrong");
 }
 
 // The smallest of the spheres, of all sets of vertices, that have all vertices inside.
@@ -247,16 +276,19 @@ static void expect_enclosing_sphere(const simplex *c, exact_sphere *s, exact_sph
         unsigned touched = 0;
         int encloses = sphere_of(s, dim, c->p, NULL, vertices);
         for (int i = 0; i <= dim && encloses; i++) {
-            for (int j = 0; j < dim; j++) mpq_set_d(x[j], c->p[i][j]);
+            for (int j = 0; j < dim; j++)
+                mpq_set_d(x[j], c->p[i][j]);
             power_of(power, s, dim, x, 0);
             encloses = mpq_sgn(power) <= 0;
             touched |= (unsigned)(mpq_sgn(power) == 0) << i;
         }
-        if (!encloses || (found && mpq_cmp(s->radius2, best->radius2) >= 0)) continue;
+        if (!encloses || (found && mpq_cmp(s->radius2, best->radius2) >= 0))
+            continue;
         found = 1;
         on = touched;
         mpq_set(best->radius2, s->radius2);
-        for (int j = 0; j < dim; j++) mpq_set(best->centre[j], s->centre[j]);
+        for (int j = 0; j < dim; j++)
+            mpq_set(best->centre[j], s->centre[j]);
     }
     double centre[LARGEST_DIM], radius2;
     if (paradt_enclosing_sphere(dim, c->p, centre, &radius2) != on)
@@ -264,7 +296,8 @@ static void expect_enclosing_sphere(const simplex *c, exact_sphere *s, exact_sph
     for (int j = 0; j < dim; j++)
         if (!is_nearest(centre[j], best->centre[j]))
             fail_on_cell(c, "an enclosing sphere's centre is not the nearest double");
-    if (!is_nearest(radius2, best->radius2)) fail_on_cell(c, "an enclosing sphere's radius is not the nearest double");
+    if (!is_nearest(radius2, best->radius2))
+        fail_on_cell(c, "an enclosing sphere's radius is not the nearest double");
     mpq_clear(power);
     rationals_free(x, dim);
 }
@@ -285,7 +318,8 @@ static void expect_volume(const simplex *c) {
         mpq_set_ui(t, (unsigned)i, 1);
         mpq_div(volume, volume, t);
     }
-    if (!is_nearest(paradt_volume(dim, c->p), volume)) fail_on_cell(c, "a volume is not the nearest double");
+    if (!is_nearest(paradt_volume(dim, c->p), volume))
+        fail_on_cell(c, "a volume is not the nearest double");
     mpq_clear(volume);
     mpq_clear(t);
     rationals_free(m, dim * width);
@@ -297,15 +331,15 @@ static void numbers_are_those_of_rational_arithmetic(void **state) {
     uint64_t random = (uint64_t)dim;
     exact_sphere s = sphere_make(dim), best = sphere_make(dim);
     for (int k = 0; k < KINDS; k++) {
-        int extreme = k == EXTREMES,
-            turns = (extreme ? 40 : 200) / (dim * dim * (dim > 5 ? 4 : 1)) / (SANITIZED ? 4 : 1) + 1;
+        int extreme = k == EXTREMES, turns = (extreme ? 40 : 200) / (dim * dim * (dim > 5 ? 4 : 1)) / (SANITIZED ? 4 : 1) + 1;
         for (int turn = 0; turn < turns; turn++) {
             simplex c;
             simplex_of_kind(&c, (kind)k, dim, &random);
             expect_circumsphere(&c, NULL, &s);
             expect_circumsphere(&c, c.w, &s);
             expect_volume(&c);
-            if (!extreme || dim <= 5) expect_enclosing_sphere(&c, &s, &best);
+            if (!extreme || dim <= 5)
+                expect_enclosing_sphere(&c, &s, &best);
         }
     }
     sphere_free(&s, dim);
@@ -330,8 +364,7 @@ static void the_order_of_the_vertices_changes_no_bit(void **state) {
                     exchange(&c, 0, dim);
                     exchange(&c, 1, dim);
                 }
-                if (memcmp(centre[0], centre[1], sizeof centre[0]) ||
-                    memcmp(radius2[0], radius2[1], sizeof radius2[0]) ||
+                if (memcmp(centre[0], centre[1], sizeof centre[0]) || memcmp(radius2[0], radius2[1], sizeof radius2[0]) ||
                     memcmp(&volume[0], &volume[1], sizeof volume[0]))
                     fail_on_cell(&c, "the order of the vertices changes a number");
             }
@@ -350,16 +383,19 @@ static void some_cells_are_known_by_heart(void **state) {
     assert_true(paradt_volume(3, p) == 4.0 / 3);
     assert_int_equal(paradt_enclosing_sphere(3, p, centre, &radius2), 14); // the triangle of the three others
     assert_true(centre[0] == 2.0 / 3 && centre[1] == 2.0 / 3 && radius2 == 8.0 / 3);
-    for (int i = 0; i < 3; i++) p[i] = obtuse[i];
+    for (int i = 0; i < 3; i++)
+        p[i] = obtuse[i];
     assert_int_equal(paradt_enclosing_sphere(2, p, centre, &radius2), 3);
     assert_true(centre[0] == 2 && centre[1] == 0 && radius2 == 4);
-    for (int i = 0; i < 3; i++) p[i] = point[i];
+    for (int i = 0; i < 3; i++)
+        p[i] = point[i];
     assert_int_equal(paradt_enclosing_sphere(2, p, centre, &radius2), 7);
     assert_true(centre[0] == 3 && centre[1] == 0 && !signbit(centre[1]) && radius2 == 0);
     assert_int_equal(paradt_circumsphere(2, p, NULL, centre, &radius2), 0);
     assert_int_equal(paradt_is_self_centred(2, p, NULL), 0);
     assert_true(paradt_volume(2, p) == 0);
-    for (int i = 0; i < 3; i++) p[i] = far[i];
+    for (int i = 0; i < 3; i++)
+        p[i] = far[i];
     assert_int_equal(paradt_circumsphere(2, p, NULL, centre, &radius2), 1);
     assert_true(centre[0] == 0 && centre[1] == 0 && isinf(radius2) && isinf(paradt_volume(2, p)));
 }
@@ -375,7 +411,8 @@ typedef struct flipped {
 
 static int find_cell(const flipped *t, const int *row) {
     for (int i = 0; i < t->count; i++)
-        if (memcmp(t->cells + i * t->n, row, (size_t)t->n * sizeof(int)) == 0) return i;
+        if (memcmp(t->cells + i * t->n, row, (size_t)t->n * sizeof(int)) == 0)
+            return i;
     return -1;
 }
 
@@ -386,7 +423,8 @@ static const double *place(const flipped *t, int vertex) {
 // Fills the cell of the points but for one.
 static void all_but(const int *points, int count, int without, int *row) {
     for (int i = 0, n = 0; i < count; i++)
-        if (i != without) row[n++] = points[i];
+        if (i != without)
+            row[n++] = points[i];
 }
 
 // Flips the cells of d + 2 points, if they are all there: one of the two triangulations of these points becomes the
@@ -398,21 +436,25 @@ static int flip(flipped *t, const int *points) {
     for (int i = 0; i <= n; i++) {
         const double *p[MOST];
         all_but(points, n + 1, i, row);
-        for (int j = 0; j < n; j++) p[j] = place(t, row[j]);
+        for (int j = 0; j < n; j++)
+            p[j] = place(t, row[j]);
         sign[i] = paradt_orient(n - 1, p) * (i % 2 ? -1 : 1);
-        if (sign[i] == 0) return 0;
+        if (sign[i] == 0)
+            return 0;
         counts[sign[i] > 0]++;
         there[sign[i] > 0] += find_cell(t, row) >= 0;
     }
     int from = there[1] > there[0];
-    if (there[from] != counts[from] || counts[0] < 2 || counts[1] < 2) return 0;
+    if (there[from] != counts[from] || counts[0] < 2 || counts[1] < 2)
+        return 0;
     for (int i = 0; i <= n; i++) {
         all_but(points, n + 1, i, row);
         if ((sign[i] > 0) == from) {
             int at = find_cell(t, row);
             memcpy(t->cells + at * n, t->cells + --t->count * n, (size_t)n * sizeof(int));
         } else {
-            if (t->count == t->capacity) fail_msg("more cells than there is room for");
+            if (t->count == t->capacity)
+                fail_msg("more cells than there is room for");
             memcpy(t->cells + t->count++ * n, row, (size_t)n * sizeof(int));
         }
     }
@@ -427,11 +469,13 @@ static int flip_somewhere(flipped *t, uint64_t *random) {
         int common = 0, other = -1;
         for (int j = 0; j < n; j++) {
             int met = 0;
-            for (int k = 0; k < n; k++) met |= k != without && row[k] == t->cells[i * n + j];
+            for (int k = 0; k < n; k++)
+                met |= k != without && row[k] == t->cells[i * n + j];
             common += met;
             other = met ? other : t->cells[i * n + j];
         }
-        if (common < n - 1 || i == a) continue;
+        if (common < n - 1 || i == a)
+            continue;
         memcpy(points, row, (size_t)n * sizeof(int));
         points[n] = other;
         qsort(points, (size_t)n + 1, sizeof(int), compare_ints);
@@ -449,14 +493,17 @@ static flipped flipped_make(const sample *s) {
     assert_int_equal(t.dim, s->dim);
     f.cells = (int *)need(ROOM * (size_t)f.n, sizeof(int));
     f.count = (int)t.cell_count;
-    for (int i = 0; i < f.count * f.n; i++) f.cells[i] = (int)t.cells[i];
-    for (int i = 0; i < f.count; i++) qsort(f.cells + i * f.n, (size_t)f.n, sizeof(int), compare_ints);
+    for (int i = 0; i < f.count * f.n; i++)
+        f.cells[i] = (int)t.cells[i];
+    for (int i = 0; i < f.count; i++)
+        qsort(f.cells + i * f.n, (size_t)f.n, sizeof(int), compare_ints);
     paradt_free(&t);
     return f;
 }
 
 static void records_of(const flipped *t, int c, const double **p) {
-    for (int j = 0; j < t->n; j++) p[j] = place(t, t->cells[c * t->n + j]);
+    for (int j = 0; j < t->n; j++)
+        p[j] = place(t, t->cells[c * t->n + j]);
 }
 
 // --- what the thesis proves
@@ -477,7 +524,8 @@ static int all_self_centred(const flipped *t) {
     for (int i = 0; i < t->count; i++) {
         const double *p[MOST];
         records_of(t, i, p);
-        if (!paradt_is_self_centred(t->n - 1, p, NULL)) return 0;
+        if (!paradt_is_self_centred(t->n - 1, p, NULL))
+            return 0;
     }
     return 1;
 }
@@ -490,7 +538,8 @@ static int is_delaunay(const flipped *t) {
         int sign = paradt_orient(t->n - 1, p);
         for (int q = 0; q < t->s->count; q++) {
             p[t->n] = place(t, q);
-            if (sign * paradt_insphere(t->n - 1, p, NULL) > 0) return 0;
+            if (sign * paradt_insphere(t->n - 1, p, NULL) > 0)
+                return 0;
         }
     }
     return 1;
@@ -516,7 +565,8 @@ static void power_in(mpq_t power, const flipped *t, mpq_t *x, const double *near
             power_of(power, &s, dim, x, 0);
         }
     }
-    if (!found) fail_on_sample(t->s, "a place within the hull is in no cell");
+    if (!found)
+        fail_on_sample(t->s, "a place within the hull is in no cell");
     sphere_free(&s, dim);
 }
 
@@ -531,10 +581,12 @@ static void expect_smallest_powers(const flipped *best, const flipped *other, ui
         const double *p[MOST];
         double total = 0, part[MOST];
         records_of(best, (int)(random_unit(random) * best->count), p);
-        for (int i = 0; i <= dim; i++) total += part[i] = 0.05 + random_unit(random);
+        for (int i = 0; i <= dim; i++)
+            total += part[i] = 0.05 + random_unit(random);
         for (int j = 0; j < dim; j++) {
             near_x[j] = 0;
-            for (int i = 0; i <= dim; i++) near_x[j] += part[i] / total * p[i][j];
+            for (int i = 0; i <= dim; i++)
+                near_x[j] += part[i] / total * p[i][j];
             mpq_set_d(x[j], near_x[j]);
         }
         power_in(here, best, x, near_x);
@@ -548,8 +600,7 @@ static void expect_smallest_powers(const flipped *best, const flipped *other, ui
 }
 
 static sample points_for_flips(const char *name, int dim, int count, uint64_t seed) {
-    sample s =
-        family_make(&families[family_named(strcmp(name, "triangles") ? name : "uniform")], NULL, dim, count, seed);
+    sample s = family_make(&families[family_named(strcmp(name, "triangles") ? name : "uniform")], NULL, dim, count, seed);
     if (strcmp(name, "triangles") == 0) { // nearly equilateral: all cells are self-centred
         enum { SIDE = 5 };
         for (int i = 0; i < s.count; i++) {
@@ -575,7 +626,8 @@ static void no_triangulation_by_flips_is_better(void **state) {
             flipped best = flipped_make(&s), t = flipped_make(&s);
             double bound = largest_enclosing(&best);
             for (int tried = 0, made = 0; tried < 800 && made < 40; tried++) {
-                if (!flip_somewhere(&t, &random)) continue;
+                if (!flip_somewhere(&t, &random))
+                    continue;
                 made++;
                 double largest = largest_enclosing(&t);
                 if (largest < bound)
@@ -583,20 +635,22 @@ static void no_triangulation_by_flips_is_better(void **state) {
                 worse += largest > bound;
                 if (all_self_centred(&t)) {
                     self_centred++;
-                    if (!is_delaunay(&t)) fail_on_sample(&s, "a triangulation of self-centred cells is not Delaunay");
+                    if (!is_delaunay(&t))
+                        fail_on_sample(&s, "a triangulation of self-centred cells is not Delaunay");
                 } else {
                     others += !is_delaunay(&t);
                 }
                 expect_smallest_powers(&best, &t, &random);
                 flips++;
             }
-            if (all_self_centred(&best)) self_centred++;
+            if (all_self_centred(&best))
+                self_centred++;
             free(best.cells);
             free(t.cells);
             sample_free(&s);
         }
-    print_message("# %ld flips, %ld triangulations of self-centred cells, %ld not Delaunay, %ld with larger spheres\n",
-                  flips, self_centred, others, worse);
+    print_message("# %ld flips, %ld triangulations of self-centred cells, %ld not Delaunay, %ld with larger spheres\n", flips,
+                  self_centred, others, worse);
     assert_true(flips > 300 && self_centred > 10 && others > 100 && worse > 100);
 }
 
@@ -606,8 +660,7 @@ int main(void) {
     for (int dim = 2; dim <= LARGEST_DIM; dim++)
         tests[count++] = named_test(numbers_are_those_of_rational_arithmetic, (void *)(intptr_t)dim,
                                     "numbers are those of rational arithmetic, d = %d", dim);
-    tests[count++] =
-        named_test(the_order_of_the_vertices_changes_no_bit, NULL, "the order of the vertices changes no bit");
+    tests[count++] = named_test(the_order_of_the_vertices_changes_no_bit, NULL, "the order of the vertices changes no bit");
     tests[count++] = named_test(some_cells_are_known_by_heart, NULL, "some cells are known by heart");
     tests[count++] = named_test(no_triangulation_by_flips_is_better, NULL, "no triangulation by flips is better");
     return run_named_tests("optimality", tests, count);

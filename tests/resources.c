@@ -151,6 +151,29 @@ typedef struct scene {
 
 static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context);
 
+// A paradt_parallel_for that uses the calling thread alone
+static void run_in_turn(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    (void)user;
+    while (count-- > 0)
+        task(context, count);
+}
+
+// Sets that are large enough for DeWall to have tasks, of which those in four dimensions search for walls together
+static int scene_of_walls(int number, scene *out) {
+    static const struct {
+        int family, weighting, dim, count, tasks;
+    } sets[] = {{0, 0, 3, 150, 0}, {0, 0, 4, 140, 1}, {1, 1, 3, 150, 1},
+                {5, 0, 4, 140, 1}, {1, 0, 5, 90, 1},  {0, 1, 2, 200, 1}};
+    if (number >= (int)(sizeof sets / sizeof sets[0]))
+        return 0;
+    out->s = family_make(&families[sets[number].family], &weightings[sets[number].weighting], sets[number].dim,
+                         sets[number].count, 6);
+    out->options.method = PARADT_DEWALL;
+    out->options.regions = 3;
+    out->options.parallel_for = sets[number].tasks ? run_in_turn : NULL;
+    return 1;
+}
+
 // Makes scene `number`; returns 0 when there is none. Families, weights, dimensions, methods and regions are chosen so that all
 // code that allocates runs. A sanitized program gets every third scene: these have all inputs, ways and methods, but not in
 // all combinations.
@@ -175,7 +198,7 @@ static int next_scene(int number, scene *out) {
     int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
     if (method >= PARADT_METHOD_COUNT)
-        return 0;
+        return scene_of_walls(each - INPUTS * WAYS * PARADT_METHOD_COUNT, out);
     out->s = family_make(&families[inputs[input].family], &weightings[inputs[input].weighting], inputs[input].dim,
                          inputs[input].count, 6);
     out->options.method = (paradt_method)method;
@@ -252,7 +275,7 @@ static void every_failing_allocation_is_an_error_and_leaks_nothing(void **state)
     (void)state;
     for (int number = 0; next_scene(number, &c); number++) {
         paradt_points points = points_of(&c.s);
-        int serial = c.options.parallel_for == NULL;
+        int serial = c.options.parallel_for != run_on_threads;
         // A sanitized program lets either one allocation fail or all later ones too.
         for (int after = SANITIZED ? number % 2 : 0; after < (SANITIZED ? number % 2 + 1 : 2); after++)
             for (size_t k = 1;; k++) {
@@ -710,6 +733,8 @@ static void regions_make_few_cells_again(void **state) {
         options.regions = cases[i / 2].regions;
         assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
         double share = (double)t.stats.cells_recomputed / (double)t.cell_count;
+        if (i % 2) // divided by its walls
+            assert_int_equal(t.stats.cells_recomputed, 0);
         assert_int_equal(t.stats.regions, options.regions);
         if (share > cases[i / 2].share)
             fail_msg("%d points in %zu regions, d = %d: %.4f of the cells made again", cases[i / 2].count, options.regions,
