@@ -1025,7 +1025,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         688   cells, links, ghosts, free places; closing
+//     mesh                         693   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -1045,17 +1045,17 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    208   insertions from begin to end
+//     inserting                    209   insertions from begin to end
+//     planes                       350   conflict tests by one product, in any dimension
+//     ridge table                   90   facets that wait for their mirrors, for many threads
+//     conflict lists                77   their memory
+//     conflict graph               650   randomized incremental construction in parallel
+//     lifted hull                   49   triangulations as hulls
+//     hull of points                50   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      170   the dag of all cells, by which points are located
 //     insertion by flips           308   search, split, collect, flip
 //     Delaunay tree                331   location by the cells that there were
-//     planes                       351   conflict tests by one product, in any dimension
-//     ridge table                   89   facets that wait for their mirrors, for many threads
-//     conflict lists                77   their memory
-//     conflict graph               641   randomized incremental construction in parallel
-//     lifted hull                   49   triangulations as hulls
-//     hull of points                50   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -1069,21 +1069,19 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      264   one row a method; AUTO's choice
-//     triangulate                  363   the entry
+//     methods                      307   one row a method; AUTO's choice
+//     triangulate                  369   the entry
 //   use
-//     measures of a cell           665   spheres and volumes, rounded once
-//     mending by flips             200   what has moved, by flips
-//     mending by holes             421   what flips leave, by small triangulations
-//     repair                       534   the entry of repairing
-//   hull
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         264   the entry
+//     mending by flips             217   what has moved, by flips
+//     mending by holes             420   what flips leave, by small triangulations
+//     repair                       534   the entry of repairing
+//     measures of a cell           665   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
-//   division
 //     check of the hull            287   ... and of hidden points
 //     check of a hull              335   that of a hull alone
 
@@ -18387,7 +18385,6 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
     memset(&hole.small.update, 0, sizeof hole.small.update);
     hole.small.rim = NULL;
     hole.small.rim_count = hole.small.rim_capacity = 0;
-    memset(&hole.small.ridges, 0, sizeof hole.small.ridges);
     hole.small.kept = NULL;
     paradt__mesh_begin(&hole.small.scene.mesh, corners, 1);
     hole.seen = (uint32_t *)paradt__alloc(memory, set->count, sizeof *hole.seen);
