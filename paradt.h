@@ -61,6 +61,7 @@
 //     - one result: the same points give the same set of cells by every method, with any number of regions and threads,
 //       in any order, with any compiler and its flags
 //     - cells with orientation and neighbours; for each point the one that stands for it when points coincide
+//     - convex hulls and furthest-site triangulations; triangulations of points that have moved are mended
 //     - divided into regions that are built alone, on threads that the program provides
 //     - a certificate: paradt_check proves that a result is the triangulation of its points, or says what is wrong
 //     - no global state, no threads of its own, no output, no exit; memory from your allocator, within your limit
@@ -68,8 +69,8 @@
 //
 // CONTENTS
 //
-//     points, options, result, walking, methods, regions and threads, degenerate input, numbers and compiler flags,
-//     memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
+//     points, options, result, walking, methods, convex hulls, points that move, measures, regions and threads,
+//     degenerate input, numbers and compiler flags, memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
 //     marked "// >>name"; the licence
 //
 //
@@ -202,6 +203,40 @@
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
 // in a hierarchical grid of the points, and never change a cell once it is made. PARADT_LIFTED_HULL alone has
 // furthest-site triangulations, with PARADT_FURTHEST_SITE in options.flags.
+//
+//
+// CONVEX HULLS
+//
+// paradt_hull_compute is for those who want the hull alone: it drops nearly all points inside in a first pass and never
+// makes a cell. The facets are those that the triangulation has on its outside.
+//
+//     paradt_hull hull;
+//     if (paradt_hull_compute(&hull, &points, NULL) == PARADT_OK) {
+//         size_t i, k = (size_t)hull.dim; // vertices a facet: three in space
+//         for (i = 0; i < hull.facet_count; i++)
+//             draw(hull.facets + k * i, hull.plane[i]); // facets of one face have the same plane
+//         for (i = 0; i < hull.extreme_count; i++)
+//             mark(hull.vertices[i]); // the corners of the hull
+//         paradt_hull_free(&hull);
+//     }
+//
+//
+// POINTS THAT MOVE
+//
+// Where points move a little in each step of a simulation, make the triangulation once, and mend it in each step:
+//
+//     paradt_repair(&t, &points, &options, &stats); // t: of these points where they were a step before
+//
+// Cells that are still right stay. Others are flipped, which is all that is needed in the plane; in more dimensions
+// flips can get stuck, and there points are taken out and inserted again. Where that would take longer than to build
+// anew, it is built anew: stats.rebuilt says so. The result is in each case that of paradt_triangulate.
+//
+//
+// MEASURES
+//
+// paradt_circumsphere, paradt_enclosing_sphere, paradt_is_self_centred and paradt_volume take the vertices of one cell.
+// Their numbers are rounded once: the doubles nearest to the true ones. Among all triangulations of the points, the
+// Delaunay triangulation has the smallest largest enclosing sphere (Rajan), in every dimension.
 //
 //
 // REGIONS AND THREADS
