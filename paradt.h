@@ -15101,11 +15101,24 @@ static void paradt__repair_vertices(const paradt__repair *r, uint64_t *used) {
     }
 }
 
+// Lets hidden points find the points at their places that have become vertices after them.
+static void paradt__repair_rejoin(paradt__repair *r, const uint64_t *used) {
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt_index *representative = r->t->representative, i, vertex;
+    for (i = 0; (size_t)i < r->set.count; i++) {
+        if (used[i / 64] >> i % 64 & 1 || representative[i] != i) continue;
+        scene->hint = paradt__walk(scene, scene->hint, paradt__scene_record(scene, i));
+        vertex = paradt__vertex_at(scene, scene->hint, i);
+        if (vertex != PARADT__NOWHERE) representative[i] = vertex;
+    }
+}
+
 // Deals with all points that are no vertices, in their order.
 static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
     paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt_index *representative = r->t->representative;
     size_t i, others = 0, most = r->set.count / 4 + 64;
+    uint64_t inserted = r->mend.stats->reinserted;
     paradt_status status = PARADT_OK;
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) others += !(used[i / 64] >> i % 64 & 1);
@@ -15119,7 +15132,10 @@ static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
         status = paradt__repair_point(r, (paradt_index)i);
         if (!status && i % 64 == 0 && paradt__meter_cancels(&r->meter)) status = PARADT_ERROR_CANCELLED;
     }
-    return status;
+    if (status || !scene->space.weighted || inserted == r->mend.stats->reinserted) return status;
+    paradt__repair_vertices(r, used);
+    paradt__repair_rejoin(r, used);
+    return PARADT_OK;
 }
 
 // Gives vertices their new indices, and points that are neither vertices nor at the place of one the representative -1.
