@@ -906,10 +906,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      255   one row a method; AUTO's choice
-//     triangulate                  357   the entry
-//     mending by flips             181   what has moved, by flips
-//     mending by holes             364   what flips leave, by small triangulations
-//     repair                       469   the entry of repairing
+//     triangulate                  358   the entry
+//     mending by flips             218   what has moved, by flips
+//     mending by holes             421   what flips leave, by small triangulations
+//     repair                       550   the entry of repairing
 //   check
 //     check                        498   the certificate
 //   division
@@ -14334,8 +14334,9 @@ static paradt_status paradt__mend_turn(paradt__mend *m, paradt_index cell) {
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners && !done && !status; i++) {
         paradt_index mirror = mesh->links[cell * corners + i], apex = mesh->vertices[mirror];
-        if (apex == PARADT__INFINITE)
-            status = paradt__mend_try(m, mirror / corners, mesh->vertices[cell * corners + i], &done);
+        paradt_index vertex = mesh->vertices[cell * corners + i];
+        if (apex == PARADT__INFINITE && vertex == PARADT__INFINITE) continue; // ghosts back to back
+        if (apex == PARADT__INFINITE) status = paradt__mend_try(m, mirror / corners, vertex, &done);
         else status = paradt__mend_try(m, cell, apex, &done);
     }
     return status || done ? status : paradt__mend_note(m, cell * corners);
