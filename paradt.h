@@ -14692,6 +14692,22 @@ static paradt_status paradt__hole_enlarge(paradt__mend *m, paradt__hole *hole, i
     return status;
 }
 
+// Are there points of the hole that are no vertices of the cells reached?
+static int paradt__hole_loses(paradt__hole *hole) {
+    const paradt__mesh *small = &hole->small.scene.mesh;
+    size_t corners = (size_t)small->corners, count = 0, at, i;
+    hole->number++;
+    for (at = 0; at < hole->reached.count; at++) {
+        const paradt_index *row = paradt__mesh_row(small, hole->reached.items[at]);
+        for (i = 0; i < corners; i++) {
+            if (row[i] < 0 || hole->seen[row[i]] == hole->number) continue;
+            hole->seen[row[i]] = hole->number;
+            count++;
+        }
+    }
+    return count < hole->points.count;
+}
+
 // Puts the cells that were reached into the mesh, in the place of the hole's.
 static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
@@ -14720,7 +14736,7 @@ static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
         mesh->marks[hole->cells.items[at]] = 0;
         paradt__mesh_give(mesh, hole->cells.items[at], (size_t)corners);
     }
-    m->vanished = 1;
+    m->vanished |= paradt__hole_loses(hole);
     m->stats->reinserted += hole->points.count;
     m->stats->holes++;
     PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT);
@@ -14985,32 +15001,50 @@ PARADT__INLINE int paradt__repair_is_fine(const paradt__insertion *build, size_t
     return fine;
 }
 
-// Fetches what is needed of a cell ahead of its use.
-PARADT__INLINE void paradt__repair_fetch(const paradt__insertion *build, size_t cell, int corners) {
-    const paradt__mesh *mesh = &build->scene.mesh;
+// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
+PARADT__INLINE void paradt__repair_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
     int i;
     if (cell >= mesh->count) return;
     for (i = 0; i < corners; i++) {
-        size_t vertex = (size_t)mesh->vertices[cell * (size_t)corners + (size_t)i];
-        PARADT__FETCH(build->scene.records, vertex * build->scene.width);
+        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
+        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
+        if (link < 0) continue;
+        PARADT__FETCH(mesh->links, row);
+        PARADT__FETCH(mesh->vertices, row);
     }
 }
 
-// Passes over all cells: links become handles, and what is not right is listed.
+// Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
+PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index base = (paradt_index)cell * corners, i;
+    for (i = base; i < base + corners; i++) {
+        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[i] * build->scene.width);
+        if (mesh->links[i] > base)
+            PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mesh->links[i]] * build->scene.width);
+    }
+}
+
+// Passes over all cells: links become handles, and what is not right is listed. Rows are fetched first, then the cells
+// are linked, for which the neighbours' rows are needed, and their records fetched, then the cells are looked at.
 PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
-    enum { PACE = 1 << 14, AHEAD = 16 };
+    enum { PACE = 1 << 14, ROWS_AHEAD = 24, LINKED_AHEAD = 10 };
     const paradt__insertion *build = &r->mend.flipper.build;
     const paradt__mesh mesh = build->scene.mesh;
     paradt_status status = PARADT_OK;
-    size_t cell;
+    size_t cell, linked = 0;
     int i;
     for (cell = 0; cell < mesh.count && !status; cell++) {
-        const paradt_index *row = mesh.vertices + cell * (size_t)corners, *links = mesh.links + cell * (size_t)corners;
+        const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (!paradt__vertices_among(row, corners, 0, (paradt_index)r->set.count) ||
-            !paradt__repair_link(&mesh, cell, r->facets, corners))
-            return PARADT_ERROR_INVALID;
-        paradt__repair_fetch(build, cell + AHEAD, corners);
+        for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
+            paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
+            if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
+                                        (paradt_index)r->set.count) ||
+                !paradt__repair_link(&mesh, linked, r->facets, corners))
+                return PARADT_ERROR_INVALID;
+            paradt__repair_fetch_records(build, linked, corners);
+        }
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
         if (!spheres || !paradt__repair_is_fine(build, cell)) status = paradt__repair_ask(r, cell);
     }
@@ -15087,6 +15121,13 @@ static paradt_status paradt__repair_point(paradt__repair *r, paradt_index point)
     build->inserted++;
     r->mend.stats->reinserted++;
     return status;
+}
+
+// Were all points vertices before?
+static int paradt__repair_all_are_vertices(const paradt__repair *r) {
+    size_t i = 0;
+    while (i < r->set.count && r->t->representative[i] == (paradt_index)i) i++;
+    return i == r->set.count;
 }
 
 // Finds which points are vertices. used: [points / 64 + 1] a bit for each
@@ -15259,6 +15300,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #if defined(PARADT_VERIFY)
     PARADT_ASSERT(paradt__mend_is_done(&r->mend));
 #endif
+    if (!r->mend.vanished && paradt__repair_all_are_vertices(r)) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&r->memory, r->set.count / 64 + 1, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     status = paradt__repair_others(r, used);
