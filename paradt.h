@@ -15181,13 +15181,13 @@ static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
 }
 
 // Gives vertices their new indices, and points that are neither vertices nor at the place of one the representative -1.
+// Counts these.
 static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
     paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
-    paradt_index *representative = r->t->representative;
+    paradt_index *representative = r->t->representative, at;
     size_t i;
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = (paradt_index)i;
-        while (representative[at] != at) at = representative[at];
+        for (at = (paradt_index)i; representative[at] != at;) at = representative[at];
         representative[i] = at;
     }
     for (i = 0; i < mesh->count * (size_t)mesh->corners && r->renamed; i++) {
@@ -15195,16 +15195,39 @@ static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
     }
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = representative[i];
-        int is_vertex = (int)(used[at / 64] >> at % 64 & 1);
-        r->duplicates += is_vertex && at != (paradt_index)i;
-        r->hidden += !is_vertex;
-        if (!is_vertex) representative[i] = at == (paradt_index)i ? (paradt_index)-1 : at; // see below
+        at = representative[i];
+        if (!(used[at / 64] >> at % 64 & 1)) r->hidden++;
+        else r->duplicates += at != (paradt_index)i;
     }
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = representative[i];
-        if (at >= 0 && !(used[at / 64] >> at % 64 & 1)) representative[i] = -1;
+        at = representative[i];
+        if (!(used[at / 64] >> at % 64 & 1)) representative[i] = -1;
     }
+}
+
+// Finds out how many of the hidden points are at the place of another, which makes them duplicates.
+static paradt_status paradt__repair_places(paradt__repair *r) {
+    size_t ambient = (size_t)r->set.space.ambient, mask = 1, i, at;
+    paradt_index *table;
+    uint64_t repeated = 0;
+    if (r->hidden < 2) return PARADT_OK;
+    while (mask < 2 * r->hidden) mask *= 2;
+    table = (paradt_index *)paradt__alloc(&r->memory, mask, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < mask; i++) table[i] = PARADT__OPEN;
+    for (i = 0; i < r->set.count; i++) {
+        const double *x = r->set.records + i * r->set.width;
+        if (r->t->representative[i] >= 0) continue;
+        at = (size_t)paradt__hash_coordinates(x, r->set.space.ambient) & (mask - 1);
+        while (table[at] >= 0 && memcmp(r->set.records + (size_t)table[at] * r->set.width, x, ambient * sizeof *x) != 0)
+            at = (at + 1) & (mask - 1);
+        repeated += table[at] >= 0;
+        table[at] = (paradt_index)i;
+    }
+    paradt__release(&r->memory, table);
+    r->hidden -= repeated;
+    r->duplicates += repeated;
+    return PARADT_OK;
 }
 
 // --- the whole
@@ -15309,7 +15332,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #endif
     if (!status) paradt__repair_settle(r, used);
     paradt__release(&r->memory, used);
-    return status;
+    return status ? status : paradt__repair_places(r);
 }
 
 // Hands the mesh back.
