@@ -1104,16 +1104,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      307   one row a method; AUTO's choice
-//     triangulate                  369   the entry
+//     methods                      255   one row a method; AUTO's choice
+//     triangulate                  358   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         264   the entry
-//     mending by flips             217   what has moved, by flips
-//     mending by holes             420   what flips leave, by small triangulations
-//     repair                       534   the entry of repairing
+//     mending by flips             218   what has moved, by flips
+//     mending by holes             421   what flips leave, by small triangulations
+//     repair                       550   the entry of repairing
 //     measures of a cell           665   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -17945,8 +17945,9 @@ static paradt_status paradt__mend_turn(paradt__mend *m, paradt_index cell) {
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners && !done && !status; i++) {
         paradt_index mirror = mesh->links[cell * corners + i], apex = mesh->vertices[mirror];
-        if (apex == PARADT__INFINITE)
-            status = paradt__mend_try(m, mirror / corners, mesh->vertices[cell * corners + i], &done);
+        paradt_index vertex = mesh->vertices[cell * corners + i];
+        if (apex == PARADT__INFINITE && vertex == PARADT__INFINITE) continue; // ghosts back to back
+        if (apex == PARADT__INFINITE) status = paradt__mend_try(m, mirror / corners, vertex, &done);
         else status = paradt__mend_try(m, cell, apex, &done);
     }
     return status || done ? status : paradt__mend_note(m, cell * corners);
@@ -18302,6 +18303,22 @@ static paradt_status paradt__hole_enlarge(paradt__mend *m, paradt__hole *hole, i
     return status;
 }
 
+// Are there points of the hole that are no vertices of the cells reached?
+static int paradt__hole_loses(paradt__hole *hole) {
+    const paradt__mesh *small = &hole->small.scene.mesh;
+    size_t corners = (size_t)small->corners, count = 0, at, i;
+    hole->number++;
+    for (at = 0; at < hole->reached.count; at++) {
+        const paradt_index *row = paradt__mesh_row(small, hole->reached.items[at]);
+        for (i = 0; i < corners; i++) {
+            if (row[i] < 0 || hole->seen[row[i]] == hole->number) continue;
+            hole->seen[row[i]] = hole->number;
+            count++;
+        }
+    }
+    return count < hole->points.count;
+}
+
 // Puts the cells that were reached into the mesh, in the place of the hole's.
 static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
@@ -18330,7 +18347,7 @@ static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
         mesh->marks[hole->cells.items[at]] = 0;
         paradt__mesh_give(mesh, hole->cells.items[at], (size_t)corners);
     }
-    m->vanished = 1;
+    m->vanished |= paradt__hole_loses(hole);
     m->stats->reinserted += hole->points.count;
     m->stats->holes++;
     PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT);
@@ -18594,32 +18611,50 @@ PARADT__INLINE int paradt__repair_is_fine(const paradt__insertion *build, size_t
     return fine;
 }
 
-// Fetches what is needed of a cell ahead of its use.
-PARADT__INLINE void paradt__repair_fetch(const paradt__insertion *build, size_t cell, int corners) {
-    const paradt__mesh *mesh = &build->scene.mesh;
+// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
+PARADT__INLINE void paradt__repair_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
     int i;
     if (cell >= mesh->count) return;
     for (i = 0; i < corners; i++) {
-        size_t vertex = (size_t)mesh->vertices[cell * (size_t)corners + (size_t)i];
-        PARADT__FETCH(build->scene.records, vertex * build->scene.width);
+        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
+        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
+        if (link < 0) continue;
+        PARADT__FETCH(mesh->links, row);
+        PARADT__FETCH(mesh->vertices, row);
     }
 }
 
-// Passes over all cells: links become handles, and what is not right is listed.
+// Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
+PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index base = (paradt_index)cell * corners, i;
+    for (i = base; i < base + corners; i++) {
+        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[i] * build->scene.width);
+        if (mesh->links[i] > base)
+            PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mesh->links[i]] * build->scene.width);
+    }
+}
+
+// Passes over all cells: links become handles, and what is not right is listed. Rows are fetched first, then the cells
+// are linked, for which the neighbours' rows are needed, and their records fetched, then the cells are looked at.
 PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
-    enum { PACE = 1 << 14, AHEAD = 16 };
+    enum { PACE = 1 << 14, ROWS_AHEAD = 24, LINKED_AHEAD = 10 };
     const paradt__insertion *build = &r->mend.flipper.build;
     const paradt__mesh mesh = build->scene.mesh;
     paradt_status status = PARADT_OK;
-    size_t cell;
+    size_t cell, linked = 0;
     int i;
     for (cell = 0; cell < mesh.count && !status; cell++) {
-        const paradt_index *row = mesh.vertices + cell * (size_t)corners, *links = mesh.links + cell * (size_t)corners;
+        const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (!paradt__vertices_among(row, corners, 0, (paradt_index)r->set.count) ||
-            !paradt__repair_link(&mesh, cell, r->facets, corners))
-            return PARADT_ERROR_INVALID;
-        paradt__repair_fetch(build, cell + AHEAD, corners);
+        for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
+            paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
+            if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
+                                        (paradt_index)r->set.count) ||
+                !paradt__repair_link(&mesh, linked, r->facets, corners))
+                return PARADT_ERROR_INVALID;
+            paradt__repair_fetch_records(build, linked, corners);
+        }
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
         if (!spheres || !paradt__repair_is_fine(build, cell)) status = paradt__repair_ask(r, cell);
     }
@@ -18698,6 +18733,13 @@ static paradt_status paradt__repair_point(paradt__repair *r, paradt_index point)
     return status;
 }
 
+// Were all points vertices before?
+static int paradt__repair_all_are_vertices(const paradt__repair *r) {
+    size_t i = 0;
+    while (i < r->set.count && r->t->representative[i] == (paradt_index)i) i++;
+    return i == r->set.count;
+}
+
 // Finds which points are vertices. used: [points / 64 + 1] a bit for each
 static void paradt__repair_vertices(const paradt__repair *r, uint64_t *used) {
     const paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
@@ -18711,11 +18753,24 @@ static void paradt__repair_vertices(const paradt__repair *r, uint64_t *used) {
     }
 }
 
+// Lets hidden points find the points at their places that have become vertices after them.
+static void paradt__repair_rejoin(paradt__repair *r, const uint64_t *used) {
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt_index *representative = r->t->representative, i, vertex;
+    for (i = 0; (size_t)i < r->set.count; i++) {
+        if (used[i / 64] >> i % 64 & 1 || representative[i] != i) continue;
+        scene->hint = paradt__walk(scene, scene->hint, paradt__scene_record(scene, i));
+        vertex = paradt__vertex_at(scene, scene->hint, i);
+        if (vertex != PARADT__NOWHERE) representative[i] = vertex;
+    }
+}
+
 // Deals with all points that are no vertices, in their order.
 static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
     paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt_index *representative = r->t->representative;
     size_t i, others = 0, most = r->set.count / 4 + 64;
+    uint64_t inserted = r->mend.stats->reinserted;
     paradt_status status = PARADT_OK;
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) others += !(used[i / 64] >> i % 64 & 1);
@@ -18729,17 +18784,20 @@ static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
         status = paradt__repair_point(r, (paradt_index)i);
         if (!status && i % 64 == 0 && paradt__meter_cancels(&r->meter)) status = PARADT_ERROR_CANCELLED;
     }
-    return status;
+    if (status || !scene->space.weighted || inserted == r->mend.stats->reinserted) return status;
+    paradt__repair_vertices(r, used);
+    paradt__repair_rejoin(r, used);
+    return PARADT_OK;
 }
 
 // Gives vertices their new indices, and points that are neither vertices nor at the place of one the representative -1.
+// Counts these.
 static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
     paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
-    paradt_index *representative = r->t->representative;
+    paradt_index *representative = r->t->representative, at;
     size_t i;
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = (paradt_index)i;
-        while (representative[at] != at) at = representative[at];
+        for (at = (paradt_index)i; representative[at] != at;) at = representative[at];
         representative[i] = at;
     }
     for (i = 0; i < mesh->count * (size_t)mesh->corners && r->renamed; i++) {
@@ -18747,16 +18805,39 @@ static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
     }
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = representative[i];
-        int is_vertex = (int)(used[at / 64] >> at % 64 & 1);
-        r->duplicates += is_vertex && at != (paradt_index)i;
-        r->hidden += !is_vertex;
-        if (!is_vertex) representative[i] = at == (paradt_index)i ? (paradt_index)-1 : at; // see below
+        at = representative[i];
+        if (!(used[at / 64] >> at % 64 & 1)) r->hidden++;
+        else r->duplicates += at != (paradt_index)i;
     }
     for (i = 0; i < r->set.count; i++) {
-        paradt_index at = representative[i];
-        if (at >= 0 && !(used[at / 64] >> at % 64 & 1)) representative[i] = -1;
+        at = representative[i];
+        if (!(used[at / 64] >> at % 64 & 1)) representative[i] = -1;
     }
+}
+
+// Finds out how many of the hidden points are at the place of another, which makes them duplicates.
+static paradt_status paradt__repair_places(paradt__repair *r) {
+    size_t ambient = (size_t)r->set.space.ambient, mask = 1, i, at;
+    paradt_index *table;
+    uint64_t repeated = 0;
+    if (r->hidden < 2) return PARADT_OK;
+    while (mask < 2 * r->hidden) mask *= 2;
+    table = (paradt_index *)paradt__alloc(&r->memory, mask, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < mask; i++) table[i] = PARADT__OPEN;
+    for (i = 0; i < r->set.count; i++) {
+        const double *x = r->set.records + i * r->set.width;
+        if (r->t->representative[i] >= 0) continue;
+        at = (size_t)paradt__hash_coordinates(x, r->set.space.ambient) & (mask - 1);
+        while (table[at] >= 0 && memcmp(r->set.records + (size_t)table[at] * r->set.width, x, ambient * sizeof *x) != 0)
+            at = (at + 1) & (mask - 1);
+        repeated += table[at] >= 0;
+        table[at] = (paradt_index)i;
+    }
+    paradt__release(&r->memory, table);
+    r->hidden -= repeated;
+    r->duplicates += repeated;
+    return PARADT_OK;
 }
 
 // --- the whole
@@ -18852,6 +18933,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #if defined(PARADT_VERIFY)
     PARADT_ASSERT(paradt__mend_is_done(&r->mend));
 #endif
+    if (!r->mend.vanished && paradt__repair_all_are_vertices(r)) return PARADT_OK;
     used = (uint64_t *)paradt__alloc(&r->memory, r->set.count / 64 + 1, sizeof *used);
     if (!used) return PARADT_ERROR_MEMORY;
     status = paradt__repair_others(r, used);
@@ -18860,7 +18942,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #endif
     if (!status) paradt__repair_settle(r, used);
     paradt__release(&r->memory, used);
-    return status;
+    return status ? status : paradt__repair_places(r);
 }
 
 // Hands the mesh back.

@@ -1,0 +1,261 @@
+// paradt_repair: after points have moved, little or much, the cells are those of a new triangulation, whatever that takes.
+#include "harness.h"
+
+enum { LARGEST_DIM = SANITIZED ? 3 : 5 };
+static const int points_in[] = {0, 0, 300, 250, 45, 25};
+static const int few_points_in[] = {0, 0, 40, 25, 12, 9};
+
+// How the points of a sample move
+enum { STAY, SHIVER, STIR, SCATTER, COINCIDE, FLATTEN, REWEIGH, MOVES };
+
+// Moves the points: by a part of their spacing, or onto each other, or into a plane; or changes their weights.
+static void move(sample *s, int how, uint64_t seed) {
+    static const double parts[] = {0.0, 1e-3, 0.05, 1.0};
+    double extent = 0.0, spacing;
+    for (int i = 0; i < s->count * s->dim; i++)
+        extent = fabs(s->x[i]) > extent ? fabs(s->x[i]) : extent;
+    spacing = extent * pow(s->count, -1.0 / s->dim);
+    for (int i = 0; i < s->count * s->dim && how <= SCATTER; i++) {
+        double moved = s->x[i] + parts[how] * spacing * (random_unit(&seed) - 0.5);
+        if (isfinite(moved))
+            s->x[i] = moved;
+    }
+    for (int i = 0; i < s->count && how == COINCIDE; i += 5)
+        memcpy(s->x + i * s->dim, s->x + random_below(&seed, s->count) * s->dim, sizeof(double) * (size_t)s->dim);
+    for (int i = 0; i < s->count && how == FLATTEN; i++)
+        s->x[i * s->dim] = s->x[0];
+    for (int i = 0; i < s->count && how == REWEIGH && s->w; i += 3)
+        s->w[i] *= 1.0 + 0.25 * random_unit(&seed);
+}
+
+// Fails unless repairing the triangulation of points that were there before gives that of the points as they are.
+static paradt_repair_stats expect_new(const sample *s, paradt_triangulation *t, const paradt_options *options) {
+    paradt_points points = points_of(s);
+    paradt_triangulation fresh;
+    paradt_repair_stats stats;
+    paradt_fault fault;
+    paradt_status status, expected;
+    watch(s, 60);
+    expected = paradt_triangulate(&fresh, &points, options);
+    status = paradt_repair(t, &points, options, &stats);
+    watch(NULL, 0);
+    if (status != expected)
+        fail_on_sample(s, paradt_status_string(status));
+    if (!status) {
+        if (t->dim != fresh.dim || paradt_hash(t) != paradt_hash(&fresh))
+            fail_on_sample(s, "repair gives other cells than a new triangulation");
+        if (memcmp(t->representative, fresh.representative, fresh.point_count * sizeof(paradt_index)))
+            fail_on_sample(s, "repair gives other representatives than a new triangulation");
+        if (t->stats.hull_facets != fresh.stats.hull_facets || t->stats.cells != fresh.stats.cells ||
+            t->stats.hidden != fresh.stats.hidden || t->stats.duplicates != fresh.stats.duplicates)
+            fail_on_sample(s, "repair counts otherwise than a new triangulation");
+        if (paradt_check(t, &points, options, &fault))
+            fail_on_sample(s, fault.reason);
+    }
+    paradt_free(&fresh);
+    return stats;
+}
+
+static paradt_triangulation triangulation_of(const sample *s, const paradt_options *options) {
+    paradt_points points = points_of(s);
+    paradt_triangulation t;
+    assert_int_equal(paradt_triangulate(&t, &points, options), PARADT_OK);
+    return t;
+}
+
+// state: family
+static void repaired_is_new(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= LARGEST_DIM; dim++)
+        for (int w = 0; w < WEIGHTING_COUNT; w++)
+            for (int how = 0; how < MOVES; how++) {
+                int extremes = families[f].extremes || weightings[w].extremes;
+                paradt_options options = {0};
+                if (extremes && (dim > 4 || (dim > 2 && (w + how) % 2)))
+                    continue;
+                options.flags = (w + how) % 2 ? PARADT_FACETS : 0;
+                sample s = family_make(&families[f], &weightings[w], dim,
+                                       extremes ? few_points_in[dim] : points_in[dim], (uint64_t)(5 + f + 100 * w));
+                paradt_triangulation t = triangulation_of(&s, &options);
+                move(&s, how, (uint64_t)(how + 10 * w));
+                expect_new(&s, &t, &options);
+                paradt_free(&t);
+                sample_free(&s);
+            }
+}
+
+// Points that drift: every step repairs what the step before left.
+static void steps_follow_each_other(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++) {
+        paradt_options options = {0};
+        sample s = family_make(&families[family_named("uniform")], NULL, dim, dim < 4 ? 2000 : 300, 4);
+        paradt_triangulation t = triangulation_of(&s, &options);
+        uint64_t flips = 0, holes = 0, built = 0;
+        for (int step = 0; step < (SANITIZED ? 6 : 25); step++) {
+            move(&s, step % 3 ? SHIVER : STIR, (uint64_t)step + 1);
+            paradt_repair_stats stats = expect_new(&s, &t, &options);
+            flips += stats.flips;
+            holes += stats.holes;
+            built += (uint64_t)stats.rebuilt;
+        }
+        assert_true(flips > 100 && built == 0);
+        assert_true(dim == 2 || holes > 0); // from three dimensions on flips get stuck
+        paradt_free(&t);
+        sample_free(&s);
+    }
+}
+
+// Without a move nothing is done; with a move into a plane all is built anew.
+static void stats_tell_what_was_done(void **state) {
+    paradt_options options = {0};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 500, 4);
+    paradt_triangulation t = triangulation_of(&s, &options);
+    (void)state;
+    paradt_repair_stats stats = expect_new(&s, &t, &options);
+    assert_true(!stats.flips && !stats.inverted && !stats.irregular && !stats.stuck && !stats.holes && !stats.rebuilt);
+    move(&s, FLATTEN, 1);
+    stats = expect_new(&s, &t, &options);
+    assert_true(stats.rebuilt && t.dim == 2);
+    stats = expect_new(&s, &t, &options);
+    assert_true(stats.rebuilt);
+    paradt_free(&t);
+    sample_free(&s);
+}
+
+static void wrong_arguments_leave_the_triangulation(void **state) {
+    paradt_options options = {0};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 100, 4);
+    paradt_points points = points_of(&s), fewer = points;
+    paradt_triangulation t = triangulation_of(&s, &options);
+    uint64_t hash = paradt_hash(&t);
+    double kept;
+    (void)state;
+    fewer.count--;
+    assert_int_equal(paradt_repair(NULL, &points, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_repair(&t, NULL, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_repair(&t, &fewer, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    options.flags = PARADT_NO_NEIGHBORS;
+    assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_ARGUMENT);
+    assert_non_null(t.error_text);
+    kept = s.x[150];
+    s.x[150] = NAN;
+    assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(t.error_point, 50);
+    s.x[150] = kept;
+    assert_true(paradt_hash(&t) == hash);
+    assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_OK);
+    assert_true(paradt_hash(&t) == hash);
+    assert_null(t.error_text);
+    t.neighbors[3] = (paradt_index)t.cell_count + 5;
+    assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_ERROR_INVALID);
+    assert_true(t.dim == -1 && !t.cells && !t.neighbors && !t.representative);
+    sample_free(&s);
+}
+
+// --- memory and cancelling
+
+typedef struct purse {
+    int calls, fail_at;
+    int live;
+} purse;
+
+static void *purse_alloc(void *user, size_t size) {
+    purse *p = (purse *)user;
+    if (p->fail_at && ++p->calls == p->fail_at)
+        return NULL;
+    p->live++;
+    return malloc(size);
+}
+
+static void purse_free(void *user, void *memory) {
+    purse *p = (purse *)user;
+    p->live--;
+    free(memory);
+}
+
+static int cancel_after(void *user, double fraction) {
+    int *calls = (int *)user;
+    (void)fraction;
+    return --*calls <= 0;
+}
+
+// Every allocation fails once: the result is right, or there is none and nothing leaks.
+static void any_allocation_may_fail(void **state) {
+    static const struct {
+        int dim, count, weighting, how;
+    } cases[] = {{3, 60, 0, STIR}, {3, 60, 1, REWEIGH}, {2, 60, 0, COINCIDE}, {4, 25, 0, SCATTER}};
+    (void)state;
+    for (size_t c = 0; c < sizeof cases / sizeof cases[0]; c++) {
+        sample s = family_make(&families[family_named("uniform")], &weightings[cases[c].weighting], cases[c].dim,
+                               cases[c].count, 4);
+        sample moved = family_make(&families[family_named("uniform")], &weightings[cases[c].weighting], cases[c].dim,
+                                   cases[c].count, 4);
+        paradt_points before = points_of(&s), after = points_of(&moved);
+        paradt_options options = {0};
+        paradt_triangulation t, fresh;
+        purse p = {0, 0, 0};
+        int refused = 1;
+        move(&moved, cases[c].how, 3);
+        assert_int_equal(paradt_triangulate(&fresh, &after, NULL), PARADT_OK);
+        options.allocator.alloc = purse_alloc;
+        options.allocator.free = purse_free;
+        options.allocator.user = &p;
+        for (int at = 1; refused; at++) {
+            p.fail_at = 0;
+            assert_int_equal(paradt_triangulate(&t, &before, &options), PARADT_OK);
+            p.calls = 0;
+            p.fail_at = at;
+            paradt_status status = paradt_repair(&t, &after, &options, NULL);
+            refused = p.calls >= at;
+            assert_true(status == PARADT_OK || (refused && status == PARADT_ERROR_MEMORY));
+            if (!status)
+                assert_true(paradt_hash(&t) == paradt_hash(&fresh));
+            paradt_free(&t);
+            assert_int_equal(p.live, 0);
+        }
+        paradt_free(&fresh);
+        sample_free(&s);
+        sample_free(&moved);
+    }
+}
+
+static void any_call_of_progress_may_cancel(void **state) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 400, 4);
+    sample moved = family_make(&families[family_named("uniform")], NULL, 3, 400, 4);
+    paradt_points before = points_of(&s), after = points_of(&moved);
+    paradt_options options = {0};
+    paradt_status status = PARADT_ERROR_CANCELLED;
+    (void)state;
+    move(&moved, STIR, 3);
+    options.progress = cancel_after;
+    for (int at = 1; status; at++) {
+        paradt_triangulation t;
+        int calls = at;
+        assert_int_equal(paradt_triangulate(&t, &before, NULL), PARADT_OK);
+        options.user = &calls;
+        status = paradt_repair(&t, &after, &options, NULL);
+        assert_true(status == PARADT_OK || status == PARADT_ERROR_CANCELLED);
+        assert_true(status || at > 4);
+        paradt_free(&t);
+    }
+    sample_free(&s);
+    sample_free(&moved);
+}
+
+int main(void) {
+    static struct CMUnitTest tests[FAMILY_COUNT];
+    static const struct CMUnitTest others[] = {
+        cmocka_unit_test(steps_follow_each_other),
+        cmocka_unit_test(stats_tell_what_was_done),
+        cmocka_unit_test(wrong_arguments_leave_the_triangulation),
+        cmocka_unit_test(any_allocation_may_fail),
+        cmocka_unit_test(any_call_of_progress_may_cancel),
+    };
+    for (int f = 0; f < FAMILY_COUNT; f++) {
+        tests[f].name = families[f].name;
+        tests[f].test_func = repaired_is_new;
+        tests[f].initial_state = (void *)(intptr_t)f;
+    }
+    return cmocka_run_group_tests(tests, NULL, NULL) + cmocka_run_group_tests(others, NULL, NULL);
+}
