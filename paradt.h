@@ -833,7 +833,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     scale and axes               102   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         688   cells, links, ghosts, free places; closing
+//     mesh                         689   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -849,7 +849,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
-//     insertion                    280   dig and star, in any dimension
+//     insertion                    284   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
@@ -4766,7 +4766,8 @@ enum {
     PARADT__ASKED = 4,    // known to be one of T(P)
     PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
     PARADT__DROPPED = 16, // not kept in the end; used by ranks
-    PARADT__WRONG = 32    // in the list of cells that are not of T(P)
+    PARADT__WRONG = 32,   // in the list of cells that are not of T(P)
+    PARADT__OUTSIDE = 64  // known not to be in conflict with the point that is being inserted
 };
 
 #ifdef PARADT_INDEX64
@@ -8382,8 +8383,8 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // A weighted point is hidden if no cell is in conflict with it; a vertex becomes hidden if it is on no facet of the
 // rim.
 //
-// Between two insertions `scene` is as >>scene says, no cell has the mark PARADT__CONFLICT, and `update` says what the
-// last insertion did. After an error the mesh may only be freed.
+// Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
+// `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
 // paradt__insertion_first_cells, paradt__cavity_star, paradt__insert, paradt__insert_at.
 
@@ -8476,7 +8477,8 @@ static paradt_status paradt__insertion_room(paradt__insertion *build, size_t cou
 
 // --- the cavity
 
-// Digs the cavity of x: marks its cells and fills update.killed and the rim. first: a cell in conflict with x
+// Digs the cavity of x: marks its cells and those beyond the rim, and fills update.killed and the rim. first: a cell in
+// conflict with x
 static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index first, const double *x) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
@@ -8498,10 +8500,11 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
         for (i = 0; i < corners; i++) {
             paradt_index mirror = mesh->links[base + i], other = paradt__mesh_cell(mesh, mirror);
             if (mesh->marks[other] & PARADT__CONFLICT) continue;
-            if (paradt__conflicts(&build->scene, other, x)) {
+            if (!(mesh->marks[other] & PARADT__OUTSIDE) && paradt__conflicts(&build->scene, other, x)) {
                 mesh->marks[other] |= PARADT__CONFLICT;
                 update->killed[update->killed_count++] = mirror;
             } else {
+                mesh->marks[other] |= PARADT__OUTSIDE; // a cell may be beyond several facets
                 build->rim[build->rim_count++] = base + i;
             }
         }
@@ -8511,7 +8514,8 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
 }
 
 // Makes a cell of each facet of the rim: a copy of the cavity's cell at the facet, with the point instead of the vertex
-// opposite the facet. In the cavity's cell the facet's link then leads to the new cell's, as ~handle.
+// opposite the facet. In the cavity's cell the facet's link then leads to the new cell's, as ~handle. Clears the marks
+// of the cells beyond the rim.
 PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index point, int corners) {
     paradt__mesh *mesh = &build->scene.mesh;
     size_t i;
@@ -8519,7 +8523,8 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
     for (i = 0; i < build->rim_count; i++) {
         paradt_index inner = build->rim[i], place = inner % corners, made = paradt__mesh_take(mesh);
         paradt_index base = made * corners, *vertices = mesh->vertices + base;
-        PARADT_ASSERT(!(mesh->marks[paradt__mesh_cell(mesh, mesh->links[inner])] & PARADT__CONFLICT));
+        PARADT_ASSERT(!(mesh->marks[mesh->links[inner] / corners] & PARADT__CONFLICT));
+        mesh->marks[mesh->links[inner] / corners] &= (unsigned char)~PARADT__OUTSIDE;
         memcpy(vertices, mesh->vertices + (inner - place), (size_t)corners * sizeof *vertices);
         vertices[place] = point;
         for (j = 0; j < corners; j++) mesh->links[base + j] = PARADT__OPEN;
