@@ -854,7 +854,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    208   insertions from begin to end
-//     Delaunay tree                331   location by the cells that there were
+//     Delaunay tree                333   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -10510,9 +10510,10 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 // now are its cavity.
 //
 // To insert a point, one cell in conflict with it suffices, as >>insertion finds the others through links. So the
-// search does not begin at the roots. It begins at a cell near the point that was inserted last, climbs from son to
+// search does not begin at the roots. It begins at one of the cells that the last insertion made, climbs from son to
 // father up to a node in conflict, and goes down from there, depth first; where that ends at dead cells alone it climbs
-// on. With points in the order of >>order of insertion it tests few nodes, however many there are.
+// on. With points in the order of >>order of insertion it looks at few nodes, however many there are: in space at 5 for
+// each of 100,000 uniform points. Only a point that is hidden takes a search of all nodes in conflict with it.
 //
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
 // to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
@@ -10713,6 +10714,7 @@ static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scen
         status = paradt__tree_descend(tree, scene, node, x, found);
     for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
         status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
+    PARADT_ASSERT(*found != PARADT__NOWHERE || scene->space.weighted || status);
     return status;
 }
 
