@@ -10815,9 +10815,9 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
 // finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
-// runs: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the first comer had written
-// before it entered the facet.
-// Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_free, paradt__ridge_*.
+// runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
+// first comer had written before it entered the facet. Doors: paradt__ridges_room, paradt__ridges_match,
+// paradt__ridges_match_alone, paradt__ridges_free, paradt__ridge_*.
 
 enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
 
@@ -10846,16 +10846,15 @@ PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
     return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
 }
 
-// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. alone: no
-// other thread uses the table; *entered counts the slots that are used
+// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
+// counts the slots that are used.
 PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
-                                                 uint64_t key, paradt_index handle, int corners, int alone,
-                                                 size_t *entered) {
+                                                 uint64_t key, paradt_index handle, int corners, ptrdiff_t *entered) {
     size_t at = paradt__ridge_slot(key) & ridges->mask;
     for (;; at = (at + 1) & ridges->mask) {
         paradt_index there = PARADT__ATOMIC_SEE(ridges->slots + at);
         if (there == PARADT__RIDGE_EMPTY) {
-            if (alone ? (ridges->slots[at] = handle, 1) : PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
+            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
                 ++*entered;
                 return -1;
             }
@@ -10865,6 +10864,31 @@ PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, c
             return there;
         }
     }
+}
+
+// The same where no other thread uses the table: slots are used again at once.
+PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *ridges, const paradt_index *vertices,
+                                                       uint64_t key, paradt_index handle, int corners,
+                                                       ptrdiff_t *entered) {
+    paradt_index *slots = ridges->slots, there;
+    const size_t mask = ridges->mask, none = mask + 1;
+    size_t at = paradt__ridge_slot(key) & mask, first = none;
+    for (; (there = slots[at]) != PARADT__RIDGE_EMPTY; at = (at + 1) & mask) {
+        if (there == PARADT__RIDGE_TAKEN) {
+            first = first == none ? at : first;
+        } else if (paradt__same_facet(vertices, there, vertices, handle, corners)) {
+            slots[at] = PARADT__RIDGE_TAKEN;
+            // what is taken just before an empty slot leads nobody on
+            for (; slots[at] == PARADT__RIDGE_TAKEN && slots[(at + 1) & mask] == PARADT__RIDGE_EMPTY; --*entered) {
+                slots[at] = PARADT__RIDGE_EMPTY;
+                at = (at - 1) & mask;
+            }
+            return there;
+        }
+    }
+    *entered += first == none;
+    slots[first == none ? at : first] = handle;
+    return -1;
 }
 
 // Makes room for `more` facets; no task runs. At most half of the slots are ever used.
@@ -11033,8 +11057,8 @@ typedef struct paradt__graph_task {
     paradt__list settled; // places given back in this round
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
-    size_t entered; // ridges entered in this round
-    size_t work;    // done in this round, in points tested
+    ptrdiff_t entered; // slots of the table of ridges that are used, by this round
+    size_t work;       // done in this round, in points tested
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11054,7 +11078,8 @@ typedef struct paradt__graph {
     paradt__list ready;       // facets that are ready when a round begins,
     size_t next;              // and the number of them that tasks have taken
     paradt__graph_task *task; // [team->tasks]
-    size_t round_cells;       // cells that a task may make in a round
+    size_t round_cells;       // cells that a task may make in a round: of several tasks few in the beginning, when few
+    size_t most_cells;        // facets are ready to be shared, and so many in the end
     double expected;          // places taken in the end, for the progress
 } paradt__graph;
 
@@ -11062,7 +11087,8 @@ enum {
     PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
     PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
     PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 14, // and in the last
     PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
 };
 
@@ -11233,8 +11259,10 @@ PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph
     for (i = 0; i < corners && !status; i++) {
         paradt_index other;
         if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, g->team->tasks == 1,
-                                     &task->entered);
+        other =
+            g->team->tasks == 1
+                ? paradt__ridges_match_alone(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered)
+                : paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered);
         if (other < 0) continue;
         paradt__mesh_tie(&g->mesh, base + i, other);
         status = paradt__graph_ready(g, task, base + i, other, corners);
@@ -11375,7 +11403,7 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
     g->next = 0;
     for (i = 0; i < g->team->tasks && !status; i++) {
         paradt__graph_task *task = g->task + i;
-        g->ridges.used += task->entered;
+        g->ridges.used += (size_t)task->entered; // which may be negative
         task->entered = 0;
         status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
                                    task->spare.count + task->settled.count, g->memory);
@@ -11404,6 +11432,7 @@ static paradt_status paradt__graph_run(paradt__graph *g) {
         status = paradt__graph_room(g);
         if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
         if (!status) status = paradt__graph_collect(g);
+        if (g->round_cells < g->most_cells) g->round_cells *= 2;
     }
     return status;
 }
@@ -11608,8 +11637,10 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.memory = memory;
     g.side = side;
     g.order = order;
-    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
-    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
+    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_FIRST : (size_t)PARADT__ROUND_CELLS;
+    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count; // more would be room in vain
+    g.most_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : g.round_cells;
+    if (g.most_cells > 4 * set->count) g.most_cells = 4 * set->count;
     g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
