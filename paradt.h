@@ -11168,9 +11168,9 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
 // finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
-// runs: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the first comer had written
-// before it entered the facet.
-// Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_free, paradt__ridge_*.
+// runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
+// first comer had written before it entered the facet. Doors: paradt__ridges_room, paradt__ridges_match,
+// paradt__ridges_match_alone, paradt__ridges_free, paradt__ridge_*.
 
 enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
 
@@ -11199,16 +11199,15 @@ PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
     return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
 }
 
-// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. alone: no
-// other thread uses the table; *entered counts the slots that are used
+// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
+// counts the slots that are used.
 PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
-                                                 uint64_t key, paradt_index handle, int corners, int alone,
-                                                 size_t *entered) {
+                                                 uint64_t key, paradt_index handle, int corners, ptrdiff_t *entered) {
     size_t at = paradt__ridge_slot(key) & ridges->mask;
     for (;; at = (at + 1) & ridges->mask) {
         paradt_index there = PARADT__ATOMIC_SEE(ridges->slots + at);
         if (there == PARADT__RIDGE_EMPTY) {
-            if (alone ? (ridges->slots[at] = handle, 1) : PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
+            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
                 ++*entered;
                 return -1;
             }
@@ -11218,6 +11217,31 @@ PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, c
             return there;
         }
     }
+}
+
+// The same where no other thread uses the table: slots are used again at once.
+PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *ridges, const paradt_index *vertices,
+                                                       uint64_t key, paradt_index handle, int corners,
+                                                       ptrdiff_t *entered) {
+    paradt_index *slots = ridges->slots, there;
+    const size_t mask = ridges->mask, none = mask + 1;
+    size_t at = paradt__ridge_slot(key) & mask, first = none;
+    for (; (there = slots[at]) != PARADT__RIDGE_EMPTY; at = (at + 1) & mask) {
+        if (there == PARADT__RIDGE_TAKEN) {
+            first = first == none ? at : first;
+        } else if (paradt__same_facet(vertices, there, vertices, handle, corners)) {
+            slots[at] = PARADT__RIDGE_TAKEN;
+            // what is taken just before an empty slot leads nobody on
+            for (; slots[at] == PARADT__RIDGE_TAKEN && slots[(at + 1) & mask] == PARADT__RIDGE_EMPTY; --*entered) {
+                slots[at] = PARADT__RIDGE_EMPTY;
+                at = (at - 1) & mask;
+            }
+            return there;
+        }
+    }
+    *entered += first == none;
+    slots[first == none ? at : first] = handle;
+    return -1;
 }
 
 // Makes room for `more` facets; no task runs. At most half of the slots are ever used.
@@ -11386,8 +11410,8 @@ typedef struct paradt__graph_task {
     paradt__list settled; // places given back in this round
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
-    size_t entered; // ridges entered in this round
-    size_t work;    // done in this round, in points tested
+    ptrdiff_t entered; // slots of the table of ridges that are used, by this round
+    size_t work;       // done in this round, in points tested
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11407,7 +11431,8 @@ typedef struct paradt__graph {
     paradt__list ready;       // facets that are ready when a round begins,
     size_t next;              // and the number of them that tasks have taken
     paradt__graph_task *task; // [team->tasks]
-    size_t round_cells;       // cells that a task may make in a round
+    size_t round_cells;       // cells that a task may make in a round: of several tasks few in the beginning, when few
+    size_t most_cells;        // facets are ready to be shared, and so many in the end
     double expected;          // places taken in the end, for the progress
 } paradt__graph;
 
@@ -11415,7 +11440,8 @@ enum {
     PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
     PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
     PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 14, // and in the last
     PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
 };
 
@@ -11586,8 +11612,10 @@ PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph
     for (i = 0; i < corners && !status; i++) {
         paradt_index other;
         if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, g->team->tasks == 1,
-                                     &task->entered);
+        other =
+            g->team->tasks == 1
+                ? paradt__ridges_match_alone(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered)
+                : paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered);
         if (other < 0) continue;
         paradt__mesh_tie(&g->mesh, base + i, other);
         status = paradt__graph_ready(g, task, base + i, other, corners);
@@ -11728,7 +11756,7 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
     g->next = 0;
     for (i = 0; i < g->team->tasks && !status; i++) {
         paradt__graph_task *task = g->task + i;
-        g->ridges.used += task->entered;
+        g->ridges.used += (size_t)task->entered; // which may be negative
         task->entered = 0;
         status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
                                    task->spare.count + task->settled.count, g->memory);
@@ -11757,6 +11785,7 @@ static paradt_status paradt__graph_run(paradt__graph *g) {
         status = paradt__graph_room(g);
         if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
         if (!status) status = paradt__graph_collect(g);
+        if (g->round_cells < g->most_cells) g->round_cells *= 2;
     }
     return status;
 }
@@ -11961,8 +11990,10 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.memory = memory;
     g.side = side;
     g.order = order;
-    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
-    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
+    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_FIRST : (size_t)PARADT__ROUND_CELLS;
+    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count; // more would be room in vain
+    g.most_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : g.round_cells;
+    if (g.most_cells > 4 * set->count) g.most_cells = 4 * set->count;
     g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
@@ -12029,9 +12060,212 @@ static paradt_status paradt__lifted_hull(const paradt__set *set, int furthest, c
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>sieve
+//
+// Drops points that are certain to be inside of a set's hull, as quickhull drops those in its first simplex, so that
+// few of the points in a ball are left. A sample's hull is inside of the set's. Seen from a place in it, rays through
+// the corners of a grid on the sides of a cube leave it at certain distances; a point is inside if it is nearer, by the
+// cube's measure, than all of these at the corners of its box in the grid: for the sample's hull is convex. All is in
+// scaled coordinates, see >>planes, in which each is in [-1, 1].
+//
+// The distance t of a ray c + t u is certain: every facet's function exceeds its error twice at c + t u. One error is
+// that of its value at c, as computed; another is more than t times that of factor . u, for t is at most 2. For a point
+// at the distance r in its box the computed r, and where its ray meets the cube's side, are wrong by less than 2^-48;
+// as all t are 2^-10 or more, that counts less than 2^-30 relative to t. Points are only dropped if r is less than t by
+// 2^-20. Doors: paradt__sieve_pass, paradt__subset.
+
+typedef struct paradt__sieve {
+    paradt__planes planes;
+    double centre[PARADT_MAX_DIM]; // where the rays begin
+    int boxes;                     // of the grid along an edge of the cube
+    double *corner;                // [2 dim][(boxes + 1)^(dim - 1)] distances of the corners
+    double *inside;                // [2 dim][boxes^(dim - 1)] what is nearer in the box is inside
+    unsigned char *drop;           // [set->count]
+    const paradt__set *set;
+    const paradt__team *team;
+} paradt__sieve;
+
+// Makes a set of the points at some positions of another. Its origin is NULL. After an error it holds nothing.
+static paradt_status paradt__subset(const paradt__set *set, const paradt_index *positions, size_t count,
+                                    paradt__memory *memory, paradt__set *subset) {
+    size_t i;
+    *subset = *set;
+    subset->count = subset->capacity = count;
+    subset->origin = NULL;
+    subset->records = (double *)paradt__alloc(memory, count, set->width * sizeof(double));
+    if (!subset->records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++)
+        paradt__copy_record(subset->records + i * set->width, paradt__record(set, positions[i]), set->width);
+    return PARADT_OK;
+}
+
+// The number of boxes, or of their corners, on one side of the cube
+static size_t paradt__sieve_size(int along, int dim) {
+    size_t size = 1;
+    int i;
+    for (i = 1; i < dim; i++) size *= (size_t)along;
+    return size;
+}
+
+// Finds the distance at which the ray to a corner leaves the hull of the facets. Returns 0 where it is not certain.
+static double paradt__sieve_distance(const paradt__sieve *s, const double *ray, const paradt__plane *planes,
+                                     size_t count) {
+    const int dim = s->planes.dim;
+    double distance = 2.0;
+    size_t i;
+    int j;
+    for (i = 0; i < count; i++) {
+        double slope = 0.0;
+        for (j = 0; j < dim; j++) slope -= planes[i].factor[j] * ray[j];
+        if (slope * distance > planes[i].constant) distance = planes[i].constant / slope;
+    }
+    return distance;
+}
+
+// Makes the planes of the facets, with the certain part of their value at the centre for constants. Returns their
+// number, or 0 where one of them is not certain.
+static size_t paradt__sieve_planes(paradt__sieve *s, const paradt__set *sample, const paradt__mesh *facets,
+                                   paradt__plane *planes) {
+    const int dim = s->planes.dim;
+    const double *p[PARADT_MAX_DIM];
+    double row[PARADT_MAX_DIM + 1];
+    size_t i;
+    int j, k;
+    for (i = 0; i < facets->count; i++) {
+        for (j = 0; j < dim; j++) {
+            p[j] = paradt__record(sample, facets->vertices[i * (size_t)dim + (size_t)j]);
+            paradt__plane_row(&s->planes, p[j], row, dim, dim);
+            for (k = 0; k < dim; k++) s->centre[k] += row[k] / ((double)facets->count * dim);
+        }
+        paradt__plane_of_facet(&s->planes, p, planes + i, dim, dim);
+    }
+    for (i = 0; i < facets->count; i++) {
+        planes[i].constant = paradt__plane_value(planes + i, s->centre, dim) - 2.0 * planes[i].error;
+        if (!(planes[i].constant > 0.0)) return 0;
+    }
+    return facets->count;
+}
+
+// Fills the grid. Returns 0 where it is of no use.
+static int paradt__sieve_grid(paradt__sieve *s, const paradt__plane *planes, size_t count) {
+    const int dim = s->planes.dim, along = s->boxes + 1;
+    const size_t corners = paradt__sieve_size(along, dim), boxes = paradt__sieve_size(s->boxes, dim);
+    size_t i;
+    int side, j, k;
+    for (side = 0; side < 2 * dim; side++) {
+        double ray[PARADT_MAX_DIM], *corner = s->corner + (size_t)side * corners;
+        for (i = 0; i < corners; i++) {
+            size_t rest = i;
+            for (j = 0; j < dim; j++) {
+                ray[j] = side & 1 ? 1.0 : -1.0;
+                if (j == side / 2) continue;
+                ray[j] = 2.0 * (double)(rest % (size_t)along) / s->boxes - 1.0;
+                rest /= (size_t)along;
+            }
+            corner[i] = paradt__sieve_distance(s, ray, planes, count) * (1.0 - 1.0 / 1048576.0);
+            if (!(corner[i] > 1.0 / 512.0)) return 0;
+        }
+        for (i = 0; i < boxes; i++) {
+            double least = 2.0;
+            for (k = 0; k < 1 << (dim - 1); k++) {
+                size_t rest = i, at = 0, step = 1;
+                for (j = 0; j < dim - 1; j++) {
+                    at += (rest % (size_t)s->boxes + (size_t)(k >> j & 1)) * step;
+                    rest /= (size_t)s->boxes;
+                    step *= (size_t)along;
+                }
+                least = corner[at] < least ? corner[at] : least;
+            }
+            s->inside[(size_t)side * boxes + i] = least;
+        }
+    }
+    return 1;
+}
+
+// Is a point certain to be inside?
+PARADT__INLINE int paradt__sieve_drops(const paradt__sieve *s, const double *x, int dim, size_t boxes) {
+    double v[PARADT_MAX_DIM], most = 0.0, half;
+    size_t at = 0, step = 1;
+    int axis = 0, j;
+    paradt__plane_row(&s->planes, x, v, dim, dim);
+    for (j = 0; j < dim; j++) {
+        v[j] -= s->centre[j];
+        if (paradt__abs(v[j]) > most) most = paradt__abs(v[j]), axis = j;
+    }
+    if (!(most > 1e-9)) return 0; // seldom; and so the quotients are precise
+    half = 0.5 * s->boxes / most;
+    for (j = 0; j < dim; j++) {
+        int box = (int)(v[j] * half + 0.5 * s->boxes);
+        if (j == axis) continue;
+        at += (size_t)(box < s->boxes ? box : s->boxes - 1) * step;
+        step *= (size_t)s->boxes;
+    }
+    return most < s->inside[(size_t)(2 * axis + (v[axis] > 0.0)) * boxes + at];
+}
+
+static void paradt__sieve_task(void *context, size_t index) {
+    paradt__sieve *s = (paradt__sieve *)context;
+    const paradt__set *set = s->set;
+    const int dim = s->planes.dim;
+    size_t tasks = s->team->tasks, end = index + 1 < tasks ? set->count / tasks * (index + 1) : set->count, i;
+    const size_t boxes = paradt__sieve_size(s->boxes, dim);
+    for (i = set->count / tasks * index; i < end; i++) {
+        const double *x = set->records + i * set->width;
+        s->drop[i] = (unsigned char)(dim == 2   ? paradt__sieve_drops(s, x, 2, boxes)
+                                     : dim == 3 ? paradt__sieve_drops(s, x, 3, boxes)
+                                                : paradt__sieve_drops(s, x, dim, boxes));
+    }
+}
+
+// Passes all points of the set through the sieve that a sample and its hull make. drop: [set->count], all 0, becomes 1
+// for points that are certain to be inside
+static paradt_status paradt__sieve_pass(const paradt__set *set, const paradt__set *sample, const paradt__mesh *facets,
+                                        const paradt__team *team, paradt__memory *memory, unsigned char *drop) {
+    static const int boxes[] = {0, 0, 64, 16, 6};
+    const int dim = set->space.dim;
+    paradt__sieve s;
+    paradt__plane *planes = (paradt__plane *)paradt__alloc(memory, facets->count, sizeof *planes);
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__counters counters;
+    const double *p[PARADT_MAX_DIM + 1];
+    paradt_status status = PARADT_OK;
+    int i;
+    memset(&s, 0, sizeof s);
+    memset(&counters, 0, sizeof counters);
+    s.set = set;
+    s.team = team;
+    s.drop = drop;
+    s.boxes = boxes[dim];
+    s.corner = (double *)paradt__alloc(memory, 2 * (size_t)dim * paradt__sieve_size(s.boxes + 1, dim), sizeof(double));
+    s.inside = (double *)paradt__alloc(memory, 2 * (size_t)dim * paradt__sieve_size(s.boxes, dim), sizeof(double));
+    if (!planes || !s.corner || !s.inside) status = PARADT_ERROR_MEMORY;
+    if (!status) {
+        size_t count;
+        paradt__planes_begin(&s.planes, &set->space, 0);
+        paradt__set_basis(sample, NULL, 0, basis, NULL, &counters, NULL);
+        for (i = 0; i <= dim; i++) p[i] = paradt__record(sample, basis[i]);
+        paradt__planes_inner(&s.planes, p);
+        count = paradt__sieve_planes(&s, sample, facets, planes);
+        if (count && paradt__sieve_grid(&s, planes, count)) paradt__team_run(team, paradt__sieve_task, &s);
+    }
+    paradt__release(memory, s.inside);
+    paradt__release(memory, s.corner);
+    paradt__release(memory, planes);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>hull of points
 //
-// The facets of the convex hull of a set, as a mesh. Doors: paradt__hull_facets.
+// The facets of the convex hull of a set, as a mesh. Points inside of a sample's hull are dropped first.
+// Doors: paradt__hull_facets.
+
+enum {
+    PARADT__SIEVE_DIM = 4,       // beyond, samples have too many facets
+    PARADT__SIEVE_POINTS = 8192, // fewer need no sieve
+    PARADT__SIEVE_EVERY = 64,    // one of so many points is in the sample
+    PARADT__SIEVE_PAYS = 50      // for so many points a facet of the sample's hull
+};
 
 // Makes the two facets of points on a line: the smallest and the largest.
 static paradt_status paradt__hull_of_line(const paradt__set *set, paradt__memory *memory, paradt__mesh *facets) {
@@ -12049,6 +12283,80 @@ static paradt_status paradt__hull_of_line(const paradt__set *set, paradt__memory
             facets->vertices[1] = (paradt_index)i;
     }
     return PARADT_OK;
+}
+
+// Makes the facets of a part of the set, or of all, positions NULL. Vertices are positions in the set.
+static paradt_status paradt__hull_of_part(const paradt__set *set, const paradt_index *positions, size_t count,
+                                          const paradt__team *team, paradt__memory *memory, paradt__mesh *facets,
+                                          paradt__counters *counters) {
+    paradt__set part;
+    paradt_status status;
+    size_t i;
+    if (!positions)
+        return paradt__graph_build(set, PARADT__ROUND, paradt__random_order(set->count, memory), team, memory, facets,
+                                   counters);
+    status = paradt__subset(set, positions, count, memory, &part);
+    if (status) return status;
+    status =
+        paradt__graph_build(&part, PARADT__ROUND, paradt__random_order(count, memory), team, memory, facets, counters);
+    for (i = 0; !status && i < facets->count * (size_t)facets->corners; i++) {
+        if (facets->vertices[i] >= 0) facets->vertices[i] = positions[facets->vertices[i]];
+    }
+    paradt__set_free(&part, memory);
+    return status;
+}
+
+// Fills drop[set->count]: 1 for points that are certain to be inside of the hull.
+static paradt_status paradt__hull_sieve(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                        unsigned char *drop, paradt__counters *counters) {
+    const size_t every = PARADT__SIEVE_EVERY, count = set->count / every;
+    paradt_index *positions = (paradt_index *)paradt__alloc(memory, count, sizeof *positions);
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__set sample;
+    paradt__mesh facets;
+    paradt_status status;
+    size_t i;
+    if (!positions) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < count; i++) positions[i] = (paradt_index)(i * every + paradt__mix(i) % every);
+    status = paradt__subset(set, positions, count, memory, &sample);
+    paradt__release(memory, positions);
+    if (status) return status;
+    if (paradt__set_basis(&sample, NULL, 0, basis, NULL, counters, NULL) == set->space.dim + 1) {
+        status = paradt__graph_build(&sample, PARADT__ROUND, paradt__random_order(count, memory), team, memory, &facets,
+                                     counters);
+        if (!status) {
+            paradt__mesh_compact(&facets, 0, NULL, 0);
+            if (facets.count * PARADT__SIEVE_PAYS < set->count)
+                status = paradt__sieve_pass(set, &sample, &facets, team, memory, drop);
+        }
+        paradt__mesh_free(&facets, memory);
+    }
+    paradt__set_free(&sample, memory);
+    return status;
+}
+
+// Makes the facets of the points that the sieve leaves.
+static paradt_status paradt__hull_of_rest(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                          paradt__mesh *facets, paradt__counters *counters) {
+    unsigned char *drop = (unsigned char *)paradt__alloc(memory, set->count, 1);
+    paradt_index *rest = NULL;
+    size_t count = 0, i;
+    paradt_status status;
+    if (!drop) return PARADT_ERROR_MEMORY;
+    memset(drop, 0, set->count);
+    status = paradt__hull_sieve(set, team, memory, drop, counters);
+    for (i = 0; i < set->count; i++) count += !drop[i];
+    if (!status && count < set->count) {
+        rest = (paradt_index *)paradt__alloc(memory, count, sizeof *rest);
+        if (!rest) status = PARADT_ERROR_MEMORY;
+        for (i = count = 0; rest && i < set->count; i++) {
+            if (!drop[i]) rest[count++] = (paradt_index)i;
+        }
+    }
+    paradt__release(memory, drop);
+    if (!status) status = paradt__hull_of_part(set, rest, count, team, memory, facets, counters);
+    paradt__release(memory, rest);
+    return status;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -12070,8 +12378,10 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
         paradt__mesh_begin(facets, 1, 0);
         return paradt__hull_of_line(set, memory, facets);
     }
-    status = paradt__graph_build(set, PARADT__ROUND, paradt__random_order(set->count, memory), team, memory, facets,
-                                 counters);
+    paradt__mesh_begin(facets, set->space.dim, 0);
+    if (set->space.dim <= PARADT__SIEVE_DIM && set->count >= PARADT__SIEVE_POINTS && set->space.filtered)
+        status = paradt__hull_of_rest(set, team, memory, facets, counters);
+    else status = paradt__hull_of_part(set, NULL, 0, team, memory, facets, counters);
     if (!status) paradt__mesh_compact(facets, 0, NULL, 0);
     return status;
 }
