@@ -60,6 +60,7 @@ for family in gcc clang; do
         -DIN= -DOUT= $c $smallest -o $work/${family}_no_simd_windows_words -lm"
     builds "${family}_insertion_alone" "$family -std=c99 -DPARADT_NO_FRONTS -DPARADT_NO_REGIONS -DPARADT_MAX_DIM=3 \
         $c $smallest -o $work/${family}_insertion_alone -lm"
+    builds "${family}_no_hulls" "$family -std=c99 -DPARADT_NO_HULLS $c $smallest -o $work/${family}_no_hulls -lm"
     builds "${family}_no_regions" "$cxx -std=c++11 -DPARADT_NO_REGIONS $common -x c++ $smallest -o $work/${family}_no_regions -lm"
     builds "${family}_index64" "$family -std=c99 -DPARADT_INDEX64 $c $smallest -o $work/${family}_index64 -lm"
     builds "${family}_index64_cxx" \
