@@ -940,7 +940,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     conflict lists                77   their memory
 //     conflict graph               650   randomized incremental construction in parallel
 //     lifted hull                   49   triangulations as hulls
-//     hull of points               108   convex hulls
+//     hull of points                98   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -11779,57 +11779,50 @@ static paradt_status paradt__hull_of_line(const paradt__set *set, paradt__memory
     return PARADT_OK;
 }
 
-// How far out a point is in the box of the set: the square of its distance from the middle, in half widths
-PARADT__INLINE double paradt__outwardness(const paradt__set *set, const double *middle, const double *factor,
-                                          paradt_index point) {
-    const double *x = paradt__record(set, point);
-    double sum = 0;
-    int j;
-    for (j = 0; j < set->space.dim; j++) sum += (x[j] - middle[j]) * factor[j] * ((x[j] - middle[j]) * factor[j]);
-    return sum;
+// Returns the place in order[begin, end) of the point that is furthest in a direction by chance. widths: 1 over those
+// of the box
+PARADT__INLINE size_t paradt__furthest_of(const paradt__set *set, const paradt_index *order, size_t begin, size_t end,
+                                          const double *widths, uint64_t seed) {
+    double direction[PARADT_MAX_DIM], most = 0;
+    size_t i, best = begin;
+    int j, d = set->space.dim;
+    for (j = 0; j < d; j++) {
+        seed = paradt__mix(seed + (uint64_t)j + 1);
+        direction[j] = ((double)(seed >> 11) - (double)((uint64_t)1 << 52)) * widths[j];
+    }
+    for (i = begin; i < end; i++) {
+        const double *x = paradt__record(set, order[i]);
+        double along = 0;
+        for (j = 0; j < d; j++) along += x[j] * direction[j];
+        if (i > begin && !(along > most)) continue;
+        most = along;
+        best = i;
+    }
+    return best;
 }
 
-// Moves points that are far out to the front of an order by chance: about the outermost 1/32 of them, then as many more
-// as there are before, and so on. Each layer stays in an order by chance. In a ball of five dimensions that saves half
-// of the time, for facets made of inner points are made in vain; where such an order is bad, as along an arc, points
-// are looked at once more a layer.
-PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, paradt_index *order, paradt__memory *memory) {
-    enum { LAYERS = 6, BINS = 1024 };
-    double middle[PARADT_MAX_DIM], factor[PARADT_MAX_DIM], least = 0, most = 0, scale;
-    size_t bins[BINS] = {0}, starts[LAYERS + 1] = {0}, i, sum = 0;
-    unsigned char layer[BINS];
-    paradt_index *sorted;
+// Moves points that are far out to the front of an order by chance: of each 1024 points the one that is furthest in a
+// direction by chance, then of each 512 of the others, and so on. In a ball of five dimensions that saves half of the
+// time, for facets made of inner points are made in vain. The directions are chosen anew for each group: so an order of
+// points that are all on the hull remains one by chance.
+PARADT__HOT void paradt__outer_first(const paradt__set *set, paradt_index *order) {
+    enum { GROUP = 1024 };
+    double widths[PARADT_MAX_DIM];
+    size_t front = 0, group, begin;
     int j;
-    if (!set->space.bounded) return PARADT_OK;
+    if (!set->space.bounded) return;
     for (j = 0; j < set->space.dim; j++) {
-        double low = paradt__from_ordered_bits(set->space.low[j]), high = paradt__from_ordered_bits(set->space.high[j]);
-        middle[j] = low + (high - low) * 0.5;
-        factor[j] = high - low > paradt__power(-400) ? 2 / (high - low) : 0.0;
+        double width = paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]);
+        widths[j] = width > paradt__power(-400) ? 1 / width : 0.0;
     }
-    for (i = 0; i < set->count; i++) {
-        double out = paradt__outwardness(set, middle, factor, (paradt_index)i);
-        least = !i || out < least ? out : least;
-        most = !i || out > most ? out : most;
+    for (group = GROUP; group > 1; group /= 2) {
+        for (begin = front; begin + group <= set->count; begin += group) {
+            size_t best = paradt__furthest_of(set, order, begin, begin + group, widths, begin * group);
+            paradt_index point = order[best];
+            order[best] = order[front];
+            order[front++] = point;
+        }
     }
-    if (!(most - least > 1e-9)) return PARADT_OK;
-    sorted = (paradt_index *)paradt__alloc(memory, set->count, sizeof *sorted);
-    if (!sorted) return PARADT_ERROR_MEMORY;
-    scale = (BINS - 1) / (most - least);
-    for (i = 0; i < set->count; i++) bins[(int)((most - paradt__outwardness(set, middle, factor, order[i])) * scale)]++;
-    for (i = 0, j = LAYERS - 1; i < BINS; i++) { // layer j ends with the 2^-j-th part of the points
-        while (j > 0 && sum > set->count >> j) j--;
-        layer[i] = (unsigned char)(LAYERS - 1 - j);
-        sum += bins[i];
-        starts[LAYERS - j] += bins[i];
-    }
-    for (i = 0; i < LAYERS; i++) starts[i + 1] += starts[i];
-    for (i = 0; i < set->count; i++) {
-        double out = paradt__outwardness(set, middle, factor, order[i]);
-        sorted[starts[layer[(int)((most - out) * scale)]]++] = order[i];
-    }
-    memcpy(order, sorted, set->count * sizeof *order);
-    paradt__release(memory, sorted);
-    return PARADT_OK;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -11853,10 +11846,7 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
         return paradt__hull_of_line(set, memory, facets);
     }
     order = paradt__random_order(set->count, memory);
-    if (order && paradt__outer_first(set, order, memory)) {
-        paradt__release(memory, order);
-        order = NULL;
-    }
+    if (order) paradt__outer_first(set, order);
     status = paradt__graph_build(set, PARADT__ROUND, order, team, memory, facets, counters); // which frees the order;
     if (!status) paradt__mesh_compact(facets, 0, NULL, 0);
     return status;
