@@ -940,7 +940,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     conflict lists                77   their memory
 //     conflict graph               650   randomized incremental construction in parallel
 //     lifted hull                   49   triangulations as hulls
-//     hull of points                98   convex hulls
+//     hull of points               103   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -11805,12 +11805,12 @@ PARADT__INLINE size_t paradt__furthest_of(const paradt__set *set, const paradt_i
 // direction by chance, then of each 512 of the others, and so on. In a ball of five dimensions that saves half of the
 // time, for facets made of inner points are made in vain. The directions are chosen anew for each group: so an order of
 // points that are all on the hull remains one by chance.
-PARADT__HOT void paradt__outer_first(const paradt__set *set, paradt_index *order) {
+PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt_index *order) {
     enum { GROUP = 1024 };
     double widths[PARADT_MAX_DIM];
-    size_t front = 0, group, begin;
+    size_t front = 0, group, begin, looked = 0;
     int j;
-    if (!set->space.bounded) return;
+    if (!set->space.bounded) return PARADT_OK;
     for (j = 0; j < set->space.dim; j++) {
         double width = paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]);
         widths[j] = width > paradt__power(-400) ? 1 / width : 0.0;
@@ -11819,10 +11819,13 @@ PARADT__HOT void paradt__outer_first(const paradt__set *set, paradt_index *order
         for (begin = front; begin + group <= set->count; begin += group) {
             size_t best = paradt__furthest_of(set, order, begin, begin + group, widths, begin * group);
             paradt_index point = order[best];
+            looked += group;
+            if (looked % PARADT__PACE < group && paradt__team_cancels(team, 0, 0.0)) return PARADT_ERROR_CANCELLED;
             order[best] = order[front];
             order[front++] = point;
         }
     }
+    return PARADT_OK;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -11841,13 +11844,15 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
                                                    paradt__counters *counters) {
     paradt_index *order;
     paradt_status status;
-    if (set->space.dim == 1) {
-        paradt__mesh_begin(facets, 1, 0);
-        return paradt__hull_of_line(set, memory, facets);
-    }
+    paradt__mesh_begin(facets, set->space.dim, 0);
+    if (set->space.dim == 1) return paradt__hull_of_line(set, memory, facets);
     order = paradt__random_order(set->count, memory);
-    if (order) paradt__outer_first(set, order);
-    status = paradt__graph_build(set, PARADT__ROUND, order, team, memory, facets, counters); // which frees the order;
+    status = order ? paradt__outer_first(set, team, order) : PARADT_ERROR_MEMORY;
+    if (status) {
+        paradt__release(memory, order);
+        return status;
+    }
+    status = paradt__graph_build(set, PARADT__ROUND, order, team, memory, facets, counters); // frees the order
     if (!status) paradt__mesh_compact(facets, 0, NULL, 0);
     return status;
 }
@@ -15967,7 +15972,9 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
     paradt__meter_begin(&work.meter, options);
     hull->point_count = points->count;
     hull->allocator = work.memory.allocator;
-    work.tasks = points->count < WORTHWHILE ? 1 : work.options.regions ? work.options.regions : PARADT__MOST_TASKS;
+    work.tasks = points->count < WORTHWHILE ? 1
+                 : work.options.regions     ? work.options.regions
+                                            : (size_t)PARADT__MOST_TASKS;
     if (!points->count) status = work.options.flags & PARADT_FULL_DIM ? PARADT_ERROR_FLAT : PARADT_OK;
     if (!status && points->count) {
         status = paradt__hull_read(&work, points, &hull->error_point);
