@@ -1061,7 +1061,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         689   cells, links, ghosts, free places; closing
+//     mesh                         694   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -1081,11 +1081,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
-//     inserting                    184   insertions from begin to end
+//     inserting                    209   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
-//     ridge table                   90   facets that wait for their mirrors, for many threads
+//     ridge table                  114   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               650   randomized incremental construction in parallel
+//     conflict graph               657   randomized incremental construction in parallel
 //     lifted hull                   49   triangulations as hulls
 //     hull of points               103   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
@@ -1105,19 +1105,19 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      264   one row a method; AUTO's choice
-//     triangulate                  364   the entry
+//     methods                      307   one row a method; AUTO's choice
+//     triangulate                  369   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
-//     hull                         264   the entry
+//     hull                         266   the entry
 //     mending by flips             218   what has moved, by flips
-//     mending by holes             421   what flips leave, by small triangulations
-//     repair                       550   the entry of repairing
+//     mending by holes             436   what flips leave, by small triangulations
+//     repair                       599   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
-//     check                        499   the certificate
+//     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
 //     check of a hull              335   that of a hull alone
 
