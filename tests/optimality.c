@@ -655,7 +655,7 @@ static void no_triangulation_by_flips_is_better(void **state) {
 }
 
 int main(void) {
-    struct CMUnitTest tests[LARGEST_DIM + 8];
+    static struct CMUnitTest tests[LARGEST_DIM + 8];
     size_t count = 0;
     for (int dim = 2; dim <= LARGEST_DIM; dim++)
         tests[count++] = named_test(numbers_are_those_of_rational_arithmetic, (void *)(intptr_t)dim,
