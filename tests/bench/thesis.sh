@@ -100,7 +100,7 @@ flipping() {
     echo "| points | cells | flip | InCoDe | 2 ranks | 4 ranks | InCoDe in times of flip | 2 ranks | 4 ranks |"
     echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
     for n in "$@"; do
-        serial gen:uniform:$n:1 "$n" flip
+        serial "gen:uniform:$n:1" "$n" flip
         [ -n "$(of flip "$n")" ] || { echo "| $n | failed |"; continue; }
         echo "$n $(field cells "$work/thesis.json") $(of flip "$n") $(of incode-1 "$n") $(of incode-2 "$n") $(of incode-4 "$n")" |
             awk 'NF == 6 {
