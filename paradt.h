@@ -234,9 +234,11 @@
 //
 // MEASURES
 //
-// paradt_circumsphere, paradt_enclosing_sphere, paradt_is_self_centred and paradt_volume take the vertices of one cell.
-// Their numbers are rounded once: the doubles nearest to the true ones. Among all triangulations of the points, the
-// Delaunay triangulation has the smallest largest enclosing sphere (Rajan), in every dimension.
+// paradt_circumsphere, paradt_enclosing_sphere (the smallest sphere around a cell, its min-containment sphere),
+// paradt_is_self_centred and paradt_volume measure a cell, given by its vertices. Every number is the double nearest to
+// the true one, computed in integers and rounded once: so two cells get the same bits for the same sphere, in whatever
+// order their vertices are. Of all triangulations of the points the Delaunay triangulation has the smallest largest
+// min-containment sphere (Rajan 1994), and a triangulation of self-centred cells is Delaunay.
 //
 //
 // REGIONS AND THREADS
@@ -244,7 +246,9 @@
 // options.regions = k divides space into k boxes. Each box is built alone, each cell is owned by one box, and the owned
 // cells are put together and linked across the seams. Cells near a seam are made by several regions and kept by one:
 // stats.cells_recomputed were made in vain, so (cells + cells_recomputed) / cells is the factor of duplication, which
-// is the price of the division.
+// is the price of the division. PARADT_DEWALL divides by its own walls instead of boxes, whatever options.partition is:
+// it builds the walls of the first levels and then the ranges of points between them, some four times as many tasks as
+// regions were asked for. No cell is made twice, and nothing is merged.
 //
 //     PARADT_BISECTION  boxes of equal numbers of points, estimated from a sample: each box is cut across the longest
 //                       side of its points
@@ -441,7 +445,7 @@
 //                       uniform grid         paradt__grid_build: a hierarchy of boxes that adapts to the points
 //                       the loop             paradt__incode, with paradt__front_expand for each facet
 //     2.2   DeWall      dividing plane       paradt__grid_cut
-//                       simplex wall         paradt__wall_build, begun by paradt__wall_seed where no facet crosses it
+//                       simplex wall         paradt__wall_raise, begun by paradt__wall_seed where no facet crosses it
 //                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                       recursion            paradt__wall_build, from paradt__dewall
 //     2     local improvement by flips       paradt_repair: >>mending by flips
@@ -450,13 +454,14 @@
 //     3.1   regular triangulations in R^d    the same with weights; the history dag is >>history
 //     3.2   Delaunay tree location           paradt__tree_locate
 //                         creation           paradt__tree_record
-//     4     ParaInCoDe  regions              paradt__build_by_front; one of them: paradt__front_task
+//     4     ParaInCoDe  regions              paradt__build_by_front; one of them: paradt__front_task; DeWall over ranks
+//                                            does likewise
 //                       owner                paradt__cell_owner, the box with most vertices instead of the one with the
 //                                            ULF vertex, and which facets a region needs for that: paradt__needs
 //                       uniform partition    paradt__cutter_divide with PARADT_UNIFORM
 //                       joining              paradt__collect_fronts
-//           parallel DeWall                  paradt__build_levels: walls of the first levels, then the ranges between
-//                                            them; one of either: paradt__half_task
+//           parallel DeWall                  paradt__build_by_dewall: walls of the first levels, then the ranges between
+//                                            them; one of either: paradt__half_task; paradt__half_append joins
 //     5     experiments                      make thesis (tests/bench/thesis.sh)
 //     6     adaptive partition               paradt__cutter_divide with PARADT_BISECTION
 //           parallel randomized insertion    paradt__graph_task_round, a task of a round
