@@ -268,7 +268,9 @@
 // examples/paradt.c has one for POSIX threads. Its threads call the allocator concurrently, and the progress callback
 // one at a time. parallel_for is called some ten times, for large sets up to forty times: insertion proceeds in legs,
 // and between two legs regions move from slow threads to fast ones. Near surfaces, where regions exchange what they
-// lack, it is called some dozens of times more. One region a thread is right where the points are alike everywhere; a
+// lack, it is called some dozens of times more. DeWall calls it once a level, some five to ten times, in four
+// dimensions and more a hundred times or two; PARADT_LIFTED_HULL and paradt_hull_compute once a round, some dozens of
+// times. One region a thread is right where the points are alike everywhere; a
 // few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
 //
 // Insertion abandons the division where regions would have to ask each other for longer than all the rest takes: among
@@ -1031,18 +1033,25 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     field, patch    a region's points, as others see them; its triangulation under construction, by insertion
 //     seam            facets between the first region's cells and others'
 //     representative  the point that stands for all points at its place; hidden: a weighted point that is no vertex
+//     circuit, flip   a point and the vertices of a cell that it is an affine combination of, and the exchange of their
+//                     two triangulations
+//     history, node   all cells ever made, dead ones included; one of these
+//     conflict graph  which points are in conflict with which cells
 //     lift, power     |x|^2 less the weight; the distance from a sphere in that sense, negative inside
 //     sagitta         how far a point is inside the reference sphere; near a sphere it replaces |x|^2
 //     orients         an axis orients if it is one of the first `dim` axes, which decide about orientation
 //     filter          floating point that decides, or says that it can't
 //
-// THREE READING PATHS
+// READING PATHS
 //
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts; >>questions, >>fringe to
-//                       >>results of patches, >>regions of insertion; then paradt_mpi.h
+//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions, >>fringe
+//                       to >>results of patches, >>regions of insertion; then paradt_mpi.h
+//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>repair; or
+//                       >>Delaunay tree
+//     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
 //
 // CONTENTS, with the lines of each section
 //
