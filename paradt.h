@@ -1091,7 +1091,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           144   rounds along the curve
-//     insertion                    284   dig and star, in any dimension
+//     insertion                    286   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
@@ -8833,6 +8833,7 @@ static paradt_status paradt__cavity_dig(paradt__insertion *build, paradt_index f
         for (i = 0; i < corners; i++) {
             paradt_index mirror = mesh->links[base + i], other = paradt__mesh_cell(mesh, mirror);
             if (mesh->marks[other] & PARADT__CONFLICT) continue;
+            PARADT__PREFETCH(mesh->links + mirror); // wanted next, whether the cell joins the cavity or not
             if (!(mesh->marks[other] & PARADT__OUTSIDE) && paradt__conflicts(&build->scene, other, x)) {
                 mesh->marks[other] |= PARADT__CONFLICT;
                 update->killed[update->killed_count++] = mirror;
@@ -8876,12 +8877,13 @@ PARADT__INLINE void paradt__cavity_fill(paradt__insertion *build, paradt_index p
 PARADT__INLINE void paradt__cavity_turn(paradt__mesh *mesh, paradt_index inner, paradt_index apex, paradt_index made,
                                         int corners) {
     const paradt_index *vertices = mesh->vertices, *links = mesh->links;
-    paradt_index from = inner % corners, base = inner - from, to = apex, next;
+    paradt_index from = inner % corners, base = inner - from, to = apex, next, i;
     while ((next = links[base + to]) >= 0) { // across the facet without `to`: there, `from` is the vertex to go without
         paradt_index vertex = vertices[base + from];
         from = next % corners;
         base = next - from;
-        for (to = 0; vertices[base + to] != vertex;) to++;
+        to = 0; // its number, without branches that processors can't predict
+        for (i = 1; i < corners; i++) to += vertices[base + i] == vertex ? i : 0;
     }
     paradt__mesh_tie(mesh, made + apex, ~next - to + from);
 }
