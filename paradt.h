@@ -201,7 +201,9 @@
 //                           are worked on at once, in rounds of tasks
 //
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
-// in a hierarchical grid of the points, and never change a cell once it is made. PARADT_LIFTED_HULL alone has
+// in a hierarchical grid of the points, and never change a cell once it is made. The Delaunay tree and the history of
+// flips keep dead cells: stats.history_nodes counts them all, about dim + 1 for each cell of the result in the tree.
+// PARADT_LIFTED_HULL alone has
 // furthest-site triangulations, with PARADT_FURTHEST_SITE in options.flags.
 //
 //
@@ -356,6 +358,7 @@
 //        8 regions                               95            420        2,800       21,640
 //     PARADT_INCODE                             109            295        1,390        7,280
 //        8 regions                              146            550        2,800       21,640
+//     PARADT_DELAUNAY_TREE                      336          1,560        8,200       45,600
 //     PARADT_NO_NEIGHBORS, 8 regions,
 //        one after another                       68            225
 //
@@ -485,10 +488,13 @@
 //         1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
 //         Computer Aided Geometric Design 8, 1991; V. T. Rajan, "Optimality of the Delaunay triangulation in R^d",
 //         Discrete and Computational Geometry 12, 1994: flips, optimality
-//     J.-D. Boissonnat, M. Teillaud, "On the randomized construction of the Delaunay tree", Theoretical Computer Science
-//         112, 1993: the Delaunay tree
+//     J.-D. Boissonnat, M. Teillaud, "A hierarchical representation of objects: the Delaunay tree", Symposium on
+//         Computational Geometry, 1986, and "On the randomized construction of the Delaunay tree", Theoretical Computer
+//         Science 112, 1993: location by sons and stepsons
 //     K. L. Clarkson, P. W. Shor, "Applications of random sampling in computational geometry, II", Discrete and
-//         Computational Geometry 4, 1989: conflict graphs
+//         Computational Geometry 4, 1989, and J.-D. Boissonnat, O. Devillers, R. Schott, M. Teillaud, M. Yvinec,
+//         "Applications of random sampling to on-line algorithms in computational geometry", the same 8, 1992: conflict
+//         graphs, and what make theory predicts
 //     G. E. Blelloch, Y. Gu, J. Shun, Y. Sun, "Randomized incremental convex hull is highly parallel", Symposium on
 //         Parallelism in Algorithms and Architectures, 2020: all ridges at once
 //     N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on Computational Geometry, 2003: the
