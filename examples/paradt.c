@@ -34,7 +34,8 @@ typedef struct settings {
     size_t regions; // 0: plan() chooses
     size_t jobs;    // 0: one a processor
     int check, hash, quiet, help, version;
-    int hull; // the convex hull instead of the triangulation
+    int hull;     // the convex hull instead of the triangulation
+    int furthest; // the furthest-site triangulation
 } settings;
 
 // Prints an error. Returns the status.
@@ -121,6 +122,7 @@ static const struct {
     {"--jobs", "J", take_jobs, 0, "number of threads (default: one a processor)"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
     {"--hull", NULL, NULL, offsetof(settings, hull), "compute the convex hull alone"},
+    {"--furthest", NULL, NULL, offsetof(settings, furthest), "the furthest-site triangulation: every sphere holds all points"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
@@ -207,6 +209,12 @@ static int parse(settings *s, int count, char **arguments) {
         return wrong("--hull", NULL, "a hull has no weights; --dim leaves the column of weights out");
     if (s->hull && s->method != PARADT_AUTO)
         return wrong("--hull", NULL, "--method is for triangulations");
+    if (s->furthest && s->hull)
+        return wrong("--furthest", NULL, "it is about triangulations, not about the hull alone");
+    if (s->furthest && s->check)
+        return wrong("--furthest", NULL, "furthest-site triangulations can't be certified; leave --check out");
+    if (s->furthest && s->method != PARADT_AUTO && s->method != PARADT_LIFTED_HULL)
+        return wrong("--furthest", NULL, "it takes the method lifted-hull");
     return 1;
 }
 
@@ -335,7 +343,7 @@ typedef struct job {
 #define COUNTERS(X)                                                                                                    \
     X(cells) X(hull_facets) X(duplicates) X(hidden) X(distance_evaluations) X(grid_cells_visited) X(active_peak)       \
     X(orient_calls) X(insphere_calls) X(exact_small) X(exact_fixed) X(exact_general) X(perturbed) X(regions)           \
-    X(cells_recomputed) X(peak_bytes)
+    X(cells_recomputed) X(history_nodes) X(peak_bytes)
 // clang-format on
 #define TIMERS(X) X(seconds_points) X(seconds_grid) X(seconds_build) X(seconds_finish)
 
@@ -433,6 +441,16 @@ static void say_hull(text *out, const paradt_hull *hull) {
     }
 }
 
+// Appends how many flips replaced one simplex of a circuit, two simplices, and so on.
+static void say_flips(text *out, const paradt_stats *stats) {
+    size_t i, last = sizeof stats->flips / sizeof *stats->flips - 1;
+    while (last > 1 && !stats->flips[last]) last--;
+    say(out, "  \"flips\": [");
+    for (i = 1; i <= last; i++)
+        say(out, "%s%" PRIu64, i > 1 ? ", " : "", stats->flips[i]);
+    say(out, "],\n");
+}
+
 static uint64_t hash_of(const job *j) {
     return j->s->hull ? paradt_hull_hash(&j->hull) : paradt_hash(&j->t);
 }
@@ -462,6 +480,8 @@ static char *make_stats(const job *j) {
 #define SAY_TIMER(field)   say(&out, "  \"%s\": %.6f,\n", #field, j->t.stats.field);
     COUNTERS(SAY_COUNTER)
     TIMERS(SAY_TIMER)
+    if (j->s->method == PARADT_FLIP)
+        say_flips(&out, &j->t.stats);
     if (j->t.dim == j->points.dim) {
         shapes found = measure_shapes(j);
         say(&out, "  \"max_min_containment_radius\": ");
@@ -600,7 +620,7 @@ static int triangulate(job *j) {
     options.method = j->s->method;
     options.partition = j->s->partition;
     options.regions = j->regions;
-    options.flags = PARADT_FACETS; // which spares paradt_check the matching of facets
+    options.flags = PARADT_FACETS | (j->s->furthest ? PARADT_FURTHEST_SITE : 0u); // PARADT_FACETS spares paradt_check the matching of facets
     options.parallel_for = j->jobs > 1 ? parallel_for : NULL;
     options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
     options.user = &w;
