@@ -906,10 +906,10 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      255   one row a method; AUTO's choice
-//     triangulate                  358   the entry
-//     mending by flips             218   what has moved, by flips
-//     mending by holes             421   what flips leave, by small triangulations
-//     repair                       550   the entry of repairing
+//     triangulate                  367   the entry
+//     mending by flips             224   what has moved, by flips
+//     mending by holes             438   what flips leave, by small triangulations
+//     repair                       691   the entry of repairing
 //   check
 //     check                        498   the certificate
 //   division
@@ -13991,6 +13991,13 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     return 1.5 + 12000.0 / (each + 3000.0);
 }
 
+// Returns how many indices the history of PARADT_FLIP takes, and what it keeps with the places, for each cell of the
+// result: nodes of dim + 3 indices. Measured on uniform points.
+static double paradt__flip_nodes(int dim) {
+    static const double nodes[] = {0.0, 3.0, 4.7, 8.5, 12.8, 16.0, 18.5, 20.0, 21.0};
+    return nodes[dim] * (dim + 3) + 4.0;
+}
+
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
     enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
     paradt__work work;
@@ -14008,6 +14015,8 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
     bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
     bytes *= paradt__memory_factor(&work, &given);
+    if (work.options.method == PARADT_FLIP)
+        bytes += cells * paradt__flip_nodes(given.dim) * (double)sizeof(paradt_index);
     if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
     return (uint64_t)bytes + FIXED;
 }
@@ -14271,7 +14280,7 @@ static int paradt__mend_is_circuit(paradt__mend *m) {
 // circuit, which are locally regular where the circuit was not.
 static paradt_status paradt__mend_flip(paradt__mend *m, int all) {
     const paradt__update *update = &m->flipper.build.update;
-    paradt_index corners = m->flipper.build.scene.mesh.corners, i;
+    int corners = m->flipper.build.scene.mesh.corners, i;
     paradt_status status = corners == 4 ? paradt__flip(&m->flipper, 4) : paradt__flip(&m->flipper, corners);
     size_t made, count = update->made_count * (size_t)corners;
     if (!status)
@@ -14359,7 +14368,8 @@ static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, 
     paradt__scene *scene = &m->flipper.build.scene;
     const paradt__mesh *mesh = &scene->mesh;
     const double *x = paradt__scene_record(scene, point);
-    paradt_index corners = mesh->corners, cell = handle / corners;
+    const int corners = mesh->corners;
+    paradt_index cell = handle / corners;
     int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), corners), i, possible;
     paradt__signs signs = {0, 0};
     paradt_status status;
@@ -14380,7 +14390,8 @@ static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, 
 static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     paradt__scene *scene = &m->flipper.build.scene;
     const paradt__mesh *mesh = &scene->mesh;
-    paradt_index corners = mesh->corners, cell = handle / corners, mirror, point;
+    const int corners = mesh->corners;
+    paradt_index cell = handle / corners, mirror, point;
     const double *x;
     int ghost, done;
     if (mesh->vertices[cell * corners] == PARADT__DEAD) return PARADT_OK;
@@ -14566,7 +14577,8 @@ static int paradt__sees_from_outside(const paradt_index *one, int i, const parad
 static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &hole->small.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners, handle, end = (paradt_index)mesh->count * corners;
+    const int corners = mesh->corners;
+    paradt_index handle, end = (paradt_index)mesh->count * corners;
     paradt_status status = PARADT_OK;
     paradt__facets_free(&hole->table, memory);
     status = paradt__facets_begin(&hole->table, 0, 1, memory);
@@ -14584,7 +14596,7 @@ static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
 static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners;
+    const int corners = mesh->corners;
     paradt_status status = PARADT_OK;
     size_t at;
     hole->walls.count = 0;
@@ -14597,8 +14609,8 @@ static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
             status = paradt__hole_add(m, hole, outer / corners);
             continue;
         }
-        if (!paradt__sees_from_outside(mesh->vertices + base, outer % corners,
-                                       small->vertices + (found - found % corners), found % corners, corners))
+        if (!paradt__sees_from_outside(mesh->vertices + base, (int)(outer % corners),
+                                       small->vertices + (found - found % corners), (int)(found % corners), corners))
             found = small->links[found];
         status = paradt__list_append(&hole->walls, found, memory);
     }
@@ -14819,7 +14831,7 @@ static int paradt__mend_is_done(paradt__mend *m) {
 static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *set) {
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners;
+    const int corners = mesh->corners;
     paradt__hole hole;
     paradt_status status = PARADT_OK;
     size_t at;
@@ -14941,10 +14953,12 @@ PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index ve
 // the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together.
 PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
     paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
-    paradt_index own = 0, fits = 1;
+    paradt_index own = 0;
+    int fits = 1;
     for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
     for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], place, back;
+        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], back;
+        int place;
         if (link == PARADT__HULL) continue;
         if (facets) {
             if (link < 0 || link >= end * corners || links[link] != i) return 0;
@@ -15106,9 +15120,9 @@ PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build,
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index base = (paradt_index)cell * corners, i;
     for (i = base; i < base + corners; i++) {
+        paradt_index mirror = mesh->links[i] > i ? mesh->links[i] : i; // no branch, which could not be predicted
         PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[i] * build->scene.width);
-        if (mesh->links[i] > base)
-            PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mesh->links[i]] * build->scene.width);
+        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mirror] * build->scene.width);
     }
 }
 
@@ -15151,14 +15165,17 @@ PARADT__HOT_LOOP paradt_status paradt__repair_survey(paradt__repair *r) {
 // Makes the ghosts, and lists their facets.
 static paradt_status paradt__repair_ghosts(paradt__repair *r) {
     paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
-    paradt_index corners = mesh->corners, end = (paradt_index)mesh->count * corners, handle, i, base;
+    const int corners = mesh->corners;
+    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
+    int i;
     paradt__facets ridges;
     paradt_status status =
         paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
     if (status) return status;
     status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
     for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners, place = handle % corners;
+        paradt_index first = handle - handle % corners;
+        const int place = (int)(handle % corners);
         if (mesh->links[handle] >= 0) continue;
         base = (paradt_index)mesh->count++ * corners;
         for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside

@@ -205,7 +205,7 @@ static void regions_may_run_in_any_order_and_on_threads(void **state) {
                     options.parallel_for = runners[runner];
                     options.user = &calls;
                     expect_reference(&r, &options, runner ? "regions run backwards" : "regions run on threads");
-                    if (r.dim > 0 && r.cells.count > 100)
+                    if (r.dim > 0 && r.cells.count > 100 && method != PARADT_FLIP) // which is never divided
                         assert_true(calls > 0);
                 }
             reference_free(&r);
