@@ -1125,16 +1125,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      307   one row a method; AUTO's choice
-//     triangulate                  369   the entry
+//     methods                      255   one row a method; AUTO's choice
+//     triangulate                  367   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         266   the entry
-//     mending by flips             218   what has moved, by flips
-//     mending by holes             436   what flips leave, by small triangulations
-//     repair                       599   the entry of repairing
+//     mending by flips             224   what has moved, by flips
+//     mending by holes             438   what flips leave, by small triangulations
+//     repair                       691   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -16584,6 +16584,13 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     return 1.5 + 12000.0 / (each + 3000.0);
 }
 
+// Returns how many indices the history of PARADT_FLIP takes, and what it keeps with the places, for each cell of the
+// result: nodes of dim + 3 indices. Measured on uniform points.
+static double paradt__flip_nodes(int dim) {
+    static const double nodes[] = {0.0, 3.0, 4.7, 8.5, 12.8, 16.0, 18.5, 20.0, 21.0};
+    return nodes[dim] * (dim + 3) + 4.0;
+}
+
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
     enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
     paradt__work work;
@@ -16601,6 +16608,8 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     cells = count * paradt__cells_a_point(given.dim) * paradt__off_hull(count, given.dim);
     bytes = (2.0 * cells * (given.dim + 1) + count) * (double)sizeof(paradt_index);
     bytes *= paradt__memory_factor(&work, &given);
+    if (work.options.method == PARADT_FLIP)
+        bytes += cells * paradt__flip_nodes(given.dim) * (double)sizeof(paradt_index);
     if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
     return bytes < 9e18 ? (uint64_t)bytes + FIXED : UINT64_MAX;
 }
@@ -17994,10 +18003,11 @@ static int paradt__mend_is_circuit(paradt__mend *m) {
     return is;
 }
 
-// Flips what was collected, and lists the facets of the new cells.
-static paradt_status paradt__mend_flip(paradt__mend *m) {
+// Flips what was collected, and lists the facets of the new cells: all, or those that are not between cells of the same
+// circuit, which are locally regular where the circuit was not.
+static paradt_status paradt__mend_flip(paradt__mend *m, int all) {
     const paradt__update *update = &m->flipper.build.update;
-    paradt_index corners = m->flipper.build.scene.mesh.corners, i;
+    int corners = m->flipper.build.scene.mesh.corners, i;
     paradt_status status = corners == 4 ? paradt__flip(&m->flipper, 4) : paradt__flip(&m->flipper, corners);
     size_t made, count = update->made_count * (size_t)corners;
     if (!status)
@@ -18006,7 +18016,10 @@ static paradt_status paradt__mend_flip(paradt__mend *m) {
     if (status) return status;
     for (made = 0; made < update->made_count; made++) {
         paradt_index base = update->made[made] - update->made[made] % corners;
-        for (i = 0; i < corners; i++) m->facets.items[m->facets.count++] = base + i;
+        const paradt_index *row = m->flipper.build.scene.mesh.vertices + base;
+        for (i = 0; i < corners; i++) {
+            if (all || !paradt__mend_in_q(&m->flipper, row[i])) m->facets.items[m->facets.count++] = base + i;
+        }
     }
     m->vanished |= m->flipper.positive == 1;
     PARADT__VERIFY_SMALL(&m->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
@@ -18045,7 +18058,7 @@ static paradt_status paradt__mend_try(paradt__mend *m, paradt_index cell, paradt
     status = paradt__flip_collect(&m->flipper, cell, point, signs, corners, &possible);
     if (status || !possible || !paradt__mend_is_circuit(m)) return status;
     *done = 1;
-    return paradt__mend_flip(m);
+    return paradt__mend_flip(m, 1);
 }
 
 // Notes a facet that no flip could help.
@@ -18082,7 +18095,8 @@ static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, 
     paradt__scene *scene = &m->flipper.build.scene;
     const paradt__mesh *mesh = &scene->mesh;
     const double *x = paradt__scene_record(scene, point);
-    paradt_index corners = mesh->corners, cell = handle / corners;
+    const int corners = mesh->corners;
+    paradt_index cell = handle / corners;
     int ghost = paradt__ghost_place(paradt__mesh_row(mesh, cell), corners), i, possible;
     paradt__signs signs = {0, 0};
     paradt_status status;
@@ -18096,14 +18110,15 @@ static paradt_status paradt__mend_improve(paradt__mend *m, paradt_index handle, 
     for (at = 0; at < m->flipper.star.count && possible; at++)
         possible = !paradt__mend_is_wrong(mesh, m->flipper.star.items[at]);
     if (status) return status;
-    return possible && paradt__mend_is_circuit(m) ? paradt__mend_flip(m) : paradt__mend_note(m, handle);
+    return possible && paradt__mend_is_circuit(m) ? paradt__mend_flip(m, 0) : paradt__mend_note(m, handle);
 }
 
 // Looks at a facet, if its cell is still there.
 static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     paradt__scene *scene = &m->flipper.build.scene;
     const paradt__mesh *mesh = &scene->mesh;
-    paradt_index corners = mesh->corners, cell = handle / corners, mirror, point;
+    const int corners = mesh->corners;
+    paradt_index cell = handle / corners, mirror, point;
     const double *x;
     int ghost, done;
     if (mesh->vertices[cell * corners] == PARADT__DEAD) return PARADT_OK;
@@ -18289,7 +18304,8 @@ static int paradt__sees_from_outside(const paradt_index *one, int i, const parad
 static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &hole->small.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners, handle, end = (paradt_index)mesh->count * corners;
+    const int corners = mesh->corners;
+    paradt_index handle, end = (paradt_index)mesh->count * corners;
     paradt_status status = PARADT_OK;
     paradt__facets_free(&hole->table, memory);
     status = paradt__facets_begin(&hole->table, 0, 1, memory);
@@ -18307,7 +18323,7 @@ static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
 static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners;
+    const int corners = mesh->corners;
     paradt_status status = PARADT_OK;
     size_t at;
     hole->walls.count = 0;
@@ -18320,8 +18336,8 @@ static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
             status = paradt__hole_add(m, hole, outer / corners);
             continue;
         }
-        if (!paradt__sees_from_outside(mesh->vertices + base, outer % corners,
-                                       small->vertices + (found - found % corners), found % corners, corners))
+        if (!paradt__sees_from_outside(mesh->vertices + base, (int)(outer % corners),
+                                       small->vertices + (found - found % corners), (int)(found % corners), corners))
             found = small->links[found];
         status = paradt__list_append(&hole->walls, found, memory);
     }
@@ -18542,7 +18558,7 @@ static int paradt__mend_is_done(paradt__mend *m) {
 static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *set) {
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
-    paradt_index corners = mesh->corners;
+    const int corners = mesh->corners;
     paradt__hole hole;
     paradt_status status = PARADT_OK;
     size_t at;
@@ -18645,33 +18661,44 @@ static paradt_status paradt__repair_adopt(paradt__repair *r) {
     return PARADT_OK;
 }
 
-// Makes handles of the links of a cell. Those to cells before it have been made when these had their turn, and are kept
-// as paradt__repair_pending of the handle until now. Returns 0 where links do not fit together.
-PARADT__INLINE paradt_index paradt__repair_pending(paradt_index handle) {
-    return -3 - handle;
+// The place of a vertex in a row, of which it is one; more than any place: it is not
+PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index vertex, int corners) {
+    int i = 0;
+#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
+    if (corners == 4) {
+        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
+        return __builtin_ctz(
+            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
+    }
+#endif
+    while (i < corners && row[i] != vertex) i++;
+    return i;
 }
 
+// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together.
 PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
     paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
+    paradt_index own = 0;
+    int fits = 1;
+    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
     for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], other;
+        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], back;
+        int place;
         if (link == PARADT__HULL) continue;
         if (facets) {
             if (link < 0 || link >= end * corners || links[link] != i) return 0;
             continue;
         }
-        if (link <= paradt__repair_pending(0)) {
-            links[i] = paradt__repair_pending(link);
-            continue;
-        }
-        if (link < 0 || link >= end || link <= (paradt_index)cell) return 0;
-        other = link * corners;
-        for (j = 0; j < corners && links[other + j] != (paradt_index)cell;) j++;
-        if (j == corners) return 0;
-        links[i] = other + j;
-        links[other + j] = paradt__repair_pending(i);
+        if (link < 0 || link >= end) return 0;
+        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
+        place = paradt__repair_place(mesh->vertices + other, apex, corners);
+        if (place >= corners) return 0;
+        back = link < (paradt_index)cell ? i : (paradt_index)cell;
+        fits &= links[other + place] == back;
+        links[i] = other + place;
     }
-    return 1;
+    return fits;
 }
 
 // Looks at a cell: lists it if it is turned over or flat, else its facets that are not locally regular, each as the
@@ -18701,30 +18728,104 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
     return PARADT_OK;
 }
 
-// Does the sphere of a cell tell that the cell is positively oriented and its facets are locally regular?
-PARADT__INLINE int paradt__repair_is_fine(const paradt__insertion *build, size_t cell) {
-    const paradt__kept *s = build->kept;
-    const paradt__mesh *mesh = &build->scene.mesh;
-    const paradt_index *vertices = mesh->vertices + 4 * cell, *links = mesh->links + 4 * cell;
-    const double *a = build->scene.records + 3 * (size_t)vertices[0],
-                 *b = build->scene.records + 3 * (size_t)vertices[1];
-    const double *c = build->scene.records + 3 * (size_t)vertices[2],
-                 *p = build->scene.records + 3 * (size_t)vertices[3];
-    paradt__spoke to_a = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, a),
-                  to_b = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, b),
-                  to_c = paradt__spoke_of(PARADT__MAKE_QUICKLY, p, c);
-    paradt__centred centred = paradt__centred_of(s, p), x;
-    paradt__sphere sphere;
-    int i, fine = 1;
-    paradt__sphere_make(PARADT__MAKE_QUICKLY, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere.normal,
-                        &sphere.constant, &sphere.error);
-    fine = sphere.error < PARADT__NO_ERROR_BOUND;
-    for (i = 0; i < 4; i++) {
-        if (links[i] < (paradt_index)(4 * cell)) continue;
-        x = paradt__centred_of(s, build->scene.records + 3 * (size_t)mesh->vertices[links[i]]);
-        fine &= paradt__sphere_power(&sphere, &x) > sphere.error;
+enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
+
+// What is known of some cells in lanes, so that compilers can make vectors of them
+typedef struct paradt__lanes {
+    double edge[3][4][PARADT__TOGETHER]; // from the last vertex to the others; and their squares
+    double base[4][PARADT__TOGETHER];    // the last vertex, and its lift
+    double apex[3][PARADT__TOGETHER];    // across a facet
+    double asked[PARADT__TOGETHER];      // 0 where nothing is to be asked about the facet, else 1
+    double normal[3][PARADT__TOGETHER], constant[PARADT__TOGETHER], error[PARADT__TOGETHER];
+    double least[PARADT__TOGETHER]; // of the powers of apexes, less the error; positive: all facets are locally regular
+} paradt__lanes;
+
+// Fills in the vertices.
+PARADT__INLINE void paradt__lanes_load(paradt__lanes *lanes, const paradt__insertion *build, size_t cell) {
+    const double *centre = build->kept->centre;
+    int lane, vertex, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        const paradt_index *row = build->scene.mesh.vertices + 4 * (cell + (size_t)lane);
+        const double *p = build->scene.records + 3 * (size_t)row[3];
+        for (axis = 0; axis < 3; axis++) lanes->base[axis][lane] = p[axis] - centre[axis];
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *x = build->scene.records + 3 * (size_t)row[vertex];
+            for (axis = 0; axis < 3; axis++) lanes->edge[vertex][axis][lane] = x[axis] - p[axis];
+        }
     }
+}
+
+// Fills in the apexes across the facets of number i, where these are asked about: from the first of their cells.
+PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__insertion *build, size_t cell, int i) {
+    const double *centre = build->kept->centre;
+    int lane, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        paradt_index handle = (paradt_index)(4 * (cell + (size_t)lane)) + i, mirror = build->scene.mesh.links[handle];
+        int asked = mirror > handle;
+        const double *x = build->scene.records + 3 * (size_t)build->scene.mesh.vertices[asked ? mirror : handle];
+        for (axis = 0; axis < 3; axis++) lanes->apex[axis][lane] = x[axis] - centre[axis];
+        lanes->asked[lane] = asked ? 1.0 : 0.0;
+    }
+}
+
+// Of some cells from `cell` on: a bit for each whose sphere tells that the cell is positively oriented and its facets
+// are locally regular
+PARADT__INLINE unsigned paradt__lanes_fine(const paradt__insertion *build, size_t cell) {
+    const paradt__frame *frame = &build->kept->frame;
+    paradt__lanes l;
+    unsigned fine = 0;
+    int lane, i;
+    paradt__lanes_load(&l, build, cell);
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        double edge[3][4], normal[3], constant, error;
+        paradt__centred p;
+        for (i = 0; i < 3; i++) {
+            double x = l.edge[i][0][lane], y = l.edge[i][1][lane], z = l.edge[i][2][lane];
+            edge[i][0] = x;
+            edge[i][1] = y;
+            edge[i][2] = z;
+            edge[i][3] = x * x + y * y + z * z;
+            p.s[i] = l.base[i][lane];
+        }
+        p.lift = p.s[0] * p.s[0] + p.s[1] * p.s[1] + p.s[2] * p.s[2];
+        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+        paradt__sphere_make(PARADT__MAKE_QUICKLY, frame, &p, edge[1], edge[0], edge[2], normal, &constant, &error);
+        for (i = 0; i < 3; i++) l.normal[i][lane] = normal[i];
+        l.constant[lane] = constant;
+        l.error[lane] = error;
+        l.least[lane] = PARADT__NO_ERROR_BOUND * 0.5 - error;
+    }
+    for (i = 0; i < 4; i++) {
+        paradt__lanes_across(&l, build, cell, i);
+        for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+            double x = l.apex[0][lane], y = l.apex[1][lane], z = l.apex[2][lane];
+            double power = (x * x + y * y + z * z + l.constant[lane]) +
+                           (l.normal[0][lane] * x + l.normal[1][lane] * y + l.normal[2][lane] * z) - l.error[lane];
+            power = l.asked[lane] > 0.5 ? power : l.least[lane];
+            l.least[lane] = power < l.least[lane] ? power : l.least[lane];
+        }
+    }
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) fine |= (unsigned)(l.least[lane] > 0.0) << lane;
     return fine;
+}
+
+static unsigned paradt__repair_fine_plain(const paradt__insertion *build, size_t cell) {
+    return paradt__lanes_fine(build, cell);
+}
+
+#if defined(PARADT__AVX2)
+PARADT__AVX2 static unsigned paradt__repair_fine_avx2(const paradt__insertion *build, size_t cell) {
+    return paradt__lanes_fine(build, cell);
+}
+#endif
+
+typedef unsigned (*paradt__fine)(const paradt__insertion *build, size_t cell);
+
+static paradt__fine paradt__choose_fine(void) {
+#if defined(PARADT__AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__repair_fine_avx2;
+#endif
+    return paradt__repair_fine_plain;
 }
 
 // Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
@@ -18745,22 +18846,24 @@ PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build,
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index base = (paradt_index)cell * corners, i;
     for (i = base; i < base + corners; i++) {
+        paradt_index mirror = mesh->links[i] > i ? mesh->links[i] : i; // no branch, which could not be predicted
         PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[i] * build->scene.width);
-        if (mesh->links[i] > base)
-            PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mesh->links[i]] * build->scene.width);
+        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mirror] * build->scene.width);
     }
 }
 
 // Passes over all cells: links become handles, and what is not right is listed. Rows are fetched first, then the cells
 // are linked, for which the neighbours' rows are needed, and their records fetched, then the cells are looked at.
 PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
-    enum { PACE = 1 << 14, ROWS_AHEAD = 24, LINKED_AHEAD = 10 };
+    enum { PACE = 1 << 14, ROWS_AHEAD = 24, LINKED_AHEAD = 12 };
     const paradt__insertion *build = &r->mend.flipper.build;
     const paradt__mesh mesh = build->scene.mesh;
+    const paradt__fine fine = paradt__choose_fine();
     paradt_status status = PARADT_OK;
     size_t cell, linked = 0;
+    unsigned known = 0; // of this and the next cells: they are fine
     int i;
-    for (cell = 0; cell < mesh.count && !status; cell++) {
+    for (cell = 0; cell < mesh.count && !status; cell++, known >>= 1) {
         const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
         for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
@@ -18772,7 +18875,9 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
             paradt__repair_fetch_records(build, linked, corners);
         }
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
-        if (!spheres || !paradt__repair_is_fine(build, cell)) status = paradt__repair_ask(r, cell);
+        if (spheres && cell % PARADT__TOGETHER == 0)
+            known = cell + PARADT__TOGETHER <= mesh.count ? fine(build, cell) : 0;
+        if (!(known & 1)) status = paradt__repair_ask(r, cell);
     }
     return status;
 }
@@ -18786,14 +18891,17 @@ PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
 // Makes the ghosts, and lists their facets.
 static paradt_status paradt__repair_ghosts(paradt__repair *r) {
     paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
-    paradt_index corners = mesh->corners, end = (paradt_index)mesh->count * corners, handle, i, base;
+    const int corners = mesh->corners;
+    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
+    int i;
     paradt__facets ridges;
     paradt_status status =
         paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
     if (status) return status;
     status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
     for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners, place = handle % corners;
+        paradt_index first = handle - handle % corners;
+        const int place = (int)(handle % corners);
         if (mesh->links[handle] >= 0) continue;
         base = (paradt_index)mesh->count++ * corners;
         for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside

@@ -160,7 +160,8 @@ static void the_estimate_is_near_what_is_held(void **state) {
                  {3, 10000, 4, PARADT_DEWALL, 0},        {4, 2000, 1, PARADT_AUTO, 0},
                  {4, 2000, 4, PARADT_AUTO, 0},           {5, 500, 1, PARADT_BOWYER_WATSON, 0},
                  {2, 20000, 1, PARADT_DELAUNAY_TREE, 0}, {3, 20000, 1, PARADT_DELAUNAY_TREE, 0},
-                 {5, 500, 1, PARADT_DELAUNAY_TREE, 0}};
+                 {5, 500, 1, PARADT_DELAUNAY_TREE, 0},
+                 {3, 20000, 1, PARADT_FLIP, 0},          {4, 2000, 1, PARADT_FLIP, 0}};
     paradt_points points = {0};
     paradt_options options = {0};
     paradt_triangulation t;
