@@ -209,18 +209,23 @@
 //
 // CONVEX HULLS
 //
-// paradt_hull_compute is for those who want the hull alone: it drops nearly all points inside in a first pass and never
-// makes a cell. The facets are those that the triangulation has on its outside.
+// paradt_hull_compute computes the convex hull alone, in a fraction of the time of a triangulation: one pass drops
+// nearly all points inside before anything is sorted. A program that prints the triangles and the volume:
 //
 //     paradt_hull hull;
-//     if (paradt_hull_compute(&hull, &points, NULL) == PARADT_OK) {
-//         size_t i, k = (size_t)hull.dim; // vertices a facet: three in space
-//         for (i = 0; i < hull.facet_count; i++)
-//             draw(hull.facets + k * i, hull.plane[i]); // facets of one face have the same plane
-//         for (i = 0; i < hull.extreme_count; i++)
-//             mark(hull.vertices[i]); // the corners of the hull
-//         paradt_hull_free(&hull);
-//     }
+//     if (paradt_hull_compute(&hull, &points, NULL) != PARADT_OK)
+//         return 1;
+//     for (size_t f = 0; f < hull.facet_count; f++)
+//         printf("%d %d %d\n", (int)hull.facets[3 * f], (int)hull.facets[3 * f + 1], (int)hull.facets[3 * f + 2]);
+//     printf("volume %g, at most %g from the true one\n", hull.volume, hull.volume_error);
+//     paradt_hull_free(&hull);
+//
+// (Read rows of hull.dim where points may lie in a plane.) Facets are simplices: a face with more vertices, as the
+// sides of a cube, is triangulated, by the rule of DEGENERATE INPUT within its plane, and all points that lie in it are
+// vertices there. Facets of one face have the same number in hull.plane. To get the faces of a polytope, join facets of
+// equal numbers; their corners are among the first hull.extreme_count of hull.vertices, which are the extreme points:
+// those in no segment between two others. The facets are those of the triangulation with a cell on one side only;
+// paradt_hull_check certifies them, whoever made them.
 //
 //
 // POINTS THAT MOVE
@@ -453,10 +458,15 @@
 //                       simplex wall         paradt__wall_raise, begun by paradt__wall_seed where no facet crosses it
 //                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                       recursion            paradt__wall_build, from paradt__dewall
-//     2     local improvement by flips       paradt_repair: >>mending by flips
-//     2.3   incremental flips                PARADT_FLIP: search, collect, connect, flip: paradt__history_locate,
-//                                            paradt__flip_collect, paradt__flips_connect, paradt__flip
+//     2     local improvement by flips       paradt_repair: >>mending by flips (paradt__mend_look, paradt__mend_improve)
+//     2.3   incremental flips   search       paradt__history_locate
+//                               collect      paradt__flip_collect: the circuit, its star, equal links
+//                               connect      paradt__flips_connect; a point inside: paradt__flips_begin_point
+//                               flip         paradt__flip, in any dimension, for all kinds of flips
+//                               the loop     paradt__flips_go_any, paradt__flips_next
 //     3.1   regular triangulations in R^d    the same with weights; the history dag is >>history
+//           artificial simplex               the infinite vertex of >>mesh instead
+//           redundant points                 representative -1: the vertex of a flip that leaves it in no cell
 //     3.2   Delaunay tree location           paradt__tree_locate
 //                         creation           paradt__tree_record
 //     4     ParaInCoDe  regions              paradt__build_by_front; one of them: paradt__front_task; DeWall over ranks
@@ -484,6 +494,10 @@
 //         Geometry 44, 2011: the perturbation
 //     A. Bowyer, "Computing Dirichlet tessellations", and D. F. Watson, "Computing the n-dimensional Delaunay
 //         tessellation with application to Voronoi polytopes", The Computer Journal 24, 1981: insertion
+//     C. L. Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986;
+//         J. A. de Loera, J. Rambau, F. Santos, "Triangulations", 2010: circuits and flips
+//     L. J. Guibas, D. E. Knuth, M. Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams",
+//         Algorithmica 7, 1992: the history dag
 //     H. Edelsbrunner, N. R. Shah, "Incremental topological flipping works for regular triangulations", Algorithmica 15,
 //         1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
 //         Computer Aided Geometric Design 8, 1991; V. T. Rajan, "Optimality of the Delaunay triangulation in R^d",
@@ -495,6 +509,10 @@
 //         Computational Geometry 4, 1989, and J.-D. Boissonnat, O. Devillers, R. Schott, M. Teillaud, M. Yvinec,
 //         "Applications of random sampling to on-line algorithms in computational geometry", the same 8, 1992: conflict
 //         graphs, and what make theory predicts
+//     B. Efron, "The convex hull of a random set of points", Biometrika 52, 1965: how many points a sample's hull leaves
+//         outside
+//     C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM Transactions on
+//         Mathematical Software 22, 1996: points far out come first, inner ones go early
 //     G. E. Blelloch, Y. Gu, J. Shun, Y. Sun, "Randomized incremental convex hull is highly parallel", Symposium on
 //         Parallelism in Algorithms and Architectures, 2020: all ridges at once
 //     N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on Computational Geometry, 2003: the
