@@ -1143,15 +1143,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              493   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      255   one row a method; AUTO's choice
-//     triangulate                  367   the entry
+//     methods                      307   one row a method; AUTO's choice
+//     triangulate                  378   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         266   the entry
 //     mending by flips             224   what has moved, by flips
-//     mending by holes             438   what flips leave, by small triangulations
+//     mending by holes             437   what flips leave, by small triangulations
 //     repair                       691   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
