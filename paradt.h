@@ -11058,6 +11058,7 @@ typedef struct paradt__graph_task {
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
     ptrdiff_t entered; // slots of the table of ridges that are used, by this round
+    size_t check;      // how much work there is when it is asked next whether the call is cancelled
     size_t work;       // done in this round, in points tested
 } paradt__graph_task;
 
@@ -11270,56 +11271,66 @@ PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph
     return status;
 }
 
-// Makes the cell that takes the place of the one whose facet this is, which is ready.
-PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
-                                                  int dim, int terms) {
-    const int corners = terms > dim ? dim + 1 : dim, place = (int)(handle % corners);
+// A facet that is ready, and the cell that is going to take the place of `old` beside `beside`
+typedef struct paradt__graph_job {
+    paradt_index handle, mirror, old, beside, point;
+    int place;                            // of the point in the cell's row
+    paradt_index row[PARADT_MAX_DIM + 1]; // [corners]
+    uint64_t keys[PARADT_MAX_DIM + 1];    // [corners] of the facets
+} paradt__graph_job;
+
+// Finds out all about a facet that is ready but for the list of the new cell, and fetches what is needed for that.
+PARADT__INLINE void paradt__graph_prepare(const paradt__graph *g, paradt__graph_job *job, paradt_index handle,
+                                          int corners) {
+    const paradt__mesh *mesh = &g->mesh;
+    uint64_t sum;
+    int i;
+    job->handle = handle;
+    job->place = (int)(handle % corners);
+    job->old = handle / corners;
+    job->mirror = mesh->links[handle];
+    job->beside = job->mirror / corners;
+    job->point = g->order[g->cells[job->old].first];
+    if (g->cells[job->old].count) PARADT__PREFETCH(g->cells[job->old].list);
+    if (g->cells[job->beside].count) PARADT__PREFETCH(g->cells[job->beside].list);
+    for (i = 0; i < corners; i++) job->row[i] = mesh->vertices[job->old * corners + i];
+    job->row[job->place] = job->point;
+    sum = paradt__ridge_sum(job->row, corners);
+    for (i = 0; i < corners; i++) {
+        job->keys[i] = sum - paradt__ridge_part(job->row[i]);
+        if (i != job->place) paradt__graph_fetch_slot(g, job->keys[i]);
+    }
+}
+
+// Makes the cell of a facet that is ready.
+PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task,
+                                                  const paradt__graph_job *job, int dim, int terms) {
+    const int corners = terms > dim ? dim + 1 : dim;
     paradt__mesh *mesh = &g->mesh;
-    const paradt_index old = handle / corners, mirror = mesh->links[handle], beside = mirror / corners;
-    const paradt_index point = g->order[g->cells[old].first];
+    const paradt__graph_cell *old = g->cells + job->old, *beside = g->cells + job->beside;
     const paradt_index made = task->spare.count ? task->spare.items[--task->spare.count]
                                                 : (paradt_index)PARADT__ATOMIC_ADD(&mesh->count, 1) - 1;
     const paradt_index base = made * corners;
-    paradt_index *row = mesh->vertices + base;
     paradt__graph_cell *cell = g->cells + made;
-    size_t count = (size_t)g->cells[old].count + (size_t)g->cells[beside].count, both;
-    uint64_t keys[PARADT_MAX_DIM + 1], sum;
+    size_t count = (size_t)old->count + (size_t)beside->count, both;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
     if (status) return status;
-    memcpy(row, mesh->vertices + old * corners, (size_t)corners * sizeof *row);
-    row[place] = point;
-    sum = paradt__ridge_sum(row, corners);
     for (i = 0; i < corners; i++) {
-        keys[i] = sum - paradt__ridge_part(row[i]);
-        if (i != place) paradt__graph_fetch_slot(g, keys[i]);
+        mesh->vertices[base + i] = job->row[i];
+        if (i != job->place) paradt__graph_fetch_mirror(g, job->keys[i], corners);
     }
     task->work += count + PARADT__CELL_WORK;
-    count = paradt__graph_merge(g->cells + old, g->cells + beside, point, task->merged, &both);
-    for (i = 0; i < corners; i++)
-        if (i != place) paradt__graph_fetch_mirror(g, keys[i], corners);
-    count = paradt__graph_filter(g, &task->space, row, task->merged, count, count - both, &cell->first, dim, terms);
+    count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
+    count =
+        paradt__graph_filter(g, &task->space, job->row, task->merged, count, count - both, &cell->first, dim, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
-    if (!status) status = paradt__graph_settle(g, task, old);
-    paradt__mesh_tie(mesh, base + place, mirror);
-    if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
-    return status ? status : paradt__graph_match(g, task, base, place, keys, corners);
-}
-
-static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_task *task, paradt_index handle) {
-    const int dim = g->set->space.dim, terms = g->planes.terms;
-    if (dim == 2 && terms == 3) return paradt__graph_expand(g, task, handle, 2, 3);
-    if (dim == 2 && terms == 2) return paradt__graph_expand(g, task, handle, 2, 2);
-    if (PARADT__IS(dim, 3) && terms == 4) return paradt__graph_expand(g, task, handle, 3, 4);
-    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_expand(g, task, handle, 3, 3);
-    if (PARADT__IS(dim, 4) && terms == 5) return paradt__graph_expand(g, task, handle, 4, 5);
-    if (PARADT__IS(dim, 4) && terms == 4) return paradt__graph_expand(g, task, handle, 4, 4);
-    if (PARADT__IS(dim, 5) && terms == 6) return paradt__graph_expand(g, task, handle, 5, 6);
-    if (PARADT__IS(dim, 6) && terms == 7) return paradt__graph_expand(g, task, handle, 6, 7);
-    if (PARADT__IS(dim, 5) && terms == 5) return paradt__graph_expand(g, task, handle, 5, 5);
-    return paradt__graph_expand(g, task, handle, dim, terms);
+    if (!status) status = paradt__graph_settle(g, task, job->old);
+    paradt__mesh_tie(mesh, base + job->place, job->mirror);
+    if (!status) status = paradt__graph_ready(g, task, base + job->place, job->mirror, corners);
+    return status ? status : paradt__graph_match(g, task, base, job->place, job->keys, corners);
 }
 
 // --- rounds
@@ -11333,20 +11344,50 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
     return next <= g->ready.count ? g->ready.items[next - 1] : -1;
 }
 
+// Is the task to end the round, after so many cells? Now and then asks whether the call is cancelled.
+PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t index, size_t cells) {
+    if (task->status || cells >= g->round_cells || task->work >= PARADT__ROUND_WORK) return 1;
+    if (task->work < task->check) return 0;
+    task->check = task->work + PARADT__CHECK_WORK;
+    if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
+        task->status = PARADT_ERROR_CANCELLED;
+    return task->status != PARADT_OK;
+}
+
+// One task's part of a round. While a facet is worked on, what the next one needs comes from memory.
+PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *task, size_t index, int dim, int terms) {
+    const int corners = terms > dim ? dim + 1 : dim;
+    paradt__graph_job jobs[2];
+    paradt_index next = paradt__graph_take(g, task);
+    size_t cells;
+    task->work = task->check = 0;
+    if (next >= 0) paradt__graph_prepare(g, jobs, next, corners);
+    for (cells = 0; next >= 0 && !paradt__graph_pauses(g, task, index, cells); cells++) {
+        const paradt__graph_job *job = jobs + (cells & 1);
+        next = paradt__graph_take(g, task);
+        if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
+        task->status = paradt__graph_expand(g, task, job, dim, terms);
+        if (next >= 0 || task->status) continue;
+        next = paradt__graph_take(g, task); // one that this cell made ready
+        if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
+    }
+    if (next >= 0 && !task->status) task->status = paradt__list_append(&task->ready, next, &task->memory);
+}
+
 static void paradt__graph_task_round(void *context, size_t index) {
     paradt__graph *g = (paradt__graph *)context;
     paradt__graph_task *task = g->task + index;
-    size_t cells, check = 0;
-    task->work = 0;
-    for (cells = 0; cells < g->round_cells && task->work < PARADT__ROUND_WORK && !task->status; cells++) {
-        paradt_index handle = paradt__graph_take(g, task);
-        if (handle < 0) break;
-        task->status = paradt__graph_expand_one(g, task, handle);
-        if (task->work < check) continue;
-        check = task->work + PARADT__CHECK_WORK;
-        if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
-            task->status = PARADT_ERROR_CANCELLED;
-    }
+    const int dim = g->set->space.dim, terms = g->planes.terms;
+    if (dim == 2 && terms == 3) paradt__graph_work(g, task, index, 2, 3);
+    else if (dim == 2 && terms == 2) paradt__graph_work(g, task, index, 2, 2);
+    else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, index, 3, 4);
+    else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, index, 3, 3);
+    else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, index, 4, 5);
+    else if (PARADT__IS(dim, 4) && terms == 4) paradt__graph_work(g, task, index, 4, 4);
+    else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, index, 5, 6);
+    else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, index, 5, 5);
+    else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, index, 6, 7);
+    else paradt__graph_work(g, task, index, dim, terms);
 }
 
 // Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
