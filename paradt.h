@@ -10819,16 +10819,27 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // first comer had written before it entered the facet. Doors: paradt__ridges_room, paradt__ridges_match,
 // paradt__ridges_match_alone, paradt__ridges_free, paradt__ridge_*.
 
-enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
+// A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
+// hash.
+#if SIZE_MAX > UINT32_MAX
+typedef uint64_t paradt__slot;
+#define PARADT__SLOT_TAG ((uint64_t)65535 << 48)
+#else
+typedef paradt__tag paradt__slot;
+#define PARADT__SLOT_TAG ((uint64_t)0)
+#endif
+
+#define PARADT__SLOT_EMPTY ((paradt__slot)-1)
+#define PARADT__SLOT_TAKEN ((paradt__slot)-2)
 
 typedef struct paradt__ridges {
-    paradt_index *slots; // [mask + 1] handles
+    paradt__slot *slots; // [mask + 1]
     size_t mask;
     size_t used; // slots that are not empty
 } paradt__ridges;
 
-// A vertex' part of the key of a facet, which is the sum of these: far from linear, for sums of the vertices themselves
-// are equal for very many of the facets of a few hundred points.
+// A vertex' part of the sum that a facet is hashed by: far from linear, for sums of the vertices themselves are equal
+// for very many of the facets of a few hundred points.
 PARADT__INLINE uint64_t paradt__ridge_part(paradt_index vertex) {
     uint64_t h = ((uint64_t)vertex + 2) * UINT64_C(0x9e3779b97f4a7c15);
     return (h ^ h >> 32) * UINT64_C(0xd6e8feb86659fd93);
@@ -10841,53 +10852,87 @@ PARADT__INLINE uint64_t paradt__ridge_sum(const paradt_index *row, int corners) 
     return sum;
 }
 
-// The slot where the search for a facet begins
-PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
-    return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
+PARADT__INLINE uint64_t paradt__ridge_hash(uint64_t sum) {
+    return (sum ^ sum >> 32) * UINT64_C(0xbf58476d1ce4e5b9);
+}
+
+// The number of the slot where the search for a facet begins
+PARADT__INLINE size_t paradt__ridge_slot(const paradt__ridges *ridges, uint64_t hash) {
+    return (size_t)(hash >> 20) & ridges->mask;
+}
+
+PARADT__INLINE paradt__slot paradt__ridge_entry(uint64_t hash, paradt_index handle) {
+    return (paradt__slot)((hash & PARADT__SLOT_TAG) | (uint64_t)handle);
+}
+
+PARADT__INLINE paradt_index paradt__ridge_handle(paradt__slot slot) {
+    return (paradt_index)((uint64_t)slot & ~PARADT__SLOT_TAG);
+}
+
+// May the slot hold a facet with this hash?
+PARADT__INLINE int paradt__ridge_may_be(paradt__slot slot, uint64_t hash) {
+    return !(((uint64_t)slot ^ hash) & PARADT__SLOT_TAG) && slot < PARADT__SLOT_TAKEN;
+}
+
+// Fetches the slot of a facet ahead of its use.
+PARADT__INLINE void paradt__ridges_fetch(const paradt__ridges *ridges, uint64_t hash) {
+    PARADT__PREFETCH(ridges->slots + paradt__ridge_slot(ridges, hash));
+}
+
+// Returns what is probably the mirror of a facet, for fetching; -1 where none is seen.
+PARADT__INLINE paradt_index paradt__ridges_probable(const paradt__ridges *ridges, uint64_t hash) {
+    size_t at = paradt__ridge_slot(ridges, hash);
+    for (;; at = (at + 1) & ridges->mask) {
+        paradt__slot there = PARADT__ATOMIC_SEE(ridges->slots + at);
+        if (there == PARADT__SLOT_EMPTY) return -1;
+        if (paradt__ridge_may_be(there, hash)) return paradt__ridge_handle(there);
+    }
 }
 
 // Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
 // counts the slots that are used.
 PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
-                                                 uint64_t key, paradt_index handle, int corners, ptrdiff_t *entered) {
-    size_t at = paradt__ridge_slot(key) & ridges->mask;
+                                                 uint64_t hash, paradt_index handle, int corners, ptrdiff_t *entered) {
+    size_t at = paradt__ridge_slot(ridges, hash);
     for (;; at = (at + 1) & ridges->mask) {
-        paradt_index there = PARADT__ATOMIC_SEE(ridges->slots + at);
-        if (there == PARADT__RIDGE_EMPTY) {
-            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
+        paradt__slot there = PARADT__ATOMIC_SEE(ridges->slots + at);
+        if (there == PARADT__SLOT_EMPTY) {
+            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, paradt__ridge_entry(hash, handle))) {
                 ++*entered;
                 return -1;
             }
         }
-        if (there >= 0 && paradt__same_facet(vertices, there, vertices, handle, corners)) {
-            PARADT__ATOMIC_SET(ridges->slots + at, PARADT__RIDGE_TAKEN);
-            return there;
+        if (paradt__ridge_may_be(there, hash)) {
+            paradt_index mirror = paradt__ridge_handle(there);
+            if (!paradt__same_facet(vertices, mirror, vertices, handle, corners)) continue;
+            PARADT__ATOMIC_SET(ridges->slots + at, PARADT__SLOT_TAKEN);
+            return mirror;
         }
     }
 }
 
 // The same where no other thread uses the table: slots are used again at once.
 PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *ridges, const paradt_index *vertices,
-                                                       uint64_t key, paradt_index handle, int corners,
+                                                       uint64_t hash, paradt_index handle, int corners,
                                                        ptrdiff_t *entered) {
-    paradt_index *slots = ridges->slots, there;
     const size_t mask = ridges->mask, none = mask + 1;
-    size_t at = paradt__ridge_slot(key) & mask, first = none;
-    for (; (there = slots[at]) != PARADT__RIDGE_EMPTY; at = (at + 1) & mask) {
-        if (there == PARADT__RIDGE_TAKEN) {
-            first = first == none ? at : first;
-        } else if (paradt__same_facet(vertices, there, vertices, handle, corners)) {
-            slots[at] = PARADT__RIDGE_TAKEN;
-            // what is taken just before an empty slot leads nobody on
-            for (; slots[at] == PARADT__RIDGE_TAKEN && slots[(at + 1) & mask] == PARADT__RIDGE_EMPTY; --*entered) {
-                slots[at] = PARADT__RIDGE_EMPTY;
-                at = (at - 1) & mask;
-            }
-            return there;
+    paradt__slot *slots = ridges->slots, there;
+    size_t at = paradt__ridge_slot(ridges, hash), first = none;
+    for (; (there = slots[at]) != PARADT__SLOT_EMPTY; at = (at + 1) & mask) {
+        paradt_index mirror = paradt__ridge_handle(there);
+        if (there == PARADT__SLOT_TAKEN) first = first == none ? at : first;
+        if (!paradt__ridge_may_be(there, hash)) continue;
+        if (!paradt__same_facet(vertices, mirror, vertices, handle, corners)) continue;
+        slots[at] = PARADT__SLOT_TAKEN;
+        // what is taken just before an empty slot leads nobody on
+        for (; slots[at] == PARADT__SLOT_TAKEN && slots[(at + 1) & mask] == PARADT__SLOT_EMPTY; --*entered) {
+            slots[at] = PARADT__SLOT_EMPTY;
+            at = (at - 1) & mask;
         }
+        return mirror;
     }
     *entered += first == none;
-    slots[first == none ? at : first] = handle;
+    slots[first == none ? at : first] = paradt__ridge_entry(hash, handle);
     return -1;
 }
 
@@ -10895,11 +10940,11 @@ PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *rid
 static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
                                          paradt__memory *memory) {
     size_t size = ridges->slots ? ridges->mask + 1 : 0, waiting = 0, larger = 256, i, j;
-    paradt_index *old = ridges->slots, *slots;
+    paradt__slot *old = ridges->slots, *slots;
     if (2 * (ridges->used + more) <= size) return PARADT_OK;
-    for (i = 0; i < size; i++) waiting += old[i] >= 0;
+    for (i = 0; i < size; i++) waiting += old[i] < PARADT__SLOT_TAKEN;
     while (larger < 4 * (waiting + more)) larger *= 2;
-    slots = (paradt_index *)paradt__alloc(memory, larger, sizeof *slots);
+    slots = (paradt__slot *)paradt__alloc(memory, larger, sizeof *slots);
     if (!slots) return PARADT_ERROR_MEMORY;
     memset(slots, -1, larger * sizeof *slots);
     ridges->slots = slots;
@@ -10907,11 +10952,13 @@ static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__m
     ridges->used = waiting;
     for (i = 0; i < size; i++) {
         const paradt_index *row;
-        uint64_t key;
-        if (old[i] < 0) continue;
-        row = paradt__mesh_row(mesh, old[i] / mesh->corners);
-        key = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[old[i] % mesh->corners]);
-        for (j = paradt__ridge_slot(key) & ridges->mask; slots[j] >= 0;) j = (j + 1) & ridges->mask;
+        paradt_index handle = paradt__ridge_handle(old[i]);
+        uint64_t hash;
+        if (old[i] >= PARADT__SLOT_TAKEN) continue;
+        row = paradt__mesh_row(mesh, handle / mesh->corners);
+        hash =
+            paradt__ridge_hash(paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]));
+        for (j = paradt__ridge_slot(ridges, hash); slots[j] != PARADT__SLOT_EMPTY;) j = (j + 1) & ridges->mask;
         slots[j] = old[i];
     }
     paradt__release(memory, old);
@@ -11239,22 +11286,18 @@ PARADT__INLINE paradt_status paradt__graph_ready(paradt__graph *g, paradt__graph
     return status ? status : paradt__graph_settle(g, task, b);
 }
 
-// Fetches what matching a facet is going to read: first the slot, later what stands in it.
-PARADT__INLINE void paradt__graph_fetch_slot(const paradt__graph *g, uint64_t key) {
-    PARADT__PREFETCH(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
-}
-
-PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t key, int corners) {
-    paradt_index there = PARADT__ATOMIC_SEE(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+// Fetches what matching a facet is going to read, once its slot has been fetched.
+PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t hash, int corners) {
+    paradt_index there = paradt__ridges_probable(&g->ridges, hash);
     if (there < 0) return;
     PARADT__PREFETCH(g->mesh.vertices + there);
     PARADT__PREFETCH(g->mesh.links + there);
     PARADT__PREFETCH(g->cells + there / corners);
 }
 
-// Matches the facets of a new cell, but for the one at `place`. keys: of the facets
+// Matches the facets of a new cell, but for the one at `place`. hashes: of the facets
 PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph_task *task, paradt_index base,
-                                                 int place, const uint64_t *keys, int corners) {
+                                                 int place, const uint64_t *hashes, int corners) {
     int i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners && !status; i++) {
@@ -11262,8 +11305,8 @@ PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph
         if (i == place) continue;
         other =
             g->team->tasks == 1
-                ? paradt__ridges_match_alone(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered)
-                : paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, &task->entered);
+                ? paradt__ridges_match_alone(&g->ridges, g->mesh.vertices, hashes[i], base + i, corners, &task->entered)
+                : paradt__ridges_match(&g->ridges, g->mesh.vertices, hashes[i], base + i, corners, &task->entered);
         if (other < 0) continue;
         paradt__mesh_tie(&g->mesh, base + i, other);
         status = paradt__graph_ready(g, task, base + i, other, corners);
@@ -11276,7 +11319,7 @@ typedef struct paradt__graph_job {
     paradt_index handle, mirror, old, beside, point;
     int place;                            // of the point in the cell's row
     paradt_index row[PARADT_MAX_DIM + 1]; // [corners]
-    uint64_t keys[PARADT_MAX_DIM + 1];    // [corners] of the facets
+    uint64_t hashes[PARADT_MAX_DIM + 1];  // [corners] of the facets
 } paradt__graph_job;
 
 // Finds out all about a facet that is ready but for the list of the new cell, and fetches what is needed for that.
@@ -11297,8 +11340,8 @@ PARADT__INLINE void paradt__graph_prepare(const paradt__graph *g, paradt__graph_
     job->row[job->place] = job->point;
     sum = paradt__ridge_sum(job->row, corners);
     for (i = 0; i < corners; i++) {
-        job->keys[i] = sum - paradt__ridge_part(job->row[i]);
-        if (i != job->place) paradt__graph_fetch_slot(g, job->keys[i]);
+        job->hashes[i] = paradt__ridge_hash(sum - paradt__ridge_part(job->row[i]));
+        if (i != job->place) paradt__ridges_fetch(&g->ridges, job->hashes[i]);
     }
 }
 
@@ -11319,7 +11362,7 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     if (status) return status;
     for (i = 0; i < corners; i++) {
         mesh->vertices[base + i] = job->row[i];
-        if (i != job->place) paradt__graph_fetch_mirror(g, job->keys[i], corners);
+        if (i != job->place) paradt__graph_fetch_mirror(g, job->hashes[i], corners);
     }
     task->work += count + PARADT__CELL_WORK;
     count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
@@ -11330,7 +11373,7 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     if (!status) status = paradt__graph_settle(g, task, job->old);
     paradt__mesh_tie(mesh, base + job->place, job->mirror);
     if (!status) status = paradt__graph_ready(g, task, base + job->place, job->mirror, corners);
-    return status ? status : paradt__graph_match(g, task, base, job->place, job->keys, corners);
+    return status ? status : paradt__graph_match(g, task, base, job->place, job->hashes, corners);
 }
 
 // --- rounds
