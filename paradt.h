@@ -10896,20 +10896,31 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
 // finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
-// runs: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the first comer had written
-// before it entered the facet.
-// Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_free, paradt__ridge_*.
+// runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
+// first comer had written before it entered the facet. Doors: paradt__ridges_room, paradt__ridges_match,
+// paradt__ridges_match_alone, paradt__ridges_free, paradt__ridge_*.
 
-enum { PARADT__RIDGE_EMPTY = -1, PARADT__RIDGE_TAKEN = -2 };
+// A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
+// hash.
+#if SIZE_MAX > UINT32_MAX
+typedef uint64_t paradt__slot;
+#define PARADT__SLOT_TAG ((uint64_t)65535 << 48)
+#else
+typedef paradt__tag paradt__slot;
+#define PARADT__SLOT_TAG ((uint64_t)0)
+#endif
+
+#define PARADT__SLOT_EMPTY ((paradt__slot)-1)
+#define PARADT__SLOT_TAKEN ((paradt__slot)-2)
 
 typedef struct paradt__ridges {
-    paradt_index *slots; // [mask + 1] handles
+    paradt__slot *slots; // [mask + 1]
     size_t mask;
     size_t used; // slots that are not empty
 } paradt__ridges;
 
-// A vertex' part of the key of a facet, which is the sum of these: far from linear, for sums of the vertices themselves
-// are equal for very many of the facets of a few hundred points.
+// A vertex' part of the sum that a facet is hashed by: far from linear, for sums of the vertices themselves are equal
+// for very many of the facets of a few hundred points.
 PARADT__INLINE uint64_t paradt__ridge_part(paradt_index vertex) {
     uint64_t h = ((uint64_t)vertex + 2) * UINT64_C(0x9e3779b97f4a7c15);
     return (h ^ h >> 32) * UINT64_C(0xd6e8feb86659fd93);
@@ -10922,41 +10933,99 @@ PARADT__INLINE uint64_t paradt__ridge_sum(const paradt_index *row, int corners) 
     return sum;
 }
 
-// The slot where the search for a facet begins
-PARADT__INLINE size_t paradt__ridge_slot(uint64_t key) {
-    return (size_t)((key ^ key >> 32) * UINT64_C(0xbf58476d1ce4e5b9) >> 24);
+PARADT__INLINE uint64_t paradt__ridge_hash(uint64_t sum) {
+    return (sum ^ sum >> 32) * UINT64_C(0xbf58476d1ce4e5b9);
 }
 
-// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. alone: no
-// other thread uses the table; *entered counts the slots that are used
-PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
-                                                 uint64_t key, paradt_index handle, int corners, int alone,
-                                                 size_t *entered) {
-    size_t at = paradt__ridge_slot(key) & ridges->mask;
+// The number of the slot where the search for a facet begins
+PARADT__INLINE size_t paradt__ridge_slot(const paradt__ridges *ridges, uint64_t hash) {
+    return (size_t)(hash >> 20) & ridges->mask;
+}
+
+PARADT__INLINE paradt__slot paradt__ridge_entry(uint64_t hash, paradt_index handle) {
+    return (paradt__slot)((hash & PARADT__SLOT_TAG) | (uint64_t)handle);
+}
+
+PARADT__INLINE paradt_index paradt__ridge_handle(paradt__slot slot) {
+    return (paradt_index)((uint64_t)slot & ~PARADT__SLOT_TAG);
+}
+
+// May the slot hold a facet with this hash?
+PARADT__INLINE int paradt__ridge_may_be(paradt__slot slot, uint64_t hash) {
+    return !(((uint64_t)slot ^ hash) & PARADT__SLOT_TAG) && slot < PARADT__SLOT_TAKEN;
+}
+
+// Fetches the slot of a facet ahead of its use.
+PARADT__INLINE void paradt__ridges_fetch(const paradt__ridges *ridges, uint64_t hash) {
+    PARADT__PREFETCH(ridges->slots + paradt__ridge_slot(ridges, hash));
+}
+
+// Returns what is probably the mirror of a facet, for fetching; -1 where none is seen.
+PARADT__INLINE paradt_index paradt__ridges_probable(const paradt__ridges *ridges, uint64_t hash) {
+    size_t at = paradt__ridge_slot(ridges, hash);
     for (;; at = (at + 1) & ridges->mask) {
-        paradt_index there = PARADT__ATOMIC_SEE(ridges->slots + at);
-        if (there == PARADT__RIDGE_EMPTY) {
-            if (alone ? (ridges->slots[at] = handle, 1) : PARADT__ATOMIC_ENTER(ridges->slots + at, &there, handle)) {
+        paradt__slot there = PARADT__ATOMIC_SEE(ridges->slots + at);
+        if (there == PARADT__SLOT_EMPTY) return -1;
+        if (paradt__ridge_may_be(there, hash)) return paradt__ridge_handle(there);
+    }
+}
+
+// Takes out the facet with the same vertices as a handle and returns it; or enters the handle and returns -1. *entered
+// counts the slots that are used.
+PARADT__INLINE paradt_index paradt__ridges_match(const paradt__ridges *ridges, const paradt_index *vertices,
+                                                 uint64_t hash, paradt_index handle, int corners, ptrdiff_t *entered) {
+    size_t at = paradt__ridge_slot(ridges, hash);
+    for (;; at = (at + 1) & ridges->mask) {
+        paradt__slot there = PARADT__ATOMIC_SEE(ridges->slots + at);
+        if (there == PARADT__SLOT_EMPTY) {
+            if (PARADT__ATOMIC_ENTER(ridges->slots + at, &there, paradt__ridge_entry(hash, handle))) {
                 ++*entered;
                 return -1;
             }
         }
-        if (there >= 0 && paradt__same_facet(vertices, there, vertices, handle, corners)) {
-            PARADT__ATOMIC_SET(ridges->slots + at, PARADT__RIDGE_TAKEN);
-            return there;
+        if (paradt__ridge_may_be(there, hash)) {
+            paradt_index mirror = paradt__ridge_handle(there);
+            if (!paradt__same_facet(vertices, mirror, vertices, handle, corners)) continue;
+            PARADT__ATOMIC_SET(ridges->slots + at, PARADT__SLOT_TAKEN);
+            return mirror;
         }
     }
+}
+
+// The same where no other thread uses the table: slots are used again at once.
+PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *ridges, const paradt_index *vertices,
+                                                       uint64_t hash, paradt_index handle, int corners,
+                                                       ptrdiff_t *entered) {
+    const size_t mask = ridges->mask, none = mask + 1;
+    paradt__slot *slots = ridges->slots, there;
+    size_t at = paradt__ridge_slot(ridges, hash), first = none;
+    for (; (there = slots[at]) != PARADT__SLOT_EMPTY; at = (at + 1) & mask) {
+        paradt_index mirror = paradt__ridge_handle(there);
+        if (there == PARADT__SLOT_TAKEN) first = first == none ? at : first;
+        if (!paradt__ridge_may_be(there, hash)) continue;
+        if (!paradt__same_facet(vertices, mirror, vertices, handle, corners)) continue;
+        slots[at] = PARADT__SLOT_TAKEN;
+        // what is taken just before an empty slot leads nobody on
+        for (; slots[at] == PARADT__SLOT_TAKEN && slots[(at + 1) & mask] == PARADT__SLOT_EMPTY; --*entered) {
+            slots[at] = PARADT__SLOT_EMPTY;
+            at = (at - 1) & mask;
+        }
+        return mirror;
+    }
+    *entered += first == none;
+    slots[first == none ? at : first] = paradt__ridge_entry(hash, handle);
+    return -1;
 }
 
 // Makes room for `more` facets; no task runs. At most half of the slots are ever used.
 static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
                                          paradt__memory *memory) {
     size_t size = ridges->slots ? ridges->mask + 1 : 0, waiting = 0, larger = 256, i, j;
-    paradt_index *old = ridges->slots, *slots;
+    paradt__slot *old = ridges->slots, *slots;
     if (2 * (ridges->used + more) <= size) return PARADT_OK;
-    for (i = 0; i < size; i++) waiting += old[i] >= 0;
+    for (i = 0; i < size; i++) waiting += old[i] < PARADT__SLOT_TAKEN;
     while (larger < 4 * (waiting + more)) larger *= 2;
-    slots = (paradt_index *)paradt__alloc(memory, larger, sizeof *slots);
+    slots = (paradt__slot *)paradt__alloc(memory, larger, sizeof *slots);
     if (!slots) return PARADT_ERROR_MEMORY;
     memset(slots, -1, larger * sizeof *slots);
     ridges->slots = slots;
@@ -10964,11 +11033,13 @@ static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__m
     ridges->used = waiting;
     for (i = 0; i < size; i++) {
         const paradt_index *row;
-        uint64_t key;
-        if (old[i] < 0) continue;
-        row = paradt__mesh_row(mesh, old[i] / mesh->corners);
-        key = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[old[i] % mesh->corners]);
-        for (j = paradt__ridge_slot(key) & ridges->mask; slots[j] >= 0;) j = (j + 1) & ridges->mask;
+        paradt_index handle = paradt__ridge_handle(old[i]);
+        uint64_t hash;
+        if (old[i] >= PARADT__SLOT_TAKEN) continue;
+        row = paradt__mesh_row(mesh, handle / mesh->corners);
+        hash =
+            paradt__ridge_hash(paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]));
+        for (j = paradt__ridge_slot(ridges, hash); slots[j] != PARADT__SLOT_EMPTY;) j = (j + 1) & ridges->mask;
         slots[j] = old[i];
     }
     paradt__release(memory, old);
@@ -11114,8 +11185,9 @@ typedef struct paradt__graph_task {
     paradt__list settled; // places given back in this round
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
-    size_t entered; // ridges entered in this round
-    size_t work;    // done in this round, in points tested
+    ptrdiff_t entered; // slots of the table of ridges that are used, by this round
+    size_t check;      // how much work there is when it is asked next whether the call is cancelled
+    size_t work;       // done in this round, in points tested
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11135,7 +11207,8 @@ typedef struct paradt__graph {
     paradt__list ready;       // facets that are ready when a round begins,
     size_t next;              // and the number of them that tasks have taken
     paradt__graph_task *task; // [team->tasks]
-    size_t round_cells;       // cells that a task may make in a round
+    size_t round_cells;       // cells that a task may make in a round: of several tasks few in the beginning, when few
+    size_t most_cells;        // facets are ready to be shared, and so many in the end
     double expected;          // places taken in the end, for the progress
 } paradt__graph;
 
@@ -11143,7 +11216,8 @@ enum {
     PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
     PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
     PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_SHARE = 1 << 14, // or by each of several
+    PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 14, // and in the last
     PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
 };
 
@@ -11293,29 +11367,27 @@ PARADT__INLINE paradt_status paradt__graph_ready(paradt__graph *g, paradt__graph
     return status ? status : paradt__graph_settle(g, task, b);
 }
 
-// Fetches what matching a facet is going to read: first the slot, later what stands in it.
-PARADT__INLINE void paradt__graph_fetch_slot(const paradt__graph *g, uint64_t key) {
-    PARADT__PREFETCH(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
-}
-
-PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t key, int corners) {
-    paradt_index there = PARADT__ATOMIC_SEE(g->ridges.slots + (paradt__ridge_slot(key) & g->ridges.mask));
+// Fetches what matching a facet is going to read, once its slot has been fetched.
+PARADT__INLINE void paradt__graph_fetch_mirror(const paradt__graph *g, uint64_t hash, int corners) {
+    paradt_index there = paradt__ridges_probable(&g->ridges, hash);
     if (there < 0) return;
     PARADT__PREFETCH(g->mesh.vertices + there);
     PARADT__PREFETCH(g->mesh.links + there);
     PARADT__PREFETCH(g->cells + there / corners);
 }
 
-// Matches the facets of a new cell, but for the one at `place`. keys: of the facets
+// Matches the facets of a new cell, but for the one at `place`. hashes: of the facets
 PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph_task *task, paradt_index base,
-                                                 int place, const uint64_t *keys, int corners) {
+                                                 int place, const uint64_t *hashes, int corners) {
     int i;
     paradt_status status = PARADT_OK;
     for (i = 0; i < corners && !status; i++) {
         paradt_index other;
         if (i == place) continue;
-        other = paradt__ridges_match(&g->ridges, g->mesh.vertices, keys[i], base + i, corners, g->team->tasks == 1,
-                                     &task->entered);
+        other =
+            g->team->tasks == 1
+                ? paradt__ridges_match_alone(&g->ridges, g->mesh.vertices, hashes[i], base + i, corners, &task->entered)
+                : paradt__ridges_match(&g->ridges, g->mesh.vertices, hashes[i], base + i, corners, &task->entered);
         if (other < 0) continue;
         paradt__mesh_tie(&g->mesh, base + i, other);
         status = paradt__graph_ready(g, task, base + i, other, corners);
@@ -11323,56 +11395,66 @@ PARADT__INLINE paradt_status paradt__graph_match(paradt__graph *g, paradt__graph
     return status;
 }
 
-// Makes the cell that takes the place of the one whose facet this is, which is ready.
-PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task, paradt_index handle,
-                                                  int dim, int terms) {
-    const int corners = terms > dim ? dim + 1 : dim, place = (int)(handle % corners);
+// A facet that is ready, and the cell that is going to take the place of `old` beside `beside`
+typedef struct paradt__graph_job {
+    paradt_index handle, mirror, old, beside, point;
+    int place;                            // of the point in the cell's row
+    paradt_index row[PARADT_MAX_DIM + 1]; // [corners]
+    uint64_t hashes[PARADT_MAX_DIM + 1];  // [corners] of the facets
+} paradt__graph_job;
+
+// Finds out all about a facet that is ready but for the list of the new cell, and fetches what is needed for that.
+PARADT__INLINE void paradt__graph_prepare(const paradt__graph *g, paradt__graph_job *job, paradt_index handle,
+                                          int corners) {
+    const paradt__mesh *mesh = &g->mesh;
+    uint64_t sum;
+    int i;
+    job->handle = handle;
+    job->place = (int)(handle % corners);
+    job->old = handle / corners;
+    job->mirror = mesh->links[handle];
+    job->beside = job->mirror / corners;
+    job->point = g->order[g->cells[job->old].first];
+    if (g->cells[job->old].count) PARADT__PREFETCH(g->cells[job->old].list);
+    if (g->cells[job->beside].count) PARADT__PREFETCH(g->cells[job->beside].list);
+    for (i = 0; i < corners; i++) job->row[i] = mesh->vertices[job->old * corners + i];
+    job->row[job->place] = job->point;
+    sum = paradt__ridge_sum(job->row, corners);
+    for (i = 0; i < corners; i++) {
+        job->hashes[i] = paradt__ridge_hash(sum - paradt__ridge_part(job->row[i]));
+        if (i != job->place) paradt__ridges_fetch(&g->ridges, job->hashes[i]);
+    }
+}
+
+// Makes the cell of a facet that is ready.
+PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task,
+                                                  const paradt__graph_job *job, int dim, int terms) {
+    const int corners = terms > dim ? dim + 1 : dim;
     paradt__mesh *mesh = &g->mesh;
-    const paradt_index old = handle / corners, mirror = mesh->links[handle], beside = mirror / corners;
-    const paradt_index point = g->order[g->cells[old].first];
+    const paradt__graph_cell *old = g->cells + job->old, *beside = g->cells + job->beside;
     const paradt_index made = task->spare.count ? task->spare.items[--task->spare.count]
                                                 : (paradt_index)PARADT__ATOMIC_ADD(&mesh->count, 1) - 1;
     const paradt_index base = made * corners;
-    paradt_index *row = mesh->vertices + base;
     paradt__graph_cell *cell = g->cells + made;
-    size_t count = (size_t)g->cells[old].count + (size_t)g->cells[beside].count, both;
-    uint64_t keys[PARADT_MAX_DIM + 1], sum;
+    size_t count = (size_t)old->count + (size_t)beside->count, both;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
     if (status) return status;
-    memcpy(row, mesh->vertices + old * corners, (size_t)corners * sizeof *row);
-    row[place] = point;
-    sum = paradt__ridge_sum(row, corners);
     for (i = 0; i < corners; i++) {
-        keys[i] = sum - paradt__ridge_part(row[i]);
-        if (i != place) paradt__graph_fetch_slot(g, keys[i]);
+        mesh->vertices[base + i] = job->row[i];
+        if (i != job->place) paradt__graph_fetch_mirror(g, job->hashes[i], corners);
     }
     task->work += count + PARADT__CELL_WORK;
-    count = paradt__graph_merge(g->cells + old, g->cells + beside, point, task->merged, &both);
-    for (i = 0; i < corners; i++)
-        if (i != place) paradt__graph_fetch_mirror(g, keys[i], corners);
-    count = paradt__graph_filter(g, &task->space, row, task->merged, count, count - both, &cell->first, dim, terms);
+    count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
+    count =
+        paradt__graph_filter(g, &task->space, job->row, task->merged, count, count - both, &cell->first, dim, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
-    if (!status) status = paradt__graph_settle(g, task, old);
-    paradt__mesh_tie(mesh, base + place, mirror);
-    if (!status) status = paradt__graph_ready(g, task, base + place, mirror, corners);
-    return status ? status : paradt__graph_match(g, task, base, place, keys, corners);
-}
-
-static paradt_status paradt__graph_expand_one(paradt__graph *g, paradt__graph_task *task, paradt_index handle) {
-    const int dim = g->set->space.dim, terms = g->planes.terms;
-    if (dim == 2 && terms == 3) return paradt__graph_expand(g, task, handle, 2, 3);
-    if (dim == 2 && terms == 2) return paradt__graph_expand(g, task, handle, 2, 2);
-    if (PARADT__IS(dim, 3) && terms == 4) return paradt__graph_expand(g, task, handle, 3, 4);
-    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_expand(g, task, handle, 3, 3);
-    if (PARADT__IS(dim, 4) && terms == 5) return paradt__graph_expand(g, task, handle, 4, 5);
-    if (PARADT__IS(dim, 4) && terms == 4) return paradt__graph_expand(g, task, handle, 4, 4);
-    if (PARADT__IS(dim, 5) && terms == 6) return paradt__graph_expand(g, task, handle, 5, 6);
-    if (PARADT__IS(dim, 6) && terms == 7) return paradt__graph_expand(g, task, handle, 6, 7);
-    if (PARADT__IS(dim, 5) && terms == 5) return paradt__graph_expand(g, task, handle, 5, 5);
-    return paradt__graph_expand(g, task, handle, dim, terms);
+    if (!status) status = paradt__graph_settle(g, task, job->old);
+    paradt__mesh_tie(mesh, base + job->place, job->mirror);
+    if (!status) status = paradt__graph_ready(g, task, base + job->place, job->mirror, corners);
+    return status ? status : paradt__graph_match(g, task, base, job->place, job->hashes, corners);
 }
 
 // --- rounds
@@ -11386,20 +11468,50 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
     return next <= g->ready.count ? g->ready.items[next - 1] : -1;
 }
 
+// Is the task to end the round, after so many cells? Now and then asks whether the call is cancelled.
+PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t index, size_t cells) {
+    if (task->status || cells >= g->round_cells || task->work >= PARADT__ROUND_WORK) return 1;
+    if (task->work < task->check) return 0;
+    task->check = task->work + PARADT__CHECK_WORK;
+    if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
+        task->status = PARADT_ERROR_CANCELLED;
+    return task->status != PARADT_OK;
+}
+
+// One task's part of a round. While a facet is worked on, what the next one needs comes from memory.
+PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *task, size_t index, int dim, int terms) {
+    const int corners = terms > dim ? dim + 1 : dim;
+    paradt__graph_job jobs[2];
+    paradt_index next = paradt__graph_take(g, task);
+    size_t cells;
+    task->work = task->check = 0;
+    if (next >= 0) paradt__graph_prepare(g, jobs, next, corners);
+    for (cells = 0; next >= 0 && !paradt__graph_pauses(g, task, index, cells); cells++) {
+        const paradt__graph_job *job = jobs + (cells & 1);
+        next = paradt__graph_take(g, task);
+        if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
+        task->status = paradt__graph_expand(g, task, job, dim, terms);
+        if (next >= 0 || task->status) continue;
+        next = paradt__graph_take(g, task); // one that this cell made ready
+        if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
+    }
+    if (next >= 0 && !task->status) task->status = paradt__list_append(&task->ready, next, &task->memory);
+}
+
 static void paradt__graph_task_round(void *context, size_t index) {
     paradt__graph *g = (paradt__graph *)context;
     paradt__graph_task *task = g->task + index;
-    size_t cells, check = 0;
-    task->work = 0;
-    for (cells = 0; cells < g->round_cells && task->work < PARADT__ROUND_WORK && !task->status; cells++) {
-        paradt_index handle = paradt__graph_take(g, task);
-        if (handle < 0) break;
-        task->status = paradt__graph_expand_one(g, task, handle);
-        if (task->work < check) continue;
-        check = task->work + PARADT__CHECK_WORK;
-        if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
-            task->status = PARADT_ERROR_CANCELLED;
-    }
+    const int dim = g->set->space.dim, terms = g->planes.terms;
+    if (dim == 2 && terms == 3) paradt__graph_work(g, task, index, 2, 3);
+    else if (dim == 2 && terms == 2) paradt__graph_work(g, task, index, 2, 2);
+    else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, index, 3, 4);
+    else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, index, 3, 3);
+    else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, index, 4, 5);
+    else if (PARADT__IS(dim, 4) && terms == 4) paradt__graph_work(g, task, index, 4, 4);
+    else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, index, 5, 6);
+    else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, index, 5, 5);
+    else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, index, 6, 7);
+    else paradt__graph_work(g, task, index, dim, terms);
 }
 
 // Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
@@ -11456,7 +11568,7 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
     g->next = 0;
     for (i = 0; i < g->team->tasks && !status; i++) {
         paradt__graph_task *task = g->task + i;
-        g->ridges.used += task->entered;
+        g->ridges.used += (size_t)task->entered; // which may be negative
         task->entered = 0;
         status = paradt__list_room(&task->spare.items, task->spare.count, &task->spare.capacity,
                                    task->spare.count + task->settled.count, g->memory);
@@ -11485,6 +11597,7 @@ static paradt_status paradt__graph_run(paradt__graph *g) {
         status = paradt__graph_room(g);
         if (!status) status = paradt__graph_team(g, paradt__graph_task_round);
         if (!status) status = paradt__graph_collect(g);
+        if (g->round_cells < g->most_cells) g->round_cells *= 2;
     }
     return status;
 }
@@ -11689,8 +11802,10 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.memory = memory;
     g.side = side;
     g.order = order;
-    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : (size_t)PARADT__ROUND_CELLS;
-    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count;
+    g.round_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_FIRST : (size_t)PARADT__ROUND_CELLS;
+    if (g.round_cells > 4 * set->count) g.round_cells = 4 * set->count; // more would be room in vain
+    g.most_cells = team->tasks > 1 ? (size_t)PARADT__ROUND_SHARE : g.round_cells;
+    if (g.most_cells > 4 * set->count) g.most_cells = 4 * set->count;
     g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
