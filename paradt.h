@@ -936,9 +936,9 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
-//     ridge table                   90   facets that wait for their mirrors, for many threads
+//     ridge table                  161   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               650   randomized incremental construction in parallel
+//     conflict graph               694   randomized incremental construction in parallel
 //     lifted hull                   49   triangulations as hulls
 //     hull of points               103   convex hulls
 //   division
@@ -959,7 +959,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  461   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
-//     hull                         264   the entry
+//     hull                         266   the entry
 //   check
 //     check                        499   the certificate
 //   division
