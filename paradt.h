@@ -957,7 +957,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     triangulate                  364   the entry
 //   hull
 //     minors                        65   determinants with bounds, in floating point
-//     hull points                  461   those that a hull has to look at
+//     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         266   the entry
 //   check
@@ -15065,6 +15065,8 @@ typedef struct paradt__sieve {
     int32_t *cells; // [side^dim] number of the first entry of the cell's list in `lists`, or one of these:
     int32_t *lists; // [list_capacity] for each list its length and its planes
     size_t list_count, list_capacity;
+    const paradt__team *team; // while it is made: one task, to be asked whether the call is cancelled
+    size_t tested;            // boxes against planes so far
 } paradt__sieve;
 
 enum { PARADT__SIEVE_INSIDE = -1, PARADT__SIEVE_OUTSIDE = -2 };
@@ -15260,6 +15262,9 @@ PARADT__HOT paradt_status paradt__sieve_divide(paradt__sieve *sieve, const parad
     size_t i, kept = 0;
     int j, longest = 0, middle;
     paradt_status status;
+    sieve->tested += count;
+    if (sieve->tested % PARADT__PACE < count && paradt__team_cancels(sieve->team, 0, 0.0))
+        return PARADT_ERROR_CANCELLED;
     for (i = 0; i < count; i++) {
         int side = paradt__sieve_side(sieve, box, sieve->planes + (size_t)planes[i] * (size_t)(sieve->dim + 1));
         if (side < 0) {
@@ -15415,6 +15420,7 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
                                           size_t count, size_t next, double *coordinates, int *pays) {
     paradt__memory *memory = sifting->memory;
+    paradt__team alone = *sifting->team; // which reports no progress
     paradt__counters counters;
     paradt__set set;
     paradt__mesh mesh;
@@ -15425,14 +15431,17 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
     size_t bad = 0, i, vertices = 0;
     sample.data = coordinates;
+    alone.tasks = 1;
+    alone.progress.share = 0.0;
+    sieve->team = &alone;
     paradt__sieve_free(sieve, memory);
     memset(&counters, 0, sizeof counters);
     memset(&set, 0, sizeof set);
     memset(&mesh, 0, sizeof mesh);
-    if (!status) status = paradt__set_load(&set, &sample, NULL, &paradt__alone, memory, representative, &bad);
+    if (!status) status = paradt__set_load(&set, &sample, NULL, &alone, memory, representative, &bad);
     *pays = !status && set.space.dim == sieve->dim;
     if (*pays) {
-        status = paradt__hull_mesh(&set, &paradt__alone, memory, &mesh, &counters);
+        status = paradt__hull_mesh(&set, &alone, memory, &mesh, &counters);
         if (!status) memset(met, 0, sample.count);
         for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
             vertices += !met[mesh.vertices[i]];
