@@ -8255,7 +8255,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
 // con BRIO", SoCG 2003). The rounds are dealt like cards: of each group of 16 neighbours along the curve one, drawn by
 // a hash of the group's number, goes to an earlier round than the last. Of the points drawn from 16 neighbouring groups
 // one goes to a still earlier round, and so on. So a round's points are spread more evenly than by chance.
-// Doors: paradt__round_order, paradt__merged_order, paradt__late_order.
+// Doors: paradt__round_order, paradt__shuffled_order, paradt__merged_order, paradt__late_order.
 
 enum {
     PARADT__ROUND_SHIFT = 4,  // a round is 2^4 times as large as the one before
@@ -8331,6 +8331,24 @@ static paradt_index *paradt__round_order(size_t count, paradt__memory *memory) {
     size_t i;
     if (paradt__rounds_begin(&r, count, memory)) return NULL;
     for (i = 0; i < count; i++) paradt__rounds_put(&r, (paradt_index)i);
+    return r.order;
+}
+
+// The same, but within each round the order is by chance, so that it does not lead from neighbour to neighbour.
+PARADT__OPTIONAL paradt_index *paradt__shuffled_order(size_t count, paradt__memory *memory) {
+    paradt__rounds r;
+    size_t begin = 0, i;
+    int round;
+    if (paradt__rounds_begin(&r, count, memory)) return NULL;
+    for (i = 0; i < count; i++) paradt__rounds_put(&r, (paradt_index)i);
+    for (round = 0; round <= r.rounds; begin = r.end[round++]) {
+        for (i = begin; i < r.end[round]; i++) {
+            size_t at = begin + (size_t)(paradt__mix((uint64_t)i + 1) % (i - begin + 1));
+            paradt_index swap = r.order[i];
+            r.order[i] = r.order[at];
+            r.order[at] = swap;
+        }
+    }
     return r.order;
 }
 
@@ -11066,7 +11084,8 @@ static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
 // ready to be worked on. So all facets that are ready may be worked on in any order and concurrently; the cells that
 // are made are always the same. The order of insertion is by chance, apart from the vertices of the first simplex and
 // what the caller puts first; with it the chains of cells that have to wait for each other have an expected length of
-// O(log n). The perturbation supplies the general position which that needs.
+// O(log n). The perturbation supplies the general position which that needs. By chance within rounds, each spread
+// evenly, is as good for the chains, and lists are shorter, by a tenth in space.
 //
 // Tasks work in rounds. In a round each task takes facets that are ready, and works depth first on those that become
 // ready by its work, which are in its cache; between rounds what is left is shared, and room is made for all that a
@@ -11745,19 +11764,7 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
 // >>lifted hull
 //
 // Triangulations as hulls (thesis 1.1.3): the lower side of the lifted points is T(P), the upper side the furthest-site
-// triangulation. Doors: paradt__lifted_hull, paradt__random_order.
-
-// Returns the positions 0 to count - 1 in an order by chance: a new block, or NULL when there is no memory.
-static paradt_index *paradt__random_order(size_t count, paradt__memory *memory) {
-    paradt_index *order = (paradt_index *)paradt__alloc_filled(memory, count, sizeof *order);
-    size_t i;
-    for (i = 0; order && i < count; i++) {
-        size_t at = (size_t)(paradt__mix((uint64_t)i + 1) % (i + 1));
-        order[i] = order[at];
-        order[at] = (paradt_index)i;
-    }
-    return order;
-}
+// triangulation. Doors: paradt__lifted_hull.
 
 // Moves the points whose weights are in the upper half of the weights' range to the front of the order, or those in the
 // lower half: of points that differ in weight as much, the others are likely to be hidden in the end, and cells made of
@@ -11785,7 +11792,7 @@ static void paradt__heavy_first(const paradt__set *set, int lower, paradt_index 
 // are positions in the set. After an error the mesh is empty.
 static paradt_status paradt__lifted_hull(const paradt__set *set, int furthest, const paradt__team *team,
                                          paradt__memory *memory, paradt__mesh *mesh, paradt__counters *counters) {
-    paradt_index *order = paradt__random_order(set->count, memory);
+    paradt_index *order = paradt__shuffled_order(set->count, memory);
     if (order) paradt__heavy_first(set, furthest, order);
     return paradt__graph_build(set, furthest ? PARADT__UPPER : PARADT__LOWER, order, team, memory, mesh, counters);
 }
@@ -12024,12 +12031,12 @@ static paradt_status paradt__hull_of_part(const paradt__set *set, const paradt_i
     paradt_status status;
     size_t i;
     if (!positions)
-        return paradt__graph_build(set, PARADT__ROUND, paradt__random_order(set->count, memory), team, memory, facets,
+        return paradt__graph_build(set, PARADT__ROUND, paradt__shuffled_order(set->count, memory), team, memory, facets,
                                    counters);
     status = paradt__subset(set, positions, count, memory, &part);
     if (status) return status;
-    status =
-        paradt__graph_build(&part, PARADT__ROUND, paradt__random_order(count, memory), team, memory, facets, counters);
+    status = paradt__graph_build(&part, PARADT__ROUND, paradt__shuffled_order(count, memory), team, memory, facets,
+                                 counters);
     for (i = 0; !status && i < facets->count * (size_t)facets->corners; i++) {
         if (facets->vertices[i] >= 0) facets->vertices[i] = positions[facets->vertices[i]];
     }
@@ -12053,8 +12060,8 @@ static paradt_status paradt__hull_sieve(const paradt__set *set, const paradt__te
     paradt__release(memory, positions);
     if (status) return status;
     if (paradt__set_basis(&sample, NULL, 0, basis, NULL, counters, NULL) == set->space.dim + 1) {
-        status = paradt__graph_build(&sample, PARADT__ROUND, paradt__random_order(count, memory), team, memory, &facets,
-                                     counters);
+        status = paradt__graph_build(&sample, PARADT__ROUND, paradt__shuffled_order(count, memory), team, memory,
+                                     &facets, counters);
         if (!status) {
             paradt__mesh_compact(&facets, 0, NULL, 0);
             if (facets.count * PARADT__SIEVE_PAYS < set->count)
