@@ -854,18 +854,18 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     front                        408   what facet by facet has in common
 //     incode                        28   incremental construction
 //     dewall                       145   divide and conquer, merge first
-//     order of insertion           144   rounds along the curve
+//     order of insertion           162   rounds along the curve
 //     insertion                    255   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
-//     planes                       351   conflict tests by one product, in any dimension
-//     ridge table                   89   facets that wait for their mirrors, for many threads
+//     planes                       350   conflict tests by one product, in any dimension
+//     ridge table                  161   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               641   randomized incremental construction in parallel
-//     lifted hull                   49   triangulations as hulls
-//     hull of points                50   convex hulls
+//     conflict graph               695   randomized incremental construction in parallel
+//     lifted hull                   37   triangulations as hulls
+//     hull of points               134   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -879,7 +879,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
 //     methods                      264   one row a method; AUTO's choice
-//     triangulate                  363   the entry
+//     triangulate                  365   the entry
 //   check
 //     check                        498   the certificate
 //   division
@@ -14912,6 +14912,8 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
     const paradt__method *first = paradt__choose_method(paradt__wanted_method(&work->options), points->dim, 0);
     double each = (double)points->count / (double)work->regions;
     int several = work->regions > 1;
+    if (paradt__wanted_method(&work->options) == PARADT_LIFTED_HULL) // lists of conflicts, of tasks more of them
+        return work->options.parallel_for && work->options.regions > 1 ? 9.0 : 6.5;
     if (first->front) {
         if (points->dim == 2) return several ? 3.0 : 2.2;
         return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
