@@ -861,10 +861,11 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     insertion in space by AVX2   465   its inner functions for four lanes
 //     inserting                    184   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
-//     ridge table                  161   facets that wait for their mirrors, for many threads
+//     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
 //     conflict graph               695   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
+//     sieve                        195   what is certain to be inside of a hull
 //     hull of points               134   convex hulls
 //   division
 //     regions of fronts            125   owners, joining
@@ -10834,8 +10835,9 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
 // finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
 // runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
-// first comer had written before it entered the facet. Doors: paradt__ridges_room, paradt__ridges_match,
-// paradt__ridges_match_alone, paradt__ridges_free, paradt__ridge_*.
+// first comer had written before it entered the facet.
+// Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_match_alone, paradt__ridges_fetch,
+// paradt__ridges_probable, paradt__ridges_free.
 
 // A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
 // hash.
