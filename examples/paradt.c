@@ -122,7 +122,7 @@ static const struct {
     {"--jobs", "J", take_jobs, 0, "number of threads (default: one a processor)"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
     {"--hull", NULL, NULL, offsetof(settings, hull), "compute the convex hull alone"},
-    {"--furthest", NULL, NULL, offsetof(settings, furthest), "the furthest-site triangulation: every sphere holds all points"},
+    {"--furthest", NULL, NULL, offsetof(settings, furthest), "the furthest-site triangulation: spheres around all points"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
@@ -210,11 +210,11 @@ static int parse(settings *s, int count, char **arguments) {
     if (s->hull && s->method != PARADT_AUTO)
         return wrong("--hull", NULL, "--method is for triangulations");
     if (s->furthest && s->hull)
-        return wrong("--furthest", NULL, "it is about triangulations, not about the hull alone");
-    if (s->furthest && s->check)
-        return wrong("--furthest", NULL, "furthest-site triangulations can't be certified; leave --check out");
+        return wrong("--furthest", NULL, "a hull has no sites; give --hull or --furthest");
     if (s->furthest && s->method != PARADT_AUTO && s->method != PARADT_LIFTED_HULL)
-        return wrong("--furthest", NULL, "it takes the method lifted-hull");
+        return wrong("--furthest", NULL, "only the method lifted-hull makes furthest-site triangulations");
+    if (s->furthest && s->check)
+        return wrong("--furthest", NULL, "--check certifies Delaunay and regular triangulations and hulls");
     return 1;
 }
 
@@ -574,14 +574,14 @@ static void plan(job *j) {
         j->regions = s->regions;
 }
 
-// Writes what paradt_check found.
-static void describe_fault(char *reason, size_t size, const paradt_fault *fault) {
+// Writes what the check found. cell: what the result is made of
+static void describe_fault(char *reason, size_t size, const paradt_fault *fault, const char *cell) {
     text out;
     out.at = reason;
     out.left = size;
     say(&out, "the check found: %.200s", fault->reason);
     if (fault->cell >= 0)
-        say(&out, ", cell %lld", (long long)fault->cell);
+        say(&out, ", %s %lld", cell, (long long)fault->cell);
     if (fault->point >= 0)
         say(&out, ", point %lld", (long long)fault->point);
 }
@@ -599,8 +599,9 @@ static paradt_status compute(job *j, const paradt_points *points, const paradt_o
 
 static paradt_status certify(const job *j, const paradt_points *points, const paradt_options *options,
                              paradt_fault *fault) {
-    return j->s->hull ? paradt_hull_check(&j->hull, points, options, fault)
-                      : paradt_check(&j->t, points, options, fault);
+    if (j->s->hull)
+        return paradt_hull_check(&j->hull, points, options, fault);
+    return paradt_check(&j->t, points, options, fault);
 }
 
 // Triangulates the points and, if asked to, certifies the result. Returns the exit status.
@@ -620,7 +621,9 @@ static int triangulate(job *j) {
     options.method = j->s->method;
     options.partition = j->s->partition;
     options.regions = j->regions;
-    options.flags = PARADT_FACETS | (j->s->furthest ? PARADT_FURTHEST_SITE : 0u); // PARADT_FACETS spares paradt_check the matching of facets
+    options.flags = PARADT_FACETS; // which spares paradt_check the matching of facets
+    if (j->s->furthest)
+        options.flags |= PARADT_FURTHEST_SITE;
     options.parallel_for = j->jobs > 1 ? parallel_for : NULL;
     options.progress = !j->s->quiet && isatty(STDERR_FILENO) ? show_progress : NULL;
     options.user = &w;
@@ -633,7 +636,7 @@ static int triangulate(job *j) {
         j->check_seconds = paradt_io_now() - w.bar.begun - j->seconds;
         snprintf(reason, sizeof reason, "the check can't be done: %s", paradt_status_string(status));
         if (fault.reason)
-            describe_fault(reason, sizeof reason, &fault);
+            describe_fault(reason, sizeof reason, &fault, j->s->hull ? "facet" : "cell");
     }
     work_end(&w);
     if (!status)

@@ -11,6 +11,8 @@ extern "C" {
 int cgal_triangulate_2(const sample *s, cell_set *cells);
 int cgal_triangulate_3(const sample *s, cell_set *cells);
 int cgal_triangulate_d(const sample *s, cell_set *cells);
+// Marks the leaders of the extreme points: extreme[s->count], 0 at first. The points span the plane or space.
+void cgal_extreme(const sample *s, char *extreme);
 #ifdef __cplusplus
 }
 #endif

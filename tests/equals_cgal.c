@@ -86,8 +86,42 @@ static void large_sets_equal_cgals(void **state) {
         }
 }
 
+// The extreme points of hulls
+static void extreme_points_equal_cgals(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int f = 0; f < FAMILY_COUNT; f++)
+            for (int n = 30; n <= 9000; n *= 300) {
+                if (families[f].extremes)
+                    continue;
+                sample s = family_make(&families[f], NULL, dim, n, 4);
+                paradt_points points = points_of(&s);
+                paradt_hull hull;
+                watch(&s, 60);
+                assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+                if (hull.dim == dim) {
+                    char *extreme = (char *)calloc((size_t)s.count, 1);
+                    size_t count = 0;
+                    cgal_extreme(&s, extreme);
+                    for (int i = 0; i < s.count; i++)
+                        count += (size_t)extreme[i];
+                    for (size_t i = 0; i < hull.extreme_count; i++)
+                        if (!extreme[hull.vertices[i]])
+                            fail_on_sample(&s, "a point is extreme that is none for CGAL");
+                    if (count != hull.extreme_count)
+                        fail_on_sample(&s, "the number of extreme points is not CGAL's");
+                    free(extreme);
+                }
+                watch(NULL, 0);
+                paradt_hull_free(&hull);
+                sample_free(&s);
+                if (families[f].at_most)
+                    break;
+            }
+}
+
 int main(void) {
-    static struct CMUnitTest tests[2 * FAMILY_COUNT + 1];
+    static struct CMUnitTest tests[2 * FAMILY_COUNT + 2];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
         tests[count++] = named_test(cgal_equals_the_definition, (void *)(intptr_t)f, "cgal_equals_the_definition_on_%s",
@@ -95,5 +129,6 @@ int main(void) {
     for (int f = 0; f < FAMILY_COUNT; f++)
         tests[count++] = named_test(cells_equal_cgals, (void *)(intptr_t)f, "cells_equal_cgals_on_%s", families[f].name);
     tests[count++] = named_test(large_sets_equal_cgals, NULL, "large_sets_equal_cgals");
+    tests[count++] = named_test(extreme_points_equal_cgals, NULL, "extreme_points_equal_cgals");
     return run_named_tests("equals_cgal", tests, count);
 }

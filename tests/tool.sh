@@ -73,6 +73,14 @@ flag_with_value --check=yes gen:uniform:10:1
 unknown_output -o out.doc gen:uniform:10:1
 output_without_extension -o out gen:uniform:10:1
 picture_of_four_dimensions --dim 4 -o out.png gen:uniform:10:1
+hull_with_weights --hull --weights gen:uniform:10:1
+hull_by_a_method --hull --method incode gen:uniform:10:1
+hull_as_cells --hull -o out.ele gen:uniform:10:1
+hull_as_picture --hull -o out.png gen:uniform:10:1
+hull_of_four_dimensions_as_ply --hull --dim 4 -o out.ply gen:uniform:10:1
+furthest_hull --furthest --hull gen:uniform:10:1
+furthest_by_insertion --furthest --method bowyer-watson gen:uniform:10:1
+furthest_certified --furthest --check gen:uniform:10:1
 no_such_kind gen:marbles:10:1
 no_count gen:uniform::1
 count_too_large gen:uniform:1e30:1
@@ -261,6 +269,47 @@ write hard.node ' 0 9007199254740992 9007199254740994\n 1 9007199254740996 9.999
 run --quiet -o read.ele hard.txt
 done_well && sed 1d read.node | cmp -s - hard.node
 report $? decimals_are_rounded_exactly
+
+# --- hulls ------------------------------------------------------------------------------------------------------------
+# A cube with a point in the middle of it and of its bottom, and a corner twice
+
+printf '0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n.5 .5 .5\n.5 .5 0\n1 1 1\n' >cube.xyz
+run --hull --check --hash --stats stats.json -o cube.off -o cube.ply -o cube.obj -o cube.npy cube.xyz
+done_well && grep -q '^vertices     9, 8 of them extreme$' out && grep -q '^hull facets  14 in 6 planes$' out &&
+    grep -q '"hull_facets": 14,' stats.json && grep -q '"hull_vertices": 8,' stats.json && grep -q '"hull_planes": 6,' stats.json &&
+    grep -q '"hull_volume": 1,' stats.json && grep -q '"hull_area": 6,' stats.json && grep -q '"certified": true' stats.json
+report $? hull_of_a_cube
+[ "$(sed -n 2p cube.off)" = "11 14 0" ] && [ "$(grep -c '^3 ' cube.off)" -eq 14 ] && [ "$(grep -c '^v ' cube.obj)" -eq 9 ] &&
+    [ "$(grep -c '^f ' cube.obj)" -eq 14 ] && grep -aq '^element face 14$' cube.ply && grep -aq 'shape.: (14, 3)' cube.npy
+report $? hull_is_written_in_every_format
+awk 'NR > 2 && NF == 3 && n < 11 { for (k = 1; k <= 3; k++) x[n, k] = $k; n++ }
+    NF == 4 { for (k = 1; k <= 3; k++) { a[k] = x[$2, k] - 0.5; b[k] = x[$3, k] - 0.5; c[k] = x[$4, k] - 0.5 }
+        v += a[1] * (b[2] * c[3] - b[3] * c[2]) - a[2] * (b[1] * c[3] - b[3] * c[1]) + a[3] * (b[1] * c[2] - b[2] * c[1]) }
+    END { exit !(v > 5.999 && v < 6.001) }' cube.off
+report $? hull_faces_are_counterclockwise_from_outside
+for dim in 2 3 4 5; do
+    run --hull --check --quiet --dim $dim -o hull.off -o hull.npy gen:ball:2000:1
+    done_well && grep -aq ", $dim)" hull.npy
+    report $? "hull_in_${dim}_dimensions_is_certified"
+done
+[ "$(hash_of --hull --jobs 1 gen:ball:50000:1)" = "$(hash_of --hull --jobs 3 gen:ball:50000:1)" ] &&
+    [ -n "$(hash_of --hull --jobs 2 gen:ball:50000:1)" ]
+report $? hull_does_not_depend_on_jobs
+run --hull --check --stats - gen:coplanar:100:1
+done_well && grep -q '"affine_dim": 2' out
+report $? hull_of_a_plane
+printf '1.5abc 2 3\n' >tail.xyz
+ends hull_of_bad_file 3 "^paradt: tail.xyz:1:" --hull tail.xyz
+run --hull --quiet --dim 3 same.xyz
+done_well
+report $? hull_of_weights_left_out
+printf '1e300 0\n0 1e300\n-1e300 0\n0 -1e300\n' >huge.txt
+run --hull --check --stats - huge.txt
+done_well && grep -q '"hull_volume": null' out
+report $? hull_too_large_for_a_double_is_null
+run --furthest --stats - gen:ball:1000:1
+done_well && grep -q '"cells"' out
+report $? furthest_sites_have_cells
 
 # --- generated points -------------------------------------------------------------------------------------------------
 
