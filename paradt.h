@@ -10837,7 +10837,7 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 // runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
 // first comer had written before it entered the facet.
 // Doors: paradt__ridges_room, paradt__ridges_match, paradt__ridges_match_alone, paradt__ridges_fetch,
-// paradt__ridges_probable, paradt__ridges_free.
+// paradt__ridges_probable, paradt__ridges_free, paradt__ridge_part, paradt__ridge_sum, paradt__ridge_hash.
 
 // A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
 // hash.
