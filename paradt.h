@@ -863,7 +863,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               695   randomized incremental construction in parallel
+//     conflict graph               703   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     sieve                        195   what is certain to be inside of a hull
 //     hull of points               134   convex hulls
@@ -11186,32 +11186,37 @@ static int paradt__graph_decide(const paradt__graph *g, paradt__space *space, co
     return paradt__conflict(space, p) ^ (g->side == PARADT__UPPER);
 }
 
-// Makes the plane of a cell, a ghost or a facet.
+// Ghosts are few: one function will do for all dimensions.
+PARADT__NOINLINE void paradt__graph_plane_of_ghost(const paradt__graph *g, const double *const *p,
+                                                   paradt__plane *plane) {
+    paradt__plane_of_facet(&g->planes, p, plane, g->planes.dim, g->planes.terms);
+}
+
+// Makes the plane of a cell, a ghost or a facet. terms: of a row
 PARADT__INLINE void paradt__graph_plane(const paradt__graph *g, const paradt_index *row, paradt__plane *plane, int dim,
-                                        int ambient) {
+                                        int terms) {
     const double *p[PARADT_MAX_DIM + 1] = {NULL};
-    int ghost = g->side == PARADT__ROUND ? dim : -1, corners = g->mesh.corners, count = 0, i;
+    int ghost = -1, corners = g->mesh.corners, count = 0, i;
     for (i = 0; i < corners; i++) {
         if (row[i] == PARADT__INFINITE) ghost = i;
         else p[count++] = paradt__record(g->set, row[i]);
     }
     if (!g->rows) paradt__plane_unknown(plane, g->planes.terms);
-    else if (ghost >= 0) paradt__plane_of_facet(&g->planes, p, plane, dim, g->planes.terms);
-    else paradt__plane_of_cell(&g->planes, p, g->side == PARADT__UPPER ? -1.0 : 1.0, plane, dim, ambient);
+    else if (terms == dim) paradt__plane_of_facet(&g->planes, p, plane, dim, dim);
+    else if (ghost >= 0) paradt__graph_plane_of_ghost(g, p, plane);
+    else paradt__plane_of_cell(&g->planes, p, g->side == PARADT__UPPER ? -1.0 : 1.0, plane, dim, terms - 1);
 }
 
-// Leaves in `merged`, in place, those points that are in conflict with the cell that has these vertices. A point is
-// twice its position, and 1 more if it is in conflict for certain. Returns their number. *first: the rank of the first
-// one in the order of insertion; tests: how many are not certain
+// Leaves in `merged`, in place, those points that are in conflict with the cell that has these vertices and this plane.
+// A point is twice its position, and 1 more if it is in conflict for certain. Returns their number. *first: the rank of
+// the first one in the order of insertion; tests: how many are not certain
 PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space *space, const paradt_index *row,
-                                           paradt_index *merged, size_t count, size_t tests, paradt__tag *first,
-                                           int dim, int terms) {
+                                           const paradt__plane *plane, paradt_index *merged, size_t count, size_t tests,
+                                           paradt__tag *first, int terms) {
     const double *rows = g->rows;
     const paradt__tag *rank = g->rank;
     paradt__tag best = PARADT__NO_RANK;
-    paradt__plane plane;
     size_t kept = 0, i;
-    if (tests) paradt__graph_plane(g, row, &plane, dim, terms - 1);
     for (i = 0; i < count && !tests; i++) {
         merged[i] >>= 1;
         best = rank[merged[i]] < best ? rank[merged[i]] : best;
@@ -11220,9 +11225,9 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
     for (i = 0; i < count && tests; i++) {
         paradt_index point = merged[i] >> 1;
         int keep = (int)(merged[i] & 1);
-        double value = rows ? paradt__plane_value(&plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
+        double value = rows ? paradt__plane_value(plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
         paradt__tag its = rank[point];
-        if (PARADT__LIKELY(keep | (paradt__abs(value) > plane.error))) keep |= value < 0.0;
+        if (PARADT__LIKELY(keep | (paradt__abs(value) > plane->error))) keep |= value < 0.0;
         else keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
         merged[kept] = point;
         kept += (size_t)keep;
@@ -11234,12 +11239,13 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
 }
 
 // The same for points that are all to be tested
-PARADT__NOINLINE size_t paradt__graph_filter_all(const paradt__graph *g, paradt__space *space, const paradt_index *row,
-                                                 paradt_index *merged, size_t count, paradt__tag *first) {
+PARADT__COLD size_t paradt__graph_filter_all(const paradt__graph *g, paradt__space *space, const paradt_index *row,
+                                             paradt_index *merged, size_t count, paradt__tag *first) {
     const int dim = g->set->space.dim, terms = g->planes.terms;
-    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_filter(g, space, row, merged, count, count, first, 3, 3);
-    if (dim == 2 && terms == 2) return paradt__graph_filter(g, space, row, merged, count, count, first, 2, 2);
-    return paradt__graph_filter(g, space, row, merged, count, count, first, dim, terms);
+    paradt__plane plane;
+    paradt__graph_plane(g, row, &plane, dim, terms);
+    if (terms == 3) return paradt__graph_filter(g, space, row, &plane, merged, count, count, first, 3);
+    return paradt__graph_filter(g, space, row, &plane, merged, count, count, first, terms);
 }
 
 // Merges the lists of two cells into merged[a->count + b->count], as paradt__graph_filter needs them, without a point
@@ -11377,6 +11383,7 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     const paradt_index base = made * corners;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)old->count + (size_t)beside->count, both;
+    paradt__plane plane;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
@@ -11387,8 +11394,10 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     }
     task->work += count + PARADT__CELL_WORK;
     count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
+    if (both < count) paradt__graph_plane(g, job->row, &plane, dim, terms);
+    else paradt__plane_unknown(&plane, terms);
     count =
-        paradt__graph_filter(g, &task->space, job->row, task->merged, count, count - both, &cell->first, dim, terms);
+        paradt__graph_filter(g, &task->space, job->row, &plane, task->merged, count, count - both, &cell->first, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, job->old);
@@ -11447,7 +11456,6 @@ static void paradt__graph_task_round(void *context, size_t index) {
     else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, index, 3, 4);
     else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, index, 3, 3);
     else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, index, 4, 5);
-    else if (PARADT__IS(dim, 4) && terms == 4) paradt__graph_work(g, task, index, 4, 4);
     else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, index, 5, 6);
     else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, index, 5, 5);
     else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, index, 6, 7);
