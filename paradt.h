@@ -863,7 +863,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               703   randomized incremental construction in parallel
+//     conflict graph               701   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     sieve                        195   what is certain to be inside of a hull
 //     hull of points               134   convex hulls
@@ -11677,6 +11677,7 @@ static void paradt__graph_span_first(paradt__graph *g) {
 static paradt_status paradt__graph_start(paradt__graph *g) {
     const int corners = g->mesh.corners;
     paradt_status status = paradt__graph_first_cells(g);
+    uint64_t peaks = 0; // of one task: the account's own
     size_t i;
     if (!status && g->rows) status = paradt__graph_team(g, paradt__graph_task_rows);
     if (status) return status;
@@ -11691,10 +11692,7 @@ static paradt_status paradt__graph_start(paradt__graph *g) {
         if ((paradt_index)i < g->mesh.links[i])
             status = paradt__graph_ready(g, g->task, (paradt_index)i, g->mesh.links[i], corners);
     }
-    {
-        uint64_t unused = 0;
-        paradt__memory_join(g->memory, &g->task->memory, &unused);
-    }
+    paradt__memory_join(g->memory, &g->task->memory, &peaks);
     return status ? status : paradt__graph_collect(g);
 }
 
