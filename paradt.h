@@ -863,7 +863,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               701   randomized incremental construction in parallel
+//     conflict graph               700   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     sieve                        195   what is certain to be inside of a hull
 //     hull of points               134   convex hulls
@@ -11701,8 +11701,7 @@ static paradt_status paradt__graph_free_places(paradt__graph *g) {
     size_t i, j;
     for (i = 0; i < g->team->tasks; i++) {
         const paradt__list *spare = &g->task[i].spare;
-        paradt_status status = paradt__mesh_spare_room(&g->mesh, spare->count, g->memory);
-        if (status) return status;
+        if (paradt__mesh_spare_room(&g->mesh, spare->count, g->memory)) return PARADT_ERROR_MEMORY;
         for (j = 0; j < spare->count; j++) paradt__mesh_give(&g->mesh, spare->items[j], (size_t)g->mesh.corners);
     }
     return PARADT_OK;
