@@ -70,8 +70,8 @@
 // CONTENTS
 //
 //     points, options, result, walking, methods, convex hulls, points that move, measures, regions and threads,
-//     degenerate input, numbers and compiler flags, memory, errors, cost, limits, the thesis, credits, changes; the declarations; the implementation in sections
-//     marked "// >>name"; the licence
+//     degenerate input, numbers and compiler flags, memory, errors, cost, limits, the thesis, credits, changes; the
+//     declarations; the implementation in sections marked "// >>name"; the licence
 //
 //
 // POINTS
@@ -458,8 +458,8 @@
 //                       simplex wall         paradt__wall_raise, begun by paradt__wall_seed where no facet crosses it
 //                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                       recursion            paradt__wall_build, from paradt__dewall
-//     2     local improvement by flips       paradt_repair: >>mending by flips (paradt__mend_look, paradt__mend_improve)
-//     2.3   incremental flips   search       paradt__history_locate
+//     2     local improvement by flips       paradt_repair: >>mending by flips (paradt__mend_look,
+//     paradt__mend_improve) 2.3   incremental flips   search       paradt__history_locate
 //                               collect      paradt__flip_collect: the circuit, its star, equal links
 //                               connect      paradt__flips_connect; a point inside: paradt__flips_begin_point
 //                               flip         paradt__flip, in any dimension, for all kinds of flips
@@ -475,7 +475,8 @@
 //                                            ULF vertex, and which facets a region needs for that: paradt__needs
 //                       uniform partition    paradt__cutter_divide with PARADT_UNIFORM
 //                       joining              paradt__collect_fronts
-//           parallel DeWall                  paradt__build_by_dewall: walls of the first levels, then the ranges between
+//           parallel DeWall                  paradt__build_by_dewall: walls of the first levels, then the ranges
+//           between
 //                                            them; one of either: paradt__half_task; paradt__half_append joins
 //     5     experiments                      make thesis (tests/bench/thesis.sh)
 //     6     adaptive partition               paradt__cutter_divide with PARADT_BISECTION
@@ -498,7 +499,8 @@
 //         J. A. de Loera, J. Rambau, F. Santos, "Triangulations", 2010: circuits and flips
 //     L. J. Guibas, D. E. Knuth, M. Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams",
 //         Algorithmica 7, 1992: the history dag
-//     H. Edelsbrunner, N. R. Shah, "Incremental topological flipping works for regular triangulations", Algorithmica 15,
+//     H. Edelsbrunner, N. R. Shah, "Incremental topological flipping works for regular triangulations", Algorithmica
+//     15,
 //         1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
 //         Computer Aided Geometric Design 8, 1991; V. T. Rajan, "Optimality of the Delaunay triangulation in R^d",
 //         Discrete and Computational Geometry 12, 1994: flips, optimality
@@ -509,7 +511,8 @@
 //         Computational Geometry 4, 1989, and J.-D. Boissonnat, O. Devillers, R. Schott, M. Teillaud, M. Yvinec,
 //         "Applications of random sampling to on-line algorithms in computational geometry", the same 8, 1992: conflict
 //         graphs, and what make theory predicts
-//     B. Efron, "The convex hull of a random set of points", Biometrika 52, 1965: how many points a sample's hull leaves
+//     B. Efron, "The convex hull of a random set of points", Biometrika 52, 1965: how many points a sample's hull
+//     leaves
 //         outside
 //     C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM Transactions on
 //         Mathematical Software 22, 1996: points far out come first, inner ones go early
@@ -1071,7 +1074,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
-//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions, >>fringe
+//     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions,
+//     >>fringe
 //                       to >>results of patches, >>regions of insertion; then paradt_mpi.h
 //     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>repair; or
 //                       >>Delaunay tree
@@ -1123,7 +1127,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               695   randomized incremental construction in parallel
+//     conflict graph               700   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
@@ -11579,32 +11583,37 @@ static int paradt__graph_decide(const paradt__graph *g, paradt__space *space, co
     return paradt__conflict(space, p) ^ (g->side == PARADT__UPPER);
 }
 
-// Makes the plane of a cell, a ghost or a facet.
+// Ghosts are few: one function will do for all dimensions.
+PARADT__NOINLINE void paradt__graph_plane_of_ghost(const paradt__graph *g, const double *const *p,
+                                                   paradt__plane *plane) {
+    paradt__plane_of_facet(&g->planes, p, plane, g->planes.dim, g->planes.terms);
+}
+
+// Makes the plane of a cell, a ghost or a facet. terms: of a row
 PARADT__INLINE void paradt__graph_plane(const paradt__graph *g, const paradt_index *row, paradt__plane *plane, int dim,
-                                        int ambient) {
+                                        int terms) {
     const double *p[PARADT_MAX_DIM + 1] = {NULL};
-    int ghost = g->side == PARADT__ROUND ? dim : -1, corners = g->mesh.corners, count = 0, i;
+    int ghost = -1, corners = g->mesh.corners, count = 0, i;
     for (i = 0; i < corners; i++) {
         if (row[i] == PARADT__INFINITE) ghost = i;
         else p[count++] = paradt__record(g->set, row[i]);
     }
     if (!g->rows) paradt__plane_unknown(plane, g->planes.terms);
-    else if (ghost >= 0) paradt__plane_of_facet(&g->planes, p, plane, dim, g->planes.terms);
-    else paradt__plane_of_cell(&g->planes, p, g->side == PARADT__UPPER ? -1.0 : 1.0, plane, dim, ambient);
+    else if (terms == dim) paradt__plane_of_facet(&g->planes, p, plane, dim, dim);
+    else if (ghost >= 0) paradt__graph_plane_of_ghost(g, p, plane);
+    else paradt__plane_of_cell(&g->planes, p, g->side == PARADT__UPPER ? -1.0 : 1.0, plane, dim, terms - 1);
 }
 
-// Leaves in `merged`, in place, those points that are in conflict with the cell that has these vertices. A point is
-// twice its position, and 1 more if it is in conflict for certain. Returns their number. *first: the rank of the first
-// one in the order of insertion; tests: how many are not certain
+// Leaves in `merged`, in place, those points that are in conflict with the cell that has these vertices and this plane.
+// A point is twice its position, and 1 more if it is in conflict for certain. Returns their number. *first: the rank of
+// the first one in the order of insertion; tests: how many are not certain
 PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space *space, const paradt_index *row,
-                                           paradt_index *merged, size_t count, size_t tests, paradt__tag *first,
-                                           int dim, int terms) {
+                                           const paradt__plane *plane, paradt_index *merged, size_t count, size_t tests,
+                                           paradt__tag *first, int terms) {
     const double *rows = g->rows;
     const paradt__tag *rank = g->rank;
     paradt__tag best = PARADT__NO_RANK;
-    paradt__plane plane;
     size_t kept = 0, i;
-    if (tests) paradt__graph_plane(g, row, &plane, dim, terms - 1);
     for (i = 0; i < count && !tests; i++) {
         merged[i] >>= 1;
         best = rank[merged[i]] < best ? rank[merged[i]] : best;
@@ -11613,9 +11622,9 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
     for (i = 0; i < count && tests; i++) {
         paradt_index point = merged[i] >> 1;
         int keep = (int)(merged[i] & 1);
-        double value = rows ? paradt__plane_value(&plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
+        double value = rows ? paradt__plane_value(plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
         paradt__tag its = rank[point];
-        if (PARADT__LIKELY(keep | (paradt__abs(value) > plane.error))) keep |= value < 0.0;
+        if (PARADT__LIKELY(keep | (paradt__abs(value) > plane->error))) keep |= value < 0.0;
         else keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
         merged[kept] = point;
         kept += (size_t)keep;
@@ -11627,12 +11636,13 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
 }
 
 // The same for points that are all to be tested
-PARADT__NOINLINE size_t paradt__graph_filter_all(const paradt__graph *g, paradt__space *space, const paradt_index *row,
-                                                 paradt_index *merged, size_t count, paradt__tag *first) {
+PARADT__COLD size_t paradt__graph_filter_all(const paradt__graph *g, paradt__space *space, const paradt_index *row,
+                                             paradt_index *merged, size_t count, paradt__tag *first) {
     const int dim = g->set->space.dim, terms = g->planes.terms;
-    if (PARADT__IS(dim, 3) && terms == 3) return paradt__graph_filter(g, space, row, merged, count, count, first, 3, 3);
-    if (dim == 2 && terms == 2) return paradt__graph_filter(g, space, row, merged, count, count, first, 2, 2);
-    return paradt__graph_filter(g, space, row, merged, count, count, first, dim, terms);
+    paradt__plane plane;
+    paradt__graph_plane(g, row, &plane, dim, terms);
+    if (terms == 3) return paradt__graph_filter(g, space, row, &plane, merged, count, count, first, 3);
+    return paradt__graph_filter(g, space, row, &plane, merged, count, count, first, terms);
 }
 
 // Merges the lists of two cells into merged[a->count + b->count], as paradt__graph_filter needs them, without a point
@@ -11770,6 +11780,7 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     const paradt_index base = made * corners;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)old->count + (size_t)beside->count, both;
+    paradt__plane plane;
     int i;
     paradt_status status = paradt__graph_merge_room(task, count);
     PARADT_ASSERT((size_t)made < mesh->capacity);
@@ -11780,8 +11791,10 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     }
     task->work += count + PARADT__CELL_WORK;
     count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
+    if (both < count) paradt__graph_plane(g, job->row, &plane, dim, terms);
+    else paradt__plane_unknown(&plane, terms);
     count =
-        paradt__graph_filter(g, &task->space, job->row, task->merged, count, count - both, &cell->first, dim, terms);
+        paradt__graph_filter(g, &task->space, job->row, &plane, task->merged, count, count - both, &cell->first, terms);
     cell->unsettled = corners;
     status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, job->old);
@@ -11840,7 +11853,6 @@ static void paradt__graph_task_round(void *context, size_t index) {
     else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, index, 3, 4);
     else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, index, 3, 3);
     else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, index, 4, 5);
-    else if (PARADT__IS(dim, 4) && terms == 4) paradt__graph_work(g, task, index, 4, 4);
     else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, index, 5, 6);
     else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, index, 5, 5);
     else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, index, 6, 7);
@@ -12062,6 +12074,7 @@ static void paradt__graph_span_first(paradt__graph *g) {
 static paradt_status paradt__graph_start(paradt__graph *g) {
     const int corners = g->mesh.corners;
     paradt_status status = paradt__graph_first_cells(g);
+    uint64_t peaks = 0; // of one task: the account's own
     size_t i;
     if (!status && g->rows) status = paradt__graph_team(g, paradt__graph_task_rows);
     if (status) return status;
@@ -12076,10 +12089,7 @@ static paradt_status paradt__graph_start(paradt__graph *g) {
         if ((paradt_index)i < g->mesh.links[i])
             status = paradt__graph_ready(g, g->task, (paradt_index)i, g->mesh.links[i], corners);
     }
-    {
-        uint64_t unused = 0;
-        paradt__memory_join(g->memory, &g->task->memory, &unused);
-    }
+    paradt__memory_join(g->memory, &g->task->memory, &peaks);
     return status ? status : paradt__graph_collect(g);
 }
 
@@ -12088,8 +12098,7 @@ static paradt_status paradt__graph_free_places(paradt__graph *g) {
     size_t i, j;
     for (i = 0; i < g->team->tasks; i++) {
         const paradt__list *spare = &g->task[i].spare;
-        paradt_status status = paradt__mesh_spare_room(&g->mesh, spare->count, g->memory);
-        if (status) return status;
+        if (paradt__mesh_spare_room(&g->mesh, spare->count, g->memory)) return PARADT_ERROR_MEMORY;
         for (j = 0; j < spare->count; j++) paradt__mesh_give(&g->mesh, spare->items[j], (size_t)g->mesh.corners);
     }
     return PARADT_OK;
