@@ -61,7 +61,7 @@ NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
 RACES        := tests/methods_agree.c tests/lifted_hull.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
-QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/resources.c,$(C_TESTS))
+QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
 QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
@@ -148,7 +148,7 @@ $(T)/families: tests/programs/families.c
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
 # These take longest. They start first, so that no processor is left with one of them at the end.
-LONGEST := %/mpi.sh %/hostile_flags.sh %/methods_agree
+LONGEST := %/mpi.sh %/hostile_flags.sh %/methods_agree %/resources %/hull %/host
 STARTED := $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS)
 
 # Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.

@@ -118,8 +118,9 @@ static void results_are_empty_after_every_error(void **state) {
 
 // Each call gets the memory that the call before said was needed, and gets further, until the memory is enough.
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
-    double *x = uniform(20000, 3);
-    paradt_points points = packed(x, 20000, 3);
+    const size_t count = is_quick() ? 5000 : 20000;
+    double *x = uniform(count, 3);
+    paradt_points points = packed(x, count, 3);
     (void)state;
     for (int method = 0; method < PARADT_METHOD_COUNT; method++)
         for (int regions = 1; regions <= 3; regions += 2) {
