@@ -907,7 +907,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   entry
 //     methods                      255   one row a method; AUTO's choice
 //     triangulate                  367   the entry
-//     mending by flips             224   what has moved, by flips
+//     mending by flips             258   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     repair                       691   the entry of repairing
 //   check
@@ -14410,12 +14410,46 @@ static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     return paradt__conflicts(scene, cell, x) ? paradt__mend_improve(m, handle, point) : PARADT_OK;
 }
 
+// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records. Facets are
+// taken from the end of the list, which the survey has filled in the order of cells.
+PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
+    enum { ROWS_AHEAD = 24, ACROSS_AHEAD = 16, RECORDS_AHEAD = 8 };
+    const paradt__scene *scene = &m->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index *items = m->facets.items;
+    const int corners = mesh->corners;
+    paradt_index handle, base, i;
+    if (at < ROWS_AHEAD) return;
+    handle = items[at - ROWS_AHEAD];
+    PARADT__FETCH(mesh->links, handle);
+    PARADT__FETCH(mesh->vertices, handle);
+    handle = items[at - ACROSS_AHEAD];
+    base = handle - handle % corners;
+    PARADT__FETCH(mesh->marks, base / corners);
+    if (mesh->vertices[base] == PARADT__DEAD) return;
+    for (i = base; i < base + corners; i++) {
+        PARADT__FETCH(mesh->links, mesh->links[i]);
+        PARADT__FETCH(mesh->vertices, mesh->links[i]);
+    }
+    handle = items[at - RECORDS_AHEAD];
+    base = handle - handle % corners;
+    if (mesh->vertices[base] == PARADT__DEAD) return;
+    PARADT__FETCH(mesh->marks, mesh->links[handle] / corners);
+    for (i = base; i < base + corners; i++) {
+        paradt_index mirror = mesh->links[i];
+        if (mesh->vertices[i] >= 0) PARADT__FETCH(scene->records, (size_t)mesh->vertices[i] * scene->width);
+        if (mesh->vertices[mirror] >= 0) PARADT__FETCH(scene->records, (size_t)mesh->vertices[mirror] * scene->width);
+    }
+}
+
 // Looks at all facets that are listed.
 static paradt_status paradt__mend_flip_all(paradt__mend *m) {
     enum { PACE = 1024 }; // facets between two looks at whether the call is cancelled
     paradt_status status = PARADT_OK;
+    size_t fetched = m->facets.count + 1;
     while (m->facets.count && !status) {
         if (m->looks++ % PACE == 0 && paradt__meter_cancels(m->meter)) return PARADT_ERROR_CANCELLED;
+        if (m->facets.count < fetched) paradt__mend_fetch(m, fetched = m->facets.count);
         status = paradt__mend_look(m, m->facets.items[--m->facets.count]);
     }
     return status;
