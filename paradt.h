@@ -14901,8 +14901,8 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
 // In space, without weights: are cells positively oriented, and their facets locally regular? Each cell's sphere is
 // made once for all of its facets, as in >>kept spheres, and four cells are looked at together: in lanes that compilers
 // can make vectors of, or by AVX2. The sphere's bound on the error also proves that the cell is positively oriented.
-// Where it does not, the predicates are to be asked. A facet is looked at from the first of its cells alone. Doors:
-// PARADT__TOGETHER, paradt__fine, paradt__choose_fine.
+// Where it does not, the predicates are to be asked. A facet is looked at from the first of its cells alone.
+// Doors: paradt__choose_fine.
 
 enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
 
