@@ -907,7 +907,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   entry
 //     methods                      255   one row a method; AUTO's choice
 //     triangulate                  367   the entry
-//     mending by flips             258   what has moved, by flips
+//     mending by flips             264   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       590   the entry of repairing
@@ -14412,7 +14412,8 @@ static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     return paradt__conflicts(scene, cell, x) ? paradt__mend_improve(m, handle, point) : PARADT_OK;
 }
 
-// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records. Facets are
+// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records
+// and the rows around the neighbour. Facets are
 // taken from the end of the list, which the survey has filled in the order of cells.
 PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
     enum { ROWS_AHEAD = 24, ACROSS_AHEAD = 16, RECORDS_AHEAD = 8 };
@@ -14420,7 +14421,7 @@ PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
     const paradt__mesh *mesh = &scene->mesh;
     const paradt_index *items = m->facets.items;
     const int corners = mesh->corners;
-    paradt_index handle, base, i;
+    paradt_index handle, base, other, i;
     if (at < ROWS_AHEAD) return;
     handle = items[at - ROWS_AHEAD];
     PARADT__FETCH(mesh->links, handle);
@@ -14437,6 +14438,11 @@ PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
     base = handle - handle % corners;
     if (mesh->vertices[base] == PARADT__DEAD) return;
     PARADT__FETCH(mesh->marks, mesh->links[handle] / corners);
+    other = mesh->links[handle] - mesh->links[handle] % corners;
+    for (i = 0; i < corners; i++) {
+        PARADT__FETCH(mesh->links, mesh->links[other + i]);
+        PARADT__FETCH(mesh->vertices, mesh->links[other + i]);
+    }
     for (i = base; i < base + corners; i++) {
         paradt_index mirror = mesh->links[i];
         if (mesh->vertices[i] >= 0) PARADT__FETCH(scene->records, (size_t)mesh->vertices[i] * scene->width);
