@@ -907,7 +907,7 @@ PARADT_DEF int paradt_insphere3f(const float a[3], const float b[3], const float
 //   entry
 //     methods                      255   one row a method; AUTO's choice
 //     triangulate                  367   the entry
-//     mending by flips             264   what has moved, by flips
+//     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       590   the entry of repairing
@@ -14412,9 +14412,8 @@ static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     return paradt__conflicts(scene, cell, x) ? paradt__mend_improve(m, handle, point) : PARADT_OK;
 }
 
-// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records
-// and the rows around the neighbour. Facets are
-// taken from the end of the list, which the survey has filled in the order of cells.
+// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records and the rows
+// around the neighbour. Facets are taken from the end of the list, which the survey has filled in the order of cells.
 PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
     enum { ROWS_AHEAD = 24, ACROSS_AHEAD = 16, RECORDS_AHEAD = 8 };
     const paradt__scene *scene = &m->flipper.build.scene;
