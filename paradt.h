@@ -1122,7 +1122,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion                    286   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
-//     insertion in space by AVX2   465   its inner functions for four lanes
+//     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    209   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
@@ -1154,9 +1154,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         266   the entry
-//     mending by flips             224   what has moved, by flips
+//     mending by flips             263   what has moved, by flips
 //     mending by holes             437   what flips leave, by small triangulations
-//     repair                       691   the entry of repairing
+//     spheres of cells in space    147   which cells and facets are still right, four cells together
+//     repair                       590   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -10207,7 +10208,8 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
 // The kernels of >>insertion in space for four facets, cells or vertices together, chosen at run time where the
 // processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and powers decide
 // nothing where these bits matter. In names `four` stands for four lanes.
-// Doors: paradt__kept_insert_avx2.
+// Doors: paradt__kept_insert_avx2,
+// paradt__dot_avx2, paradt__four_spheres, paradt__four_differences.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
@@ -18267,12 +18269,51 @@ static paradt_status paradt__mend_look(paradt__mend *m, paradt_index handle) {
     return paradt__conflicts(scene, cell, x) ? paradt__mend_improve(m, handle, point) : PARADT_OK;
 }
 
+// Fetches what looks at facets that are soon to come need, in three steps: rows, neighbours' rows, records and the rows
+// around the neighbour. Facets are taken from the end of the list, which the survey has filled in the order of cells.
+PARADT__INLINE void paradt__mend_fetch(const paradt__mend *m, size_t at) {
+    enum { ROWS_AHEAD = 24, ACROSS_AHEAD = 16, RECORDS_AHEAD = 8 };
+    const paradt__scene *scene = &m->flipper.build.scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index *items = m->facets.items;
+    const int corners = mesh->corners;
+    paradt_index handle, base, other, i;
+    if (at < ROWS_AHEAD) return;
+    handle = items[at - ROWS_AHEAD];
+    PARADT__FETCH(mesh->links, handle);
+    PARADT__FETCH(mesh->vertices, handle);
+    handle = items[at - ACROSS_AHEAD];
+    base = handle - handle % corners;
+    PARADT__FETCH(mesh->marks, base / corners);
+    if (mesh->vertices[base] == PARADT__DEAD) return;
+    for (i = base; i < base + corners; i++) {
+        PARADT__FETCH(mesh->links, mesh->links[i]);
+        PARADT__FETCH(mesh->vertices, mesh->links[i]);
+    }
+    handle = items[at - RECORDS_AHEAD];
+    base = handle - handle % corners;
+    if (mesh->vertices[base] == PARADT__DEAD) return;
+    PARADT__FETCH(mesh->marks, mesh->links[handle] / corners);
+    other = mesh->links[handle] - mesh->links[handle] % corners;
+    for (i = 0; i < corners; i++) {
+        PARADT__FETCH(mesh->links, mesh->links[other + i]);
+        PARADT__FETCH(mesh->vertices, mesh->links[other + i]);
+    }
+    for (i = base; i < base + corners; i++) {
+        paradt_index mirror = mesh->links[i];
+        if (mesh->vertices[i] >= 0) PARADT__FETCH(scene->records, (size_t)mesh->vertices[i] * scene->width);
+        if (mesh->vertices[mirror] >= 0) PARADT__FETCH(scene->records, (size_t)mesh->vertices[mirror] * scene->width);
+    }
+}
+
 // Looks at all facets that are listed.
 static paradt_status paradt__mend_flip_all(paradt__mend *m) {
     enum { PACE = 1024 }; // facets between two looks at whether the call is cancelled
     paradt_status status = PARADT_OK;
+    size_t fetched = m->facets.count + 1;
     while (m->facets.count && !status) {
         if (m->looks++ % PACE == 0 && paradt__meter_cancels(m->meter)) return PARADT_ERROR_CANCELLED;
+        if (m->facets.count < fetched) paradt__mend_fetch(m, fetched = m->facets.count);
         status = paradt__mend_look(m, m->facets.items[--m->facets.count]);
     }
     return status;
@@ -18716,6 +18757,153 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>spheres of cells in space
+//
+// In space, without weights: are cells positively oriented, and their facets locally regular? Each cell's sphere is
+// made once for all of its facets, as in >>kept spheres, and four cells are looked at together: in lanes that compilers
+// can make vectors of, or by AVX2. The sphere's bound on the error also proves that the cell is positively oriented.
+// Where it does not, the predicates are to be asked. A facet is looked at from the first of its cells alone.
+// Doors: paradt__choose_fine.
+
+enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
+
+// What is known of some cells in lanes, so that compilers can make vectors of them
+typedef struct paradt__lanes {
+    double edge[3][4][PARADT__TOGETHER]; // from the last vertex to the others; and their squares
+    double base[4][PARADT__TOGETHER];    // the last vertex, and its lift
+    double apex[3][PARADT__TOGETHER];    // across a facet
+    double asked[PARADT__TOGETHER];      // 0 where nothing is to be asked about the facet, else 1
+    double normal[3][PARADT__TOGETHER], constant[PARADT__TOGETHER], error[PARADT__TOGETHER];
+    double least[PARADT__TOGETHER]; // of the powers of apexes, less the error; positive: all facets are locally regular
+} paradt__lanes;
+
+// Fills in the vertices.
+PARADT__INLINE void paradt__lanes_load(paradt__lanes *lanes, const paradt__insertion *build, size_t cell) {
+    const double *centre = build->kept->centre;
+    int lane, vertex, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        const paradt_index *row = build->scene.mesh.vertices + 4 * (cell + (size_t)lane);
+        const double *p = build->scene.records + 3 * (size_t)row[3];
+        for (axis = 0; axis < 3; axis++) lanes->base[axis][lane] = p[axis] - centre[axis];
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *x = build->scene.records + 3 * (size_t)row[vertex];
+            for (axis = 0; axis < 3; axis++) lanes->edge[vertex][axis][lane] = x[axis] - p[axis];
+        }
+    }
+}
+
+// Fills in the apexes across the facets of number i, where these are asked about: from the first of their cells.
+PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__insertion *build, size_t cell, int i) {
+    const double *centre = build->kept->centre;
+    int lane, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        paradt_index handle = (paradt_index)(4 * (cell + (size_t)lane)) + i, mirror = build->scene.mesh.links[handle];
+        int asked = mirror > handle;
+        const double *x = build->scene.records + 3 * (size_t)build->scene.mesh.vertices[asked ? mirror : handle];
+        for (axis = 0; axis < 3; axis++) lanes->apex[axis][lane] = x[axis] - centre[axis];
+        lanes->asked[lane] = asked ? 1.0 : 0.0;
+    }
+}
+
+// Of some cells from `cell` on: a bit for each whose sphere tells that the cell is positively oriented and its facets
+// are locally regular
+PARADT__INLINE unsigned paradt__lanes_fine(const paradt__insertion *build, size_t cell) {
+    const paradt__frame *frame = &build->kept->frame;
+    paradt__lanes l;
+    unsigned fine = 0;
+    int lane, i;
+    paradt__lanes_load(&l, build, cell);
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        double edge[3][4], normal[3], constant, error;
+        paradt__centred p;
+        for (i = 0; i < 3; i++) {
+            double x = l.edge[i][0][lane], y = l.edge[i][1][lane], z = l.edge[i][2][lane];
+            edge[i][0] = x;
+            edge[i][1] = y;
+            edge[i][2] = z;
+            edge[i][3] = x * x + y * y + z * z;
+            p.s[i] = l.base[i][lane];
+        }
+        p.lift = p.s[0] * p.s[0] + p.s[1] * p.s[1] + p.s[2] * p.s[2];
+        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+        paradt__sphere_make(PARADT__MAKE_QUICKLY, frame, &p, edge[1], edge[0], edge[2], normal, &constant, &error);
+        for (i = 0; i < 3; i++) l.normal[i][lane] = normal[i];
+        l.constant[lane] = constant;
+        l.error[lane] = error;
+        l.least[lane] = PARADT__NO_ERROR_BOUND * 0.5 - error;
+    }
+    for (i = 0; i < 4; i++) {
+        paradt__lanes_across(&l, build, cell, i);
+        for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+            double x = l.apex[0][lane], y = l.apex[1][lane], z = l.apex[2][lane];
+            double power = (x * x + y * y + z * z + l.constant[lane]) +
+                           (l.normal[0][lane] * x + l.normal[1][lane] * y + l.normal[2][lane] * z) - l.error[lane];
+            power = l.asked[lane] > 0.5 ? power : l.least[lane];
+            l.least[lane] = power < l.least[lane] ? power : l.least[lane];
+        }
+    }
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) fine |= (unsigned)(l.least[lane] > 0.0) << lane;
+    return fine;
+}
+
+static unsigned paradt__fine_plain(const paradt__insertion *build, size_t cell) {
+    return paradt__lanes_fine(build, cell);
+}
+
+#if defined(PARADT__KEPT_AVX2)
+// Returns the vertices of a number in four cells, relative to a point each.
+PARADT__AVX2 PARADT__INLINE void paradt__four_vertices(const paradt__insertion *build, const paradt_index *vertices,
+                                                       const paradt_index *handles, const __m256d *point, __m256d *to) {
+    const double *records = build->scene.records;
+    paradt__four_differences(records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
+                             records + 3 * (size_t)vertices[handles[2]], records + 3 * (size_t)vertices[handles[3]],
+                             point, to);
+}
+
+PARADT__AVX2 static unsigned paradt__fine_avx2(const paradt__insertion *build, size_t cell) {
+    static const paradt_index rows[4][4] = {{0, 4, 8, 12}, {1, 5, 9, 13}, {2, 6, 10, 14}, {3, 7, 11, 15}};
+    const double *c = build->kept->centre;
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links + 4 * cell;
+    const __m256d centre[3] = {_mm256_set1_pd(c[0]), _mm256_set1_pd(c[1]), _mm256_set1_pd(c[2])};
+    const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
+    __m256d last[3], p[4], edge[3][4], sphere[4], error, least;
+    int i;
+    paradt__four_vertices(build, vertices + 4 * cell, rows[3], zero, last);
+    for (i = 0; i < 3; i++) {
+        p[i] = _mm256_sub_pd(last[i], centre[i]);
+        paradt__four_vertices(build, vertices + 4 * cell, rows[i], last, edge[i]);
+        edge[i][3] = paradt__dot_avx2(edge[i], edge[i]);
+    }
+    p[3] = paradt__dot_avx2(p, p);
+    // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+    paradt__four_spheres(0, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
+    least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND * 0.5);
+    for (i = 0; i < 4; i++) {
+        paradt_index apexes[4]; // from the first of a facet's cells; else any vertex
+        __m256d x[3], power, asked;
+        __m128i first = _mm_add_epi32(_mm_set1_epi32((int)(4 * cell) + i), _mm_setr_epi32(0, 4, 8, 12));
+        __m128i across = _mm_setr_epi32(links[i], links[4 + i], links[8 + i], links[12 + i]);
+        _mm_storeu_si128((__m128i *)(void *)apexes, _mm_max_epi32(across, first));
+        asked = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm_cmpgt_epi32(across, first)));
+        paradt__four_vertices(build, vertices, apexes, centre, x);
+        power = _mm256_add_pd(paradt__dot_avx2(x, x), sphere[3]);
+        power = _mm256_add_pd(power, paradt__dot_avx2(sphere, x));
+        least = _mm256_blendv_pd(least, _mm256_min_pd(power, least), asked);
+    }
+    return (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(least, error, _CMP_GT_OQ));
+}
+#endif
+
+typedef unsigned (*paradt__fine)(const paradt__insertion *build, size_t cell);
+
+static paradt__fine paradt__choose_fine(void) {
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__fine_avx2;
+#endif
+    return paradt__fine_plain;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>repair
 //
 // paradt_repair: takes the caller's triangulation over as a mesh, asks each cell and facet once whether it is still
@@ -18723,8 +18911,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
 // were no vertices, or are none any more: each is found to be at the place of a vertex, hidden, or is inserted.
 //
 // The rows are the caller's, changed in place, so that most cells are read once and written nowhere. Vertices remain
-// indices: the records are in the caller's order. In space, without weights, a cell's sphere is made once for all of
-// its facets, as in >>kept spheres; its bound on the error also proves that the cell is positively oriented.
+// indices: the records are in the caller's order.
 // Doors: the public function.
 
 typedef struct paradt__repair {
@@ -18856,106 +19043,6 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
         if (status) return status;
     }
     return PARADT_OK;
-}
-
-enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
-
-// What is known of some cells in lanes, so that compilers can make vectors of them
-typedef struct paradt__lanes {
-    double edge[3][4][PARADT__TOGETHER]; // from the last vertex to the others; and their squares
-    double base[4][PARADT__TOGETHER];    // the last vertex, and its lift
-    double apex[3][PARADT__TOGETHER];    // across a facet
-    double asked[PARADT__TOGETHER];      // 0 where nothing is to be asked about the facet, else 1
-    double normal[3][PARADT__TOGETHER], constant[PARADT__TOGETHER], error[PARADT__TOGETHER];
-    double least[PARADT__TOGETHER]; // of the powers of apexes, less the error; positive: all facets are locally regular
-} paradt__lanes;
-
-// Fills in the vertices.
-PARADT__INLINE void paradt__lanes_load(paradt__lanes *lanes, const paradt__insertion *build, size_t cell) {
-    const double *centre = build->kept->centre;
-    int lane, vertex, axis;
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        const paradt_index *row = build->scene.mesh.vertices + 4 * (cell + (size_t)lane);
-        const double *p = build->scene.records + 3 * (size_t)row[3];
-        for (axis = 0; axis < 3; axis++) lanes->base[axis][lane] = p[axis] - centre[axis];
-        for (vertex = 0; vertex < 3; vertex++) {
-            const double *x = build->scene.records + 3 * (size_t)row[vertex];
-            for (axis = 0; axis < 3; axis++) lanes->edge[vertex][axis][lane] = x[axis] - p[axis];
-        }
-    }
-}
-
-// Fills in the apexes across the facets of number i, where these are asked about: from the first of their cells.
-PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__insertion *build, size_t cell, int i) {
-    const double *centre = build->kept->centre;
-    int lane, axis;
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        paradt_index handle = (paradt_index)(4 * (cell + (size_t)lane)) + i, mirror = build->scene.mesh.links[handle];
-        int asked = mirror > handle;
-        const double *x = build->scene.records + 3 * (size_t)build->scene.mesh.vertices[asked ? mirror : handle];
-        for (axis = 0; axis < 3; axis++) lanes->apex[axis][lane] = x[axis] - centre[axis];
-        lanes->asked[lane] = asked ? 1.0 : 0.0;
-    }
-}
-
-// Of some cells from `cell` on: a bit for each whose sphere tells that the cell is positively oriented and its facets
-// are locally regular
-PARADT__INLINE unsigned paradt__lanes_fine(const paradt__insertion *build, size_t cell) {
-    const paradt__frame *frame = &build->kept->frame;
-    paradt__lanes l;
-    unsigned fine = 0;
-    int lane, i;
-    paradt__lanes_load(&l, build, cell);
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        double edge[3][4], normal[3], constant, error;
-        paradt__centred p;
-        for (i = 0; i < 3; i++) {
-            double x = l.edge[i][0][lane], y = l.edge[i][1][lane], z = l.edge[i][2][lane];
-            edge[i][0] = x;
-            edge[i][1] = y;
-            edge[i][2] = z;
-            edge[i][3] = x * x + y * y + z * z;
-            p.s[i] = l.base[i][lane];
-        }
-        p.lift = p.s[0] * p.s[0] + p.s[1] * p.s[1] + p.s[2] * p.s[2];
-        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(PARADT__MAKE_QUICKLY, frame, &p, edge[1], edge[0], edge[2], normal, &constant, &error);
-        for (i = 0; i < 3; i++) l.normal[i][lane] = normal[i];
-        l.constant[lane] = constant;
-        l.error[lane] = error;
-        l.least[lane] = PARADT__NO_ERROR_BOUND * 0.5 - error;
-    }
-    for (i = 0; i < 4; i++) {
-        paradt__lanes_across(&l, build, cell, i);
-        for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-            double x = l.apex[0][lane], y = l.apex[1][lane], z = l.apex[2][lane];
-            double power = (x * x + y * y + z * z + l.constant[lane]) +
-                           (l.normal[0][lane] * x + l.normal[1][lane] * y + l.normal[2][lane] * z) - l.error[lane];
-            power = l.asked[lane] > 0.5 ? power : l.least[lane];
-            l.least[lane] = power < l.least[lane] ? power : l.least[lane];
-        }
-    }
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) fine |= (unsigned)(l.least[lane] > 0.0) << lane;
-    return fine;
-}
-
-static unsigned paradt__repair_fine_plain(const paradt__insertion *build, size_t cell) {
-    return paradt__lanes_fine(build, cell);
-}
-
-#if defined(PARADT__AVX2)
-PARADT__AVX2 static unsigned paradt__repair_fine_avx2(const paradt__insertion *build, size_t cell) {
-    return paradt__lanes_fine(build, cell);
-}
-#endif
-
-typedef unsigned (*paradt__fine)(const paradt__insertion *build, size_t cell);
-
-static paradt__fine paradt__choose_fine(void) {
-#if defined(PARADT__AVX2)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__repair_fine_avx2;
-#endif
-    return paradt__repair_fine_plain;
 }
 
 // Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
