@@ -1155,9 +1155,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         266   the entry
 //     mending by flips             263   what has moved, by flips
-//     mending by holes             437   what flips leave, by small triangulations
+//     mending by holes             443   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       590   the entry of repairing
+//     repair                       591   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -18345,6 +18345,7 @@ typedef struct paradt__hole {
     paradt__facets table;    // of the facets of T(Q)
     uint32_t *seen;          // [points] by point: the number of the last hole that it was in
     uint32_t number;         // of holes that points were collected for
+    size_t worked;           // cells of all holes, as often as these were filled
 } paradt__hole;
 
 static void paradt__hole_free(paradt__hole *hole, paradt__memory *memory) {
@@ -18659,6 +18660,7 @@ static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
 
 // Makes a hole around a cell and fills it.
 static paradt_status paradt__mend_fill(paradt__mend *m, paradt__hole *hole, const paradt__set *set, paradt_index cell) {
+    enum { WORTHWHILE = 8 }; // part of all cells: what is in holes takes some five times as long as building it anew
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
     paradt_status status;
     hole->cells.count = 0;
@@ -18668,7 +18670,8 @@ static paradt_status paradt__mend_fill(paradt__mend *m, paradt__hole *hole, cons
         int tight = 0;
         status = paradt__hole_survey(m, hole);
         before = hole->cells.count;
-        if (!status && (before > mesh->count / 4 + 64 || !hole->rim.count)) status = PARADT__GAVE_UP;
+        hole->worked += before;
+        if (!status && (hole->worked > mesh->count / WORTHWHILE + 1024 || !hole->rim.count)) status = PARADT__GAVE_UP;
         if (!status) status = paradt__hole_triangulate(m, hole, set);
         if (!status && hole->small.scene.mesh.count) status = paradt__hole_enter(m, hole);
         if (!status) status = paradt__hole_match(m, hole);
@@ -18725,8 +18728,10 @@ static int paradt__mend_is_done(paradt__mend *m) {
 }
 #endif
 
-// Takes out and fills what flips could not help.
+// Takes out and fills what flips could not help. Where that is much, holes grow together, and gives up: a place in a
+// hole takes as long as some dozens of points take when they are inserted anew.
 static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *set) {
+    enum { MANY = 256 };
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
     const int corners = mesh->corners;
@@ -18735,6 +18740,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
     size_t at;
     for (at = 0; at < m->stuck.count; at++) paradt__mend_list(m, m->stuck.items[at]);
     if (!m->stats->stuck) return PARADT_OK;
+    if (m->stats->stuck > set->count / MANY + 64) return PARADT__GAVE_UP;
     memset(&hole, 0, sizeof hole);
     hole.small = m->flipper.build;
     memset(&hole.small.update, 0, sizeof hole.small.update);
@@ -19360,10 +19366,11 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
     const paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
     uint64_t *used = NULL;
     size_t cells = r->t->cell_count;
+    size_t most = r->set.space.dim == 2 ? 2 : 12; // with more, too many flips get stuck: building anew takes less time
     paradt_status status = paradt__repair_begin(r);
     if (!status) status = paradt__repair_survey(r);
     stats->inverted = r->inverted;
-    if (!status && (r->inverted > cells / 8 + 8 || stats->irregular > cells / 2 + 64)) status = PARADT__GAVE_UP;
+    if (!status && (r->inverted > cells / 8 + 8 || stats->irregular > cells / most + 64)) status = PARADT__GAVE_UP;
     if (!status) status = paradt__repair_ghosts(r);
     if (!status) PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
     (void)mesh;
