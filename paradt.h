@@ -236,7 +236,8 @@
 //
 // Cells that are still right stay. Others are flipped, which is all that is needed in the plane; in more dimensions
 // flips can get stuck, and there points are taken out and inserted again. Where that would take longer than to build
-// anew, it is built anew: stats.rebuilt says so. The result is in each case that of paradt_triangulate.
+// anew, it is built anew: stats.rebuilt says so. The result is in each case that of paradt_triangulate. It pays where
+// points move by up to a hundredth of their spacing in space, by some hundredths in the plane.
 //
 //
 // MEASURES
@@ -826,12 +827,12 @@ typedef struct paradt_repair_stats {
 //   triangulation  with neighbors, from paradt_triangulate or paradt_repair; what was done to its arrays since must
 //                  have left a valid triangulation of the points as they were then. A triangulation that is empty, has
 //                  no neighbors or another dimension than the points is built anew, and so is one with many cells
-//                  turned over, or where many points become or cease to be hidden. Its arrays and stats are replaced.
+//                  turned over or many facets not locally regular (in space a twelfth as many as cells), or where many
+//                  points become or cease to be hidden. Its arrays and stats are replaced.
 //   points         as many as before, at their new places
-//   options        NULL: the defaults. memory_limit, progress, user and flags are used, PARADT_FACETS for what
-//   neighbors
-//                  hold and are to hold; not with PARADT_NO_NEIGHBORS. All memory comes from the triangulation's
-//                  allocator. The rest is for building anew.
+//   options        NULL: the defaults. memory_limit, progress, user and flags are used, PARADT_FACETS for what the
+//                  neighbors hold and are to hold; not with PARADT_NO_NEIGHBORS. All memory comes from the
+//                  triangulation's allocator. The rest is for building anew.
 //   stats          NULL: not wanted
 // Errors: those of paradt_triangulate, and INVALID where the arrays do not fit together. After ARGUMENT, NOT_FINITE,
 // and TOO_LARGE for the number of points the triangulation is what it was, but for error_point and error_text; after
@@ -850,8 +851,7 @@ PARADT_DEF void paradt_free(paradt_triangulation *triangulation);
 // Computes the convex hull of the points, in 2 to PARADT_MAX_DIM dimensions, exactly: the set of facets, their planes
 // and the extreme points depend on the points alone.
 //   hull     is overwritten, whatever it held. After an error it is empty and holds no memory: dim is -1, the arrays
-//   are
-//            NULL, the counts 0; but error_point, error_text and stats are filled.
+//            are NULL, the counts 0; but error_point, error_text and stats are filled.
 //   points   read during the call only; without weights. Of points at one place the one of the smallest index is named.
 //   options  NULL: the defaults. method and partition only have to be valid. regions is the number of tasks that
 //            parallel_for gets for work that is divided; 0: four. flags: PARADT_NO_NEIGHBORS; PARADT_FACETS, with which
