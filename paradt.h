@@ -44,13 +44,13 @@
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
-//     PARADT_NO_CHECK        leaves out paradt_check
-//     PARADT_NO_TREE         leaves out the Delaunay tree: PARADT_DELAUNAY_TREE is PARADT_ERROR_ARGUMENT
-//     PARADT_NO_HULLS        leaves out the lifted hull, furthest-site triangulations and convex hulls
+//     PARADT_NO_FLIPS        leaves out PARADT_FLIP and paradt_repair
+//     PARADT_NO_TREE         leaves out PARADT_DELAUNAY_TREE
+//     PARADT_NO_HULLS        leaves out PARADT_LIFTED_HULL, furthest-site triangulations and convex hulls
 //     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
+//     PARADT_NO_CHECK        leaves out paradt_check and paradt_hull_check
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
-//     PARADT_NO_FLIPS        leaves out PARADT_FLIP and paradt_repair
 //     PARADT_NO_SIMD         no code for SSE2, and no second copy of the inner loops for processors with AVX2 and FMA
 //                            (x86-64, GCC or Clang). The compiler may still use instructions that its flags allow
 //
@@ -477,8 +477,7 @@
 //                       uniform partition    paradt__cutter_divide with PARADT_UNIFORM
 //                       joining              paradt__collect_fronts
 //           parallel DeWall                  paradt__build_by_dewall: walls of the first levels, then the ranges
-//           between
-//                                            them; one of either: paradt__half_task; paradt__half_append joins
+//                                            between them; one of either: paradt__half_task; paradt__half_append joins
 //     5     experiments                      make thesis (tests/bench/thesis.sh)
 //     6     adaptive partition               paradt__cutter_divide with PARADT_BISECTION
 //           parallel randomized insertion    paradt__graph_task_round, a task of a round
@@ -501,8 +500,7 @@
 //     L. J. Guibas, D. E. Knuth, M. Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams",
 //         Algorithmica 7, 1992: the history dag
 //     H. Edelsbrunner, N. R. Shah, "Incremental topological flipping works for regular triangulations", Algorithmica
-//     15,
-//         1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
+//         15, 1996; B. Joe, "Construction of three-dimensional Delaunay triangulations using local transformations",
 //         Computer Aided Geometric Design 8, 1991; V. T. Rajan, "Optimality of the Delaunay triangulation in R^d",
 //         Discrete and Computational Geometry 12, 1994: flips, optimality
 //     J.-D. Boissonnat, M. Teillaud, "A hierarchical representation of objects: the Delaunay tree", Symposium on
@@ -513,8 +511,7 @@
 //         "Applications of random sampling to on-line algorithms in computational geometry", the same 8, 1992: conflict
 //         graphs, and what make theory predicts
 //     B. Efron, "The convex hull of a random set of points", Biometrika 52, 1965: how many points a sample's hull
-//     leaves
-//         outside
+//         leaves outside
 //     C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", ACM Transactions on
 //         Mathematical Software 22, 1996: points far out come first, inner ones go early
 //     G. E. Blelloch, Y. Gu, J. Shun, Y. Sun, "Randomized incremental convex hull is highly parallel", Symposium on
@@ -1075,10 +1072,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
 //     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions,
-//     >>fringe
-//                       to >>results of patches, >>regions of insertion; then paradt_mpi.h
-//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>repair; or
-//                       >>Delaunay tree
+//                       >>fringe to >>results of patches, >>regions of insertion; then paradt_mpi.h
+//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>mending by flips
+//                       to >>repair; or >>Delaunay tree
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
 //
 // CONTENTS, with the lines of each section
@@ -1162,7 +1158,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
-//     check of a hull              335   that of a hull alone
+//     check of a hull              331   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -20958,22 +20954,18 @@ PARADT_DEF paradt_status paradt_check(const paradt_triangulation *triangulation,
 // >>check of a hull
 //
 // The certificate of a hull: paradt_hull_check accepts exactly the facets of the hull of the points. It shares what
-// >>check shares, and the tests there of neighbours, with facets for cells and ridges for facets. k is the affine
+// `check` shares, and the tests there of neighbours, with facets for cells and ridges for facets. k is the affine
 // dimension; o is a place infinitesimally near a point, inside a simplex of points; z is one infinitesimally near a
 // vertex, inside the first facet. What is tested, in exact signs, for k > 1:
 //   (1) adjacency is an involution on ridges; two neighbours have all vertices but one in common and see their ridge
-//   with
-//       opposite orientation;
+//       with opposite orientation;
 //   (2) each facet has o strictly on its inner side, and at no ridge the neighbour's other vertex beyond it; where that
-//   is
-//       in its plane, the ridge is locally Delaunay there;
+//       is in its plane, the ridge is locally Delaunay there;
 //   (3) the ray from o through z meets no facet but the first;
 //   (4) no point is beyond the facet that the ray from o through it meets, and none that is at the place of a vertex
-//   has
-//       a smaller index than the vertex;
+//       has a smaller index than the vertex;
 //   (5) facets at a ridge have one plane's number if and only if the ridge is flat, there are as many numbers as
-//   planes;
-//       and `vertices` names the facets' vertices.
+//       planes; and `vertices` names the facets' vertices.
 // Why that proves it: by (1) and (2) the facets, projected from o, cover the sphere of directions equally often
 // everywhere, by (3) once. So they bound a body that is star-shaped about o, and by (2) convex, as in >>check. By (4)
 // it contains all points, so it is their hull. Within a face the facets are locally Delaunay, and so they are T(P)
