@@ -1149,11 +1149,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
-//     hull                         266   the entry
+//     hull                         270   the entry
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             443   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       591   the entry of repairing
+//     repair                       595   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -18030,6 +18030,10 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
         hull->error_text = "points.weights is not NULL, but a hull has no weights";
         status = PARADT_ERROR_ARGUMENT;
     }
+    if (!status && options && options->flags & PARADT_FURTHEST_SITE) {
+        hull->error_text = "options.flags has PARADT_FURTHEST_SITE, which is for triangulations";
+        status = PARADT_ERROR_ARGUMENT;
+    }
     if (status) return status;
     memset(&work, 0, sizeof work);
     if (options) work.options = *options;
@@ -19474,6 +19478,10 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
     if (!status && given.flags & PARADT_NO_NEIGHBORS) {
         status = PARADT_ERROR_ARGUMENT;
         text = "options.flags has PARADT_NO_NEIGHBORS, but paradt_repair takes and gives neighbours";
+    }
+    if (!status && given.flags & PARADT_FURTHEST_SITE) {
+        status = PARADT_ERROR_ARGUMENT;
+        text = "options.flags has PARADT_FURTHEST_SITE: furthest-site triangulations are not repaired";
     }
     t->error_text = text;
     if (status) return status;

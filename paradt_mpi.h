@@ -859,6 +859,9 @@ static paradt_status paradt_mpi__check_own(paradt_mpi__work *w, const paradt_poi
     if (status) return paradt_mpi__refuse(w, status, text);
     if (w->options.flags & ~(unsigned)PARADT_MPI_REPLICATED)
         return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT, "options.flags has a bit other than PARADT_MPI_REPLICATED");
+    if (w->options.local.flags & PARADT_FURTHEST_SITE)
+        return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT,
+                                  "options.local.flags has PARADT_FURTHEST_SITE, which ranks do not build");
 #ifdef PARADT_NO_FRONTS
     if (w->options.flags & PARADT_MPI_REPLICATED)
         return paradt_mpi__refuse(w, PARADT_ERROR_ARGUMENT,

@@ -666,6 +666,8 @@ static void wrong_arguments_are_named(void **state) {
     points.weights = NULL;
     options.flags = 1u << 20;
     assert_int_equal(paradt_hull_compute(&hull, &points, &options), PARADT_ERROR_ARGUMENT);
+    options.flags = PARADT_FURTHEST_SITE;
+    assert_int_equal(paradt_hull_compute(&hull, &points, &options), PARADT_ERROR_ARGUMENT);
     options.flags = PARADT_FULL_DIM;
     points.count = 2;
     assert_int_equal(paradt_hull_compute(&hull, &points, &options), PARADT_ERROR_FLAT);

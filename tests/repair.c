@@ -138,6 +138,9 @@ static void wrong_arguments_leave_the_triangulation(void **state) {
     options.flags = PARADT_NO_NEIGHBORS;
     assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_ARGUMENT);
     assert_non_null(t.error_text);
+    options.flags = PARADT_FURTHEST_SITE;
+    assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_ARGUMENT);
+    assert_non_null(strstr(t.error_text, "furthest"));
     kept = s.x[150];
     s.x[150] = NAN;
     assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_ERROR_NOT_FINITE);
