@@ -325,7 +325,7 @@ static void many_points_have_the_hull_of_their_triangulation(void **state) {
                 c++;
             if (c == sizeof chosen / sizeof *chosen)
                 continue;
-            sample s = family_make(&families[f], NULL, dim, SANITIZED || dim == 4 ? 8500 : 17000, 7);
+            sample s = family_make(&families[f], NULL, dim, SANITIZED ? 2500 : dim == 4 ? 8500 : 17000, 7);
             paradt_options options = {0};
             options.method = PARADT_BOWYER_WATSON;
             paradt_points points = points_of(&s);
@@ -342,7 +342,6 @@ static void many_points_have_the_hull_of_their_triangulation(void **state) {
             sample_free(&s);
         }
 }
-
 
 // So many points that samples of samples sift them. The certificate looks at all of them.
 static void samples_of_samples_drop_no_point_of_the_hull(void **state) {
