@@ -1151,9 +1151,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
 //     mending by flips             263   what has moved, by flips
-//     mending by holes             443   what flips leave, by small triangulations
+//     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       595   the entry of repairing
+//     repair                       596   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -18334,18 +18334,18 @@ static paradt_status paradt__mend_flip_all(paradt__mend *m) {
 
 // A hole, and what it is filled with
 typedef struct paradt__hole {
-    paradt__list cells;      // places; they have the mark PARADT__CONFLICT
-    paradt__list points;     // Q
-    paradt__list rim;        // facets of the hole's cells
-    paradt__list walls;      // for each the same facet in T(Q), seen from inside
-    paradt__list reached;    // places in T(Q) of the cells that fill the hole
-    paradt__list becomes;    // by place in T(Q): where the cell gets its place; PARADT__OPEN: it is not reached
-    paradt__list outer;      // by handle in T(Q): the facet of a kept cell that is on the other side, or PARADT__OPEN
-    paradt__insertion small; // T(Q)
-    paradt__facets table;    // of the facets of T(Q)
-    uint32_t *seen;          // [points] by point: the number of the last hole that it was in
-    uint32_t number;         // of holes that points were collected for
-    size_t worked;           // cells of all holes, as often as these were filled
+    paradt__list cells;       // places; they have the mark PARADT__CONFLICT
+    paradt__list points;      // Q
+    paradt__list rim;         // facets of the hole's cells
+    paradt__list walls;       // for each the same facet in T(Q), seen from inside
+    paradt__list reached;     // places in T(Q) of the cells that fill the hole
+    paradt__list becomes;     // by place in T(Q): where the cell gets its place; PARADT__OPEN: it is not reached
+    paradt__list outer;       // by handle in T(Q): the facet of a kept cell that is on the other side, or PARADT__OPEN
+    paradt__insertion filler; // T(Q)
+    paradt__facets table;     // of the facets of T(Q)
+    uint32_t *seen;           // [points] by point: the number of the last hole that it was in
+    uint32_t number;          // of holes that points were collected for
+    size_t worked;            // cells of all holes, as often as these were filled
 } paradt__hole;
 
 static void paradt__hole_free(paradt__hole *hole, paradt__memory *memory) {
@@ -18356,8 +18356,8 @@ static void paradt__hole_free(paradt__hole *hole, paradt__memory *memory) {
     paradt__list_free(&hole->reached, memory);
     paradt__list_free(&hole->becomes, memory);
     paradt__list_free(&hole->outer, memory);
-    hole->small.memory = memory;
-    paradt__insertion_end(&hole->small);
+    hole->filler.memory = memory;
+    paradt__insertion_end(&hole->filler);
     paradt__facets_free(&hole->table, memory);
     paradt__release(memory, hole->seen);
 }
@@ -18405,15 +18405,15 @@ static paradt_status paradt__hole_survey(paradt__mend *m, paradt__hole *hole) {
 
 // Begins T(Q) anew. Returns PARADT_OK with an empty mesh if Q does not span the space.
 static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
-    paradt__insertion *small = &hole->small;
-    paradt__mesh *mesh = &small->scene.mesh;
+    paradt__insertion *filler = &hole->filler;
+    paradt__mesh *mesh = &filler->scene.mesh;
     paradt__set part = *set;
     paradt_index basis[PARADT_MAX_DIM + 1], *order = hole->points.items;
     int count, i;
     part.count = hole->points.count;
     if (mesh->marks) memset(mesh->marks, 0, mesh->count);
     mesh->count = mesh->spare_count = 0;
-    count = paradt__set_basis(&part, order, 0, basis, NULL, &small->scene.space.counters, NULL);
+    count = paradt__set_basis(&part, order, 0, basis, NULL, &filler->scene.space.counters, NULL);
     if (count < mesh->corners) return PARADT_OK;
     for (i = 0; i < count; i++) {
         size_t at = (size_t)i;
@@ -18421,12 +18421,12 @@ static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hol
         order[at] = order[i];
         order[i] = basis[i];
     }
-    small->memory = m->flipper.build.memory;
-    small->order = order;
-    small->count = part.count;
-    small->inserted = (size_t)count;
-    small->scene.hint = 0;
-    return paradt__insertion_first_cells(small);
+    filler->memory = m->flipper.build.memory;
+    filler->order = order;
+    filler->count = part.count;
+    filler->inserted = (size_t)count;
+    filler->scene.hint = 0;
+    return paradt__insertion_first_cells(filler);
 }
 
 // Is the point at the place of a vertex of the cell? Returns the vertex, or PARADT__NOWHERE.
@@ -18443,16 +18443,17 @@ static paradt_index paradt__vertex_at(const paradt__scene *scene, paradt_index c
 
 // Makes T(Q). Points at the same place are one; with weights it is better to build anew then.
 static paradt_status paradt__hole_triangulate(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
-    paradt__insertion *small = &hole->small;
+    paradt__insertion *filler = &hole->filler;
     paradt_status status = paradt__hole_first_cells(m, hole, set);
-    if (!small->scene.mesh.count) return status;
-    for (; small->inserted < small->count && !status; small->inserted++) {
-        paradt_index point = small->order[small->inserted];
-        small->scene.hint = paradt__walk(&small->scene, small->scene.hint, paradt__scene_record(&small->scene, point));
-        if (paradt__vertex_at(&small->scene, small->scene.hint, point) == PARADT__NOWHERE)
-            status = paradt__insert(small, point);
-        else if (small->scene.space.weighted) status = PARADT__GAVE_UP;
-        if (small->inserted % 64 == 63 && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
+    if (!filler->scene.mesh.count) return status;
+    for (; filler->inserted < filler->count && !status; filler->inserted++) {
+        paradt_index point = filler->order[filler->inserted];
+        filler->scene.hint =
+            paradt__walk(&filler->scene, filler->scene.hint, paradt__scene_record(&filler->scene, point));
+        if (paradt__vertex_at(&filler->scene, filler->scene.hint, point) == PARADT__NOWHERE)
+            status = paradt__insert(filler, point);
+        else if (filler->scene.space.weighted) status = PARADT__GAVE_UP;
+        if (filler->inserted % 64 == 63 && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
     }
     return status;
 }
@@ -18474,7 +18475,7 @@ static int paradt__sees_from_outside(const paradt_index *one, int i, const parad
 
 // Enters the facets of T(Q) into the table.
 static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
-    paradt__mesh *mesh = &hole->small.scene.mesh;
+    paradt__mesh *mesh = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
     const int corners = mesh->corners;
     paradt_index handle, end = (paradt_index)mesh->count * corners;
@@ -18493,7 +18494,7 @@ static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
 
 // Finds the facets of the rim in T(Q). The cells beyond those that are not there are added to the hole.
 static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
-    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
     const int corners = mesh->corners;
     paradt_status status = PARADT_OK;
@@ -18501,16 +18502,16 @@ static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
     hole->walls.count = 0;
     for (at = 0; at < hole->rim.count && !status; at++) {
         paradt_index outer = mesh->links[hole->rim.items[at]], base = outer - outer % corners, found = PARADT__OPEN;
-        if (small->count)
-            found = paradt__facets_find(&hole->table, small, paradt__facet_key_of(&hole->table, mesh, outer),
+        if (filler->count)
+            found = paradt__facets_find(&hole->table, filler, paradt__facet_key_of(&hole->table, mesh, outer),
                                         mesh->vertices, outer, corners);
         if (found < 0) {
             status = paradt__hole_add(m, hole, outer / corners);
             continue;
         }
         if (!paradt__sees_from_outside(mesh->vertices + base, (int)(outer % corners),
-                                       small->vertices + (found - found % corners), (int)(found % corners), corners))
-            found = small->links[found];
+                                       filler->vertices + (found - found % corners), (int)(found % corners), corners))
+            found = filler->links[found];
         status = paradt__list_append(&hole->walls, found, memory);
     }
     return status;
@@ -18526,13 +18527,13 @@ static paradt_status paradt__list_open(paradt__list *list, size_t count, paradt_
 
 // Reaches the cells of T(Q) that fill the hole, from the walls. *tight: none is beyond a wall
 static paradt_status paradt__hole_reach(paradt__mend *m, paradt__hole *hole, int *tight) {
-    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *small = &hole->small.scene.mesh;
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
     paradt_index corners = mesh->corners, i;
     size_t at;
-    paradt_status status = paradt__list_open(&hole->becomes, small->count, memory);
-    if (!status) status = paradt__list_open(&hole->outer, small->count * (size_t)corners, memory);
-    if (!status) status = paradt__list_room(&hole->reached.items, 0, &hole->reached.capacity, small->count, memory);
+    paradt_status status = paradt__list_open(&hole->becomes, filler->count, memory);
+    if (!status) status = paradt__list_open(&hole->outer, filler->count * (size_t)corners, memory);
+    if (!status) status = paradt__list_room(&hole->reached.items, 0, &hole->reached.capacity, filler->count, memory);
     if (status) return status;
     hole->reached.count = 0;
     *tight = 1;
@@ -18547,14 +18548,14 @@ static paradt_status paradt__hole_reach(paradt__mend *m, paradt__hole *hole, int
     for (at = 0; at < hole->reached.count; at++) {
         paradt_index base = hole->reached.items[at] * corners;
         for (i = base; i < base + corners; i++) {
-            paradt_index other = small->links[i] / corners;
+            paradt_index other = filler->links[i] / corners;
             if (hole->outer.items[i] >= 0 || hole->becomes.items[other] >= 0) continue;
             hole->becomes.items[other] = 0;
             hole->reached.items[hole->reached.count++] = other;
         }
     }
     for (at = 0; at < hole->walls.count; at++) {
-        if (hole->becomes.items[small->links[hole->walls.items[at]] / corners] >= 0) *tight = 0;
+        if (hole->becomes.items[filler->links[hole->walls.items[at]] / corners] >= 0) *tight = 0;
     }
     return PARADT_OK;
 }
@@ -18577,14 +18578,14 @@ static int paradt__mend_covers(const paradt__mend *m, paradt__scene *scene, para
 // Does what was reached fit into the hole: are its ghosts the right way round, and is it the inside of the rim as the
 // hole's cells have it, not the outside? That is so if both cover one point, the inner one, equally often.
 static int paradt__hole_fits(const paradt__mend *m, paradt__scene *scene, paradt__hole *hole) {
-    paradt__scene *small = &hole->small.scene;
+    paradt__scene *filler = &hole->filler.scene;
     int covers = 0, unclear = 0;
     size_t at;
     for (at = 0; at < hole->reached.count; at++) {
         paradt_index cell = hole->reached.items[at];
-        int ghost = paradt__ghost_place(paradt__mesh_row(&small->mesh, cell), small->mesh.corners);
-        if (ghost >= 0 && paradt__side(small, cell, ghost, m->inner) >= 0) return 0;
-        covers += paradt__mend_covers(m, small, cell, &unclear);
+        int ghost = paradt__ghost_place(paradt__mesh_row(&filler->mesh, cell), filler->mesh.corners);
+        if (ghost >= 0 && paradt__side(filler, cell, ghost, m->inner) >= 0) return 0;
+        covers += paradt__mend_covers(m, filler, cell, &unclear);
     }
     for (at = 0; at < hole->cells.count; at++) covers -= paradt__mend_covers(m, scene, hole->cells.items[at], &unclear);
     return !covers && !unclear;
@@ -18593,15 +18594,15 @@ static int paradt__hole_fits(const paradt__mend *m, paradt__scene *scene, paradt
 // Adds the cells beyond the rim to the hole: all, or where the facet would not be locally regular.
 static paradt_status paradt__hole_enlarge(paradt__mend *m, paradt__hole *hole, int all) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
-    paradt__scene *small = &hole->small.scene;
+    paradt__scene *filler = &hole->filler.scene;
     paradt_index corners = mesh->corners;
     paradt_status status = PARADT_OK;
     size_t at;
     for (at = 0; at < hole->rim.count && !status; at++) {
         paradt_index outer = mesh->links[hole->rim.items[at]], apex = mesh->vertices[outer];
         paradt_index wall = all ? 0 : hole->walls.items[at];
-        if (!all && (apex == PARADT__INFINITE || small->mesh.vertices[wall] == PARADT__INFINITE)) continue;
-        if (all || paradt__conflicts(small, wall / corners, paradt__scene_record(small, apex)))
+        if (!all && (apex == PARADT__INFINITE || filler->mesh.vertices[wall] == PARADT__INFINITE)) continue;
+        if (all || paradt__conflicts(filler, wall / corners, paradt__scene_record(filler, apex)))
             status = paradt__hole_add(m, hole, outer / corners);
     }
     return status;
@@ -18609,11 +18610,11 @@ static paradt_status paradt__hole_enlarge(paradt__mend *m, paradt__hole *hole, i
 
 // Are there points of the hole that are no vertices of the cells reached?
 static int paradt__hole_loses(paradt__hole *hole) {
-    const paradt__mesh *small = &hole->small.scene.mesh;
-    size_t corners = (size_t)small->corners, count = 0, at, i;
+    const paradt__mesh *filler = &hole->filler.scene.mesh;
+    size_t corners = (size_t)filler->corners, count = 0, at, i;
     hole->number++;
     for (at = 0; at < hole->reached.count; at++) {
-        const paradt_index *row = paradt__mesh_row(small, hole->reached.items[at]);
+        const paradt_index *row = paradt__mesh_row(filler, hole->reached.items[at]);
         for (i = 0; i < corners; i++) {
             if (row[i] < 0 || hole->seen[row[i]] == hole->number) continue;
             hole->seen[row[i]] = hole->number;
@@ -18626,7 +18627,7 @@ static int paradt__hole_loses(paradt__hole *hole) {
 // Puts the cells that were reached into the mesh, in the place of the hole's.
 static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &m->flipper.build.scene.mesh;
-    const paradt__mesh *small = &hole->small.scene.mesh;
+    const paradt__mesh *filler = &hole->filler.scene.mesh;
     paradt_index corners = mesh->corners, i;
     size_t at, row = (size_t)corners * sizeof(paradt_index);
     paradt_status status = paradt__insertion_room(&m->flipper.build, hole->reached.count);
@@ -18635,14 +18636,14 @@ static paradt_status paradt__hole_close(paradt__mend *m, paradt__hole *hole) {
     for (at = 0; at < hole->reached.count; at++) {
         paradt_index place = paradt__mesh_take(mesh), from = hole->reached.items[at];
         mesh->marks[place] = 0;
-        memcpy(mesh->vertices + place * corners, small->vertices + from * corners, row);
+        memcpy(mesh->vertices + place * corners, filler->vertices + from * corners, row);
         hole->becomes.items[from] = place;
     }
     for (at = 0; at < hole->reached.count; at++) {
         paradt_index from = hole->reached.items[at] * corners,
                      to = hole->becomes.items[hole->reached.items[at]] * corners;
         for (i = 0; i < corners; i++) {
-            paradt_index outer = hole->outer.items[from + i], mirror = small->links[from + i];
+            paradt_index outer = hole->outer.items[from + i], mirror = filler->links[from + i];
             if (outer >= 0) paradt__mesh_tie(mesh, to + i, outer);
             else mesh->links[to + i] = hole->becomes.items[mirror / corners] * corners + mirror % corners;
         }
@@ -18673,7 +18674,7 @@ static paradt_status paradt__mend_fill(paradt__mend *m, paradt__hole *hole, cons
         hole->worked += before;
         if (!status && (hole->worked > mesh->count / WORTHWHILE + 1024 || !hole->rim.count)) status = PARADT__GAVE_UP;
         if (!status) status = paradt__hole_triangulate(m, hole, set);
-        if (!status && hole->small.scene.mesh.count) status = paradt__hole_enter(m, hole);
+        if (!status && hole->filler.scene.mesh.count) status = paradt__hole_enter(m, hole);
         if (!status) status = paradt__hole_match(m, hole);
         if (status || hole->cells.count > before) continue;
         status = paradt__hole_reach(m, hole, &tight);
@@ -18742,16 +18743,16 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
     if (!m->stats->stuck) return PARADT_OK;
     if (m->stats->stuck > set->count / MANY + 64) return PARADT__GAVE_UP;
     memset(&hole, 0, sizeof hole);
-    hole.small = m->flipper.build;
-    memset(&hole.small.update, 0, sizeof hole.small.update);
-    hole.small.rim = NULL;
-    hole.small.rim_count = hole.small.rim_capacity = 0;
-    hole.small.kept = NULL;
-    paradt__mesh_begin(&hole.small.scene.mesh, corners, 1);
+    hole.filler = m->flipper.build;
+    memset(&hole.filler.update, 0, sizeof hole.filler.update);
+    hole.filler.rim = NULL;
+    hole.filler.rim_count = hole.filler.rim_capacity = 0;
+    hole.filler.kept = NULL;
+    paradt__mesh_begin(&hole.filler.scene.mesh, corners, 1);
     hole.seen = (uint32_t *)paradt__alloc(memory, set->count, sizeof *hole.seen);
     if (!hole.seen) return PARADT_ERROR_MEMORY;
     memset(hole.seen, 0, set->count * sizeof *hole.seen);
-    status = paradt__list_room(&hole.small.update.killed, 0, &hole.small.update.killed_capacity, 16, memory);
+    status = paradt__list_room(&hole.filler.update.killed, 0, &hole.filler.update.killed_capacity, 16, memory);
     for (at = 0; at < m->stuck.count && !status; at++) {
         paradt_index cell = m->stuck.items[at] / corners;
         if (mesh->vertices[cell * corners] == PARADT__DEAD || !(mesh->marks[cell] & PARADT__LISTED)) continue;
@@ -19405,7 +19406,8 @@ static paradt_status paradt__repair_hand_back(paradt__repair *r) {
     paradt__mesh_rest(mesh, &r->memory);
     t->cells = mesh->vertices;
     t->neighbors = mesh->links;
-    t->cell_count = stats->cells = mesh->count;
+    t->cell_count = mesh->count;
+    stats->cells = mesh->count;
     mesh->vertices = mesh->links = NULL;
     stats->duplicates = r->duplicates;
     stats->hidden = r->hidden;
