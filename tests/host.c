@@ -119,7 +119,12 @@ static void results_are_empty_after_every_error(void **state) {
 // Each call gets the memory that the call before said was needed, and gets further, until the memory is enough.
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
     const char *quick = getenv("QUICK");
+#if defined(__SANITIZE_ADDRESS__)
+    const size_t count = 5000;
+    (void)quick;
+#else
     const size_t count = quick && *quick ? 5000 : 20000;
+#endif
     double *x = uniform(count, 3);
     paradt_points points = packed(x, count, 3);
     (void)state;
