@@ -1,8 +1,7 @@
 // Convex hulls: facets against those of triangulations, planes and extreme points against definitions in exact arithmetic,
 // measures against exact ones, and what a caller may hand in.
 #include "harness.h"
-
-#include <pthread.h>
+#include "runners.h"
 
 static paradt_hull hull_of(const sample *s, const paradt_options *options) {
     paradt_points points = points_of(s);
@@ -469,27 +468,6 @@ static void huge_and_tiny_measures_are_scaled(void **state) {
 
 // --- threads
 
-static void *run_one(void *argument) {
-    void **task = (void **)argument;
-    ((void (*)(void *, size_t))(uintptr_t)task[0])(task[1], (size_t)(uintptr_t)task[2]);
-    return NULL;
-}
-
-static void threads_for(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    pthread_t threads[64];
-    void *arguments[64][3];
-    (void)user;
-    assert_true(count <= 64);
-    for (size_t i = 0; i < count; i++) {
-        arguments[i][0] = (void *)(uintptr_t)task;
-        arguments[i][1] = context;
-        arguments[i][2] = (void *)(uintptr_t)i;
-        assert_int_equal(pthread_create(&threads[i], NULL, run_one, arguments[i]), 0);
-    }
-    for (size_t i = 0; i < count; i++)
-        pthread_join(threads[i], NULL);
-}
-
 static void threads_give_the_same_hull(void **state) {
     (void)state;
     for (int dim = 2; dim <= 4; dim++)
@@ -498,7 +476,7 @@ static void threads_give_the_same_hull(void **state) {
                                    dim == 4 ? 10500 : 30000, 3);
             paradt_options options = {0};
             paradt_hull one = hull_of(&s, NULL), many;
-            options.parallel_for = threads_for;
+            options.parallel_for = run_on_threads;
             options.regions = tasks;
             many = hull_of(&s, &options);
             assert_true(paradt_hull_hash(&one) == paradt_hull_hash(&many));

@@ -8,44 +8,9 @@
 #endif
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
-
-#include <pthread.h>
+#include "runners.h"
 
 enum { LARGEST_DIM = SANITIZED ? 4 : 6 };
-
-// --- ways of running tasks
-
-typedef struct job {
-    void (*task)(void *context, size_t index);
-    void *context;
-    size_t next, count;
-    pthread_mutex_t lock;
-} job;
-
-static void *run_job(void *argument) {
-    job *j = (job *)argument;
-    for (;;) {
-        pthread_mutex_lock(&j->lock);
-        size_t index = j->next++;
-        pthread_mutex_unlock(&j->lock);
-        if (index >= j->count) return NULL;
-        j->task(j->context, index);
-    }
-}
-
-static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    enum { THREADS = 4 };
-    pthread_t threads[THREADS];
-    job j = {task, context, 0, count, PTHREAD_MUTEX_INITIALIZER};
-    (void)user;
-    for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, run_job, &j), 0);
-    for (int i = 0; i < THREADS; i++) pthread_join(threads[i], NULL);
-}
-
-static void run_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    (void)user;
-    while (count-- > 0) task(context, count);
-}
 
 static const paradt_parallel_for runners[] = {NULL, run_backwards, run_on_threads};
 

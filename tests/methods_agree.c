@@ -1,6 +1,7 @@
 // Sets that are too large for the definition: all methods, numbers of regions, partitions, input orders and ways of running the
 // regions give the same cells, which paradt_check certifies.
 #include "harness.h"
+#include "runners.h"
 
 #include <pthread.h>
 
@@ -153,44 +154,19 @@ static void more_regions_than_points_agree(void **state) {
 
 // --- ways of running the regions
 
-typedef struct job {
-    void (*task)(void *context, size_t index);
-    void *context;
-    size_t next, count;
-    pthread_mutex_t lock;
-} job;
-
-static void *run_job(void *argument) {
-    job *j = (job *)argument;
-    for (;;) {
-        pthread_mutex_lock(&j->lock);
-        size_t index = j->next++;
-        pthread_mutex_unlock(&j->lock);
-        if (index >= j->count)
-            return NULL;
-        j->task(j->context, index);
-    }
+// These count in *user how often they are called.
+static void count_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    ++*(int *)user;
+    run_on_threads(NULL, count, task, context);
 }
 
-static void run_on_threads(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    enum { THREADS = 4 };
-    pthread_t threads[THREADS];
-    job j = {task, context, 0, count, PTHREAD_MUTEX_INITIALIZER};
+static void count_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
     ++*(int *)user;
-    for (int i = 0; i < THREADS; i++)
-        assert_int_equal(pthread_create(&threads[i], NULL, run_job, &j), 0);
-    for (int i = 0; i < THREADS; i++)
-        pthread_join(threads[i], NULL);
-}
-
-static void run_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
-    ++*(int *)user;
-    while (count-- > 0)
-        task(context, count);
+    run_backwards(NULL, count, task, context);
 }
 
 static void regions_may_run_in_any_order_and_on_threads(void **state) {
-    static const paradt_parallel_for runners[] = {run_on_threads, run_backwards};
+    static const paradt_parallel_for runners[] = {count_on_threads, count_backwards};
     (void)state;
     for (int f = 0; f < FAMILY_COUNT; f++)
         for (int dim = 2; dim <= 4; dim++) {
@@ -224,7 +200,7 @@ static void regions_that_change_hands_build_what_they_build_alone(void **state) 
                 {"clusters", 3, 80000, 3},
                 {"lattice", 3, 45000, 2},
                 {"uniform", 2, 150000, 2}};
-    static const paradt_parallel_for runners[] = {NULL, run_on_threads, run_backwards};
+    static const paradt_parallel_for runners[] = {NULL, count_on_threads, count_backwards};
     (void)state;
     for (size_t i = 0; i < (SANITIZED ? 1 : sizeof sets / sizeof sets[0]); i++) {
         sample s = family_make(&families[family_named(sets[i].family)], NULL, sets[i].dim, sets[i].count, 1);
@@ -268,7 +244,7 @@ static void large_sets_agree(void **state) {
             options.method = (paradt_method)method;
             if (!RACES_ONLY)
                 expect_reference(&r, &options, how_text(&options));
-            options.parallel_for = run_on_threads;
+            options.parallel_for = count_on_threads;
             options.user = &calls;
             options.regions = 5;
             expect_reference(&r, &options, how_text(&options));
@@ -326,7 +302,7 @@ static void tasks_between_walls_agree(void **state) {
     } sets[] = {{"uniform", 0, 4, 700},  {"uniform", 1, 5, 220},  {"lattice", 0, 4, 625}, {"gauss", 2, 4, 500},
                 {"sphere", 0, 4, 300},   {"plane", 0, 5, 500},    {"uniform", 0, 6, 90},  {"clusters", 1, 3, 3000},
                 {"lattice", 0, 3, 1000}, {"clusters", 0, 2, 3000}};
-    static const paradt_parallel_for runners[] = {NULL, run_on_threads, run_backwards};
+    static const paradt_parallel_for runners[] = {NULL, count_on_threads, count_backwards};
     (void)state;
     for (size_t i = 0; i < (SANITIZED ? 3 : sizeof sets / sizeof sets[0]); i++) {
         reference r = reference_make(family_named(sets[i].family), sets[i].w, sets[i].dim, sets[i].count);

@@ -59,8 +59,8 @@ $(B)/tetgen: tests/bench/tetgen.cpp $(B)/library.o
 $(B)/qhull: tests/bench/qhull.c $(B)/library.o
 	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
 
-$(B)/qhull-hull: tests/bench/qhull_hull.c $(B)/library.o
-	$(CC) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
+$(B)/qhull-hull: tests/bench/qhull.c $(B)/library.o
+	$(CC) $(FLAGS) -DQHULL_HULLS $(DEPENDS) -o $@ $(SOURCES) -lqhull_r -lm
 
 $(B)/hxt: tests/bench/hxt.c $(B)/library.o
 	$(CC) $(FLAGS) -fopenmp $(DEPENDS) -o $@ $(SOURCES) -lgmsh -lm

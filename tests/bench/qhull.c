@@ -1,4 +1,5 @@
-// Qhull's reentrant library, for any dimension, with the options that are usual for Delaunay triangulations:
+// Qhull's reentrant library, for any dimension: convex hulls where QHULL_HULLS is defined, with its default options and
+// triangulated output; else Delaunay triangulations, with the options that are usual for Delaunay triangulations:
 // triangulated output, scaled last coordinate, coplanar points kept and, up to 4 dimensions, a point at infinity for
 // cospherical input (in more dimensions Qx, the default). Qhull computes in floating point and merges facets, so its
 // cells are not exact.
@@ -37,10 +38,14 @@ int main(int argc, char **argv) {
     if (!input)
         bench_fail(arguments.path, "no memory");
     memcpy(input, points.coordinates, bytes);
+#ifdef QHULL_HULLS
+    char command[] = "qhull Qt Pp";
+#else
     char command[] = "qhull d Qt Qbb Qc Q12 Pp Qz";
     char *last = strrchr(command, ' '); // Qz, the point at infinity
     if (points.dim > 4)
         *last = 0;
+#endif
     qhT memory;
     qhT *qh = &memory;
     QHULL_LIB_CHECK
