@@ -203,8 +203,7 @@
 // All give the same cells; they differ in time and memory. InCoDe and DeWall find the cell across a facet by a search
 // in a hierarchical grid of the points, and never change a cell once it is made. The Delaunay tree and the history of
 // flips keep dead cells: stats.history_nodes counts them all, about dim + 1 for each cell of the result in the tree.
-// PARADT_LIFTED_HULL alone has
-// furthest-site triangulations, with PARADT_FURTHEST_SITE in options.flags.
+// PARADT_LIFTED_HULL alone has furthest-site triangulations, with PARADT_FURTHEST_SITE in options.flags.
 //
 //
 // CONVEX HULLS
@@ -1119,7 +1118,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
-//     inserting                    209   insertions from begin to end
+//     inserting                    211   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -1140,10 +1139,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
-//     parallel dewall              493   DeWall by tasks
+//     parallel dewall              495   DeWall by tasks
 //     regions of insertion         529   the steps of a divided insertion
 //   entry
-//     methods                      307   one row a method; AUTO's choice
+//     methods                      295   one row a method; AUTO's choice
 //     triangulate                  380   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
@@ -5719,17 +5718,17 @@ enum { PARADT__VERIFIED_PLACES = 200 }; // a larger mesh is not verified after e
 // ---------------------------------------------------------------------------------------------------------------------
 // >>facets
 //
-// A table of facets that wait for their mirrors, by their vertices: the active face list of the thesis (AFL), the
-// open facets of regions. An entry is a handle in a mesh. paradt__facets_match finds the entry
-// with the same vertices as a handle and takes it out, or else enters the handle; so every facet of a complete
-// triangulation is entered once and taken out once, and a table that has done its work is empty without being cleared.
+// A table of facets that wait for their mirrors, by their vertices: the active face list of the thesis (AFL), the open
+// facets of regions. An entry is a handle in a mesh. paradt__facets_match finds the entry with the same vertices as a
+// handle and takes it out, or else enters the handle; so every facet of a complete triangulation is entered once and
+// taken out once, and a table that has done its work is empty without being cleared.
 //
 // The table is hashed with chains. The chain is chosen by the facet's smallest vertex, so that facets close to each
 // other in grid order are close in memory too: the front moves over the table as it moves over the points. The rest of
 // the key, a sum over the vertices that does not depend on their order, spreads the facets of one vertex where there
 // are many (in high dimension), and tells facets in a chain apart. A table begun with `by_key` is spread by that key
-// alone. The table itself says where to go on, at its lowest
-// chain. Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
+// alone. The table itself says where to go on, at its lowest chain.
+// Doors: paradt__facets_*, paradt__facet_*, paradt__vertex_key, paradt__cell_sum, paradt__smallest_but.
 
 typedef struct paradt__facet_entry {
     paradt_index handle, next;
@@ -10728,7 +10727,7 @@ static paradt_status paradt__insertion_go(paradt__insertion *build, const paradt
         if (i % PARADT__REPORT_STEP == 0 && paradt__progress_cancels(progress, (double)i / (double)build->count))
             return PARADT_ERROR_CANCELLED;
         status = insert(build, paradt__insertion_point(build, i));
-        if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+        if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
         build->inserted = i + 1;
         if (paradt__relay_pauses(build->relay, build->inserted, 64)) break;
     }
@@ -10770,7 +10769,7 @@ static paradt_status paradt__insert_next(paradt__insertion *build, paradt_index 
         build->kept->start = cell;
         status = paradt__choose_inserter(build)(build, point);
     }
-    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     build->inserted++;
     return status;
 }
@@ -10828,7 +10827,7 @@ PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build,
         paradt__kept_fetch_around(build, cell);
     }
     if (!status) status = paradt__choose_inserter(build)(build, point);
-    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
 }
 
@@ -10855,12 +10854,14 @@ static void paradt__insertion_begin(paradt__insertion *build, const paradt__set 
 }
 
 // Makes the closed mesh of a set, whose points are along a curve, by insertion. Vertices are positions in the set.
-// After an error the mesh is empty.
+// After an error the mesh is empty. stats: not used; other ways of insertion say there what they keep
 PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
-                                                const paradt__progress *progress, paradt__counters *counters) {
+                                                const paradt__progress *progress, paradt__counters *counters,
+                                                paradt_stats *stats) {
     paradt__insertion build;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
+    (void)stats;
     if (!order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&build, set, order, memory);
     status = paradt__insertion_run(&build, progress);
@@ -12931,7 +12932,7 @@ static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first,
     if (!status) status = paradt__cavity_star(build, point);
     if (!status) status = paradt__flips_record_star(f);
     if (!status) status = paradt__cavity_clear(build);
-    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT);
+    if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
 }
 
@@ -13334,10 +13335,10 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
     return status;
 }
 
-// Makes the closed mesh of a set as paradt__bowyer_watson does. nodes: gets the number of cells ever made
+// Makes the closed mesh of a set as paradt__bowyer_watson does. stats: history_nodes is filled
 PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                                 const paradt__progress *progress, paradt__counters *counters,
-                                                uint64_t *nodes) {
+                                                paradt_stats *stats) {
     paradt__insertion build;
     paradt__tree tree;
     paradt_index *order = paradt__round_order(set->count, memory);
@@ -13348,7 +13349,7 @@ PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__
     if (!status) {
         status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
         if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        *nodes = tree.count;
+        stats->history_nodes = tree.count;
         paradt__tree_free(&tree);
     }
     *counters = build.scene.space.counters;
@@ -15562,11 +15563,14 @@ static void paradt__half_append(paradt__mesh *mesh, const paradt__mesh *part, pa
 static paradt_status paradt__level_append(paradt__work *work, paradt_status status) {
     paradt__level *level = work->level;
     size_t total = work->mesh.count, i;
+    for (i = 0; i < level->places; i++) { // searches of all tasks together are counted where no wall is, too
+        paradt_stats *stats = &work->region[i].stats;
+        paradt__count_region(work->stats, stats);
+        work->stats->hull_facets += stats->hull_facets;
+        memset(stats, 0, sizeof *stats);
+    }
     for (i = 0; i < level->count; i++) {
-        paradt__region *region = work->region + i;
-        paradt__count_region(work->stats, &region->stats);
-        work->stats->hull_facets += region->stats.hull_facets;
-        if (region->mesh.count) total += region->mesh.count - level->ranges[i].facets.count;
+        if (work->region[i].mesh.count) total += work->region[i].mesh.count - level->ranges[i].facets.count;
     }
     if (!status) status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     for (i = 0; i < level->count; i++) {
@@ -15574,7 +15578,6 @@ static paradt_status paradt__level_append(paradt__work *work, paradt_status stat
         if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
         if (!status && region->mesh.count) paradt__half_append(&work->mesh, &region->mesh, level->ranges + i);
         paradt__mesh_free(&region->mesh, &work->memory);
-        memset(&region->stats, 0, sizeof region->stats);
         region->reported = 0;
     }
     return status;
@@ -16287,7 +16290,7 @@ PARADT__COLD paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
         paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
         side[i] = at < work->cuts.cut[work->regions / 2].begin;
     }
-    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters);
+    if (paradt__spans(&sample)) status = paradt__bowyer_watson(&sample, &work->memory, &mesh, &silent, &counters, NULL);
     if (!status && mesh.count) {
         paradt__mesh_close(&mesh, NULL, 0, NULL);
         *in_vain = paradt__count_across(&mesh, side) > PARADT__SAMPLED / 8 * 3;
@@ -16324,31 +16327,28 @@ PARADT__OPTIONAL void paradt__begin_again(paradt__work *work) {
     work->stats->cells_recomputed = work->stats->hull_facets = 0;
 }
 
-static paradt_status paradt__insert_undivided(paradt__work *work) {
+// Builds all points together, by a function that makes a closed mesh of a set.
+static paradt_status paradt__build_undivided(paradt__work *work,
+                                             paradt_status (*way)(const paradt__set *set, paradt__memory *memory,
+                                                                  paradt__mesh *mesh, const paradt__progress *progress,
+                                                                  paradt__counters *counters, paradt_stats *stats)) {
     paradt__progress progress;
     paradt__counters counters;
     paradt_status status;
     paradt__begin_way(work);
     progress = paradt__whole_progress(work);
     memset(&counters, 0, sizeof counters);
-    status = paradt__bowyer_watson(&work->set, &work->memory, &work->mesh, &progress, &counters);
+    status = way(&work->set, &work->memory, &work->mesh, &progress, &counters, work->stats);
     paradt__count_predicates(work->stats, &counters);
     return status;
 }
 
 #ifndef PARADT_NO_FLIPS
-static paradt_status paradt__build_by_flips(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
-    paradt_status status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
-    status = paradt__insert_by_flips(&work->set, &work->memory, &work->mesh, &progress, &counters, work->stats);
-    paradt__count_predicates(work->stats, &counters);
-    return status;
+PARADT__COLD paradt_status paradt__build_by_flips(paradt__work *work) {
+    return paradt__build_undivided(work, paradt__insert_by_flips);
 }
 #endif
+
 // Gives the records sagittas if the points are in space and so close to a sphere that kept spheres are doubtful.
 static paradt_status paradt__grade_for_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
@@ -16371,26 +16371,17 @@ PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
         paradt__close_set(work);
         paradt__begin_again(work);
         work->regions = 1;
-        return paradt__insert_undivided(work);
+        return paradt__build_undivided(work, paradt__bowyer_watson);
     }
 #endif
     if (!status) status = paradt__grade_for_insertion(work);
-    return status ? status : paradt__insert_undivided(work);
+    return status ? status : paradt__build_undivided(work, paradt__bowyer_watson);
 }
 
 #ifndef PARADT_NO_TREE
 PARADT__COLD paradt_status paradt__build_by_tree(paradt__work *work) {
-    paradt__progress progress;
-    paradt__counters counters;
     paradt_status status = paradt__grade_for_insertion(work);
-    if (status) return status;
-    paradt__begin_way(work);
-    progress = paradt__whole_progress(work);
-    memset(&counters, 0, sizeof counters);
-    status = paradt__delaunay_tree(&work->set, &work->memory, &work->mesh, &progress, &counters,
-                                   &work->stats->history_nodes);
-    paradt__count_predicates(work->stats, &counters);
-    return status;
+    return status ? status : paradt__build_undivided(work, paradt__delaunay_tree);
 }
 #endif
 
@@ -19596,7 +19587,7 @@ static int paradt__quotient_compare(const paradt__quotient *q, uint64_t half, in
 static double paradt__quotient_round(const paradt__quotient *q) {
     const uint64_t least = (uint64_t)1 << 52;
     uint64_t mantissa, step = 1;
-    int unit, a_exponent, b_exponent, before = 0;
+    int unit, a_exponent, b_exponent, before = 0, infinite;
     double guess;
     guess = paradt__leading(q->a, &a_exponent);
     guess = paradt__rounded(guess / paradt__leading(q->b, &b_exponent));
@@ -19604,11 +19595,12 @@ static double paradt__quotient_round(const paradt__quotient *q) {
     unit += a_exponent - b_exponent + q->exponent;
     if (unit < -1140) return 0;
     for (; unit < -1074; unit++) mantissa /= 2;
-    for (;;) {
+    infinite = unit > 972 || (unit > 970 && paradt__quotient_compare(q, 4 * least - 1, 970) >= 0);
+    while (!infinite) {
         int towards = 0, above;
         for (; mantissa < least && mantissa && unit > -1074; unit--) mantissa *= 2;
         for (; mantissa >= 2 * least; unit++) mantissa /= 2;
-        if (unit > 971) break;
+        if (unit > 971) mantissa = 2 * least - 1, unit = 971; // the largest double
         above = paradt__quotient_compare(q, 2 * mantissa + 1, unit - 1);
         if (above > 0 || (!above && mantissa & 1)) {
             towards = 1;
@@ -19628,7 +19620,7 @@ static double paradt__quotient_round(const paradt__quotient *q) {
         mantissa += towards < 0 ? 0 - step : step;
         before = towards;
     }
-    mantissa = unit > 971         ? (uint64_t)2047 << 52
+    mantissa = infinite           ? (uint64_t)2047 << 52
                : mantissa < least ? mantissa
                                   : mantissa - least + ((uint64_t)(unit + 1075) << 52);
     if (!mantissa) return 0;
@@ -19731,14 +19723,13 @@ static void paradt__face_exchange(const paradt__face *face, int i) {
 static paradt__integer paradt__face_determinant(paradt__face *face, const paradt__digit *rows,
                                                 const paradt__layout *layout) {
     const paradt__determinant square = paradt__face_square(face);
-    const paradt__minors m = {&square, layout, rows, 0};
-    paradt__minors copy = m;
+    paradt__minors m = {&square, layout, rows, 0};
     int k = face->edges, whole;
     const paradt__digit *made;
     paradt__digit *kept = paradt__face_take(face, paradt__minor_digits(&m, k));
     paradt__integer x;
     whole = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1) <= face->room;
-    made = paradt__determinant_digits(&copy, face->work, face->sum, whole, &x.count);
+    made = paradt__determinant_digits(&m, face->work, face->sum, whole, &x.count);
     memcpy(kept, made, (size_t)x.count * sizeof *kept);
     while (x.count > 1 && !kept[x.count - 1]) x.count--;
     x.digits = kept;
@@ -19874,10 +19865,10 @@ static int paradt__face_is_small(const paradt__face *face) {
     const paradt__determinant square = paradt__face_square(face);
     const paradt__minors m = {&square, &face->layout, NULL, 0};
     int k = face->edges, d = face->dim, n = face->digits, products = face->lift_digits;
-    int longest = paradt__minor_digits(&m, k), numerator = longest + products + 5;
+    int longest = paradt__minor_digits(&m, k), numerator = longest + products + 2 + 128 / PARADT__RADIX;
     int digits = k * d * n + k * (k + 1) * products + (k + 1) * longest;
     int minors = paradt__minors_space(&m, k, 0) + paradt__minors_space(&m, k, 1);
-    int more = paradt__max(minors, paradt__max(products + numerator, d * n + (k + 1) * products) + numerator);
+    int more = paradt__max(minors, paradt__max(products + 2 * numerator, d * n + (k + 1) * products) + numerator);
     return digits + more <= PARADT__SMALL_FACE_DIGITS && numerator <= PARADT__SMALL_FACE_SUM;
 }
 
@@ -20044,7 +20035,7 @@ static double paradt__guess_sphere(int dim, double u[PARADT_MAX_DIM + 1][PARADT_
 // Guesses the face whose sphere is the smallest around the cell: the cell, or of the faces with the centres of their
 // spheres in them, all of which are in that sphere, the one with the largest.
 static unsigned paradt__guess_face(int dim, const double *const *points, int top) {
-    const double scale = paradt__power(paradt__min(-top, 1023));
+    const double scale = paradt__power(paradt__max(paradt__min(-top, 1023), -1022));
     double u[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], largest = -1;
     unsigned all = (2u << dim) - 1, best = all, face;
     int i, j;

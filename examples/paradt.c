@@ -482,7 +482,7 @@ static char *make_stats(const job *j) {
     TIMERS(SAY_TIMER)
     if (j->s->method == PARADT_FLIP)
         say_flips(&out, &j->t.stats);
-    if (j->t.dim == j->points.dim) {
+    if (!j->s->hull && j->t.dim == j->points.dim) {
         shapes found = measure_shapes(j);
         say(&out, "  \"max_min_containment_radius\": ");
         say(&out, isfinite(found.radius) ? "%.17g" : "null", found.radius);

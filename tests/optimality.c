@@ -4,6 +4,8 @@
 // power of a place with regard to the sphere of the cell around it is nowhere smaller than by T(P) (lemma 1.5).
 #include "harness.h"
 
+#include <float.h>
+
 enum { LARGEST_DIM = PARADT_MAX_DIM, MOST = LARGEST_DIM + 1 };
 
 // --- rational arithmetic
@@ -398,6 +400,13 @@ static void some_cells_are_known_by_heart(void **state) {
         p[i] = far[i];
     assert_int_equal(paradt_circumsphere(2, p, NULL, centre, &radius2), 1);
     assert_true(centre[0] == 0 && centre[1] == 0 && isinf(radius2) && isinf(paradt_volume(2, p)));
+    assert_int_equal(paradt_enclosing_sphere(2, p, centre, &radius2), 7);
+    assert_true(centre[0] == 0 && centre[1] == 0 && isinf(radius2));
+    // A volume of (2^53 - 0.54) 2^971: the largest double is nearest.
+    const double most[4][3] = {{0, 0, 0}, {ldexp(41, 400), 0, 0}, {0, ldexp(5272506880823995, 400), 0}, {0, 0, ldexp(1, 169)}};
+    for (int i = 0; i < 4; i++)
+        p[i] = most[i];
+    assert_true(paradt_volume(3, p) == DBL_MAX);
 }
 
 // --- flips

@@ -298,6 +298,9 @@ report $? hull_does_not_depend_on_jobs
 run --hull --check --stats - gen:coplanar:100:1
 done_well && grep -q '"affine_dim": 2' out
 report $? hull_of_a_plane
+run --hull --stats - gen:ball:1000:1
+done_well && ! grep -q self_centred out
+report $? hull_has_no_measures_of_cells
 printf '1.5abc 2 3\n' >tail.xyz
 ends hull_of_bad_file 3 "^paradt: tail.xyz:1:" --hull tail.xyz
 run --hull --quiet --dim 3 same.xyz

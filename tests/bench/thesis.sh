@@ -119,9 +119,12 @@ walls() {
     for n in "$@"; do
         line=$n
         for p in 1 2 4; do
-            measure build/paradt --jobs "$p" --regions "$p" --method dewall --stats - "gen:uniform:$n:1" || line="$line failed"
-            line="$line $best"
-            echo "dewall-$p $n $best" >>"$series"
+            if measure build/paradt --jobs "$p" --regions "$p" --method dewall --stats - "gen:uniform:$n:1"; then
+                line="$line $best"
+                echo "dewall-$p $n $best" >>"$series"
+            else
+                line="$line failed failed" # not six fields: no row
+            fi
         done
         echo "$line $(field cells "$work/thesis.json") $(field cells_recomputed "$work/thesis.json")" | awk 'NF == 6 {
             printf "| %d | %.4f | %.4f | %.4f | %.2f | %.2f | %d | %d |\n", $1, $2, $3, $4, $2 / $3, $2 / $4, $5, $6
