@@ -6879,8 +6879,10 @@ static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
 // paradt__pencil_set_sphere, paradt__pencil_set_whole_sphere, paradt__pencil_is_inside, paradt__pencil_is_outside,
 // paradt__pencil_boxes_beyond, paradt__pencil_is_confined.
 
-#define PARADT__NEEDLE 68719476736.0         // 2^36
-#define PARADT__STEEP  2.0370359763344861e90 // 2^300: spheres that flat are left to the predicates
+#define PARADT__NEEDLE  68719476736.0          // 2^36
+#define PARADT__STEEP   2.0370359763344861e90  // 2^300: spheres that flat are left to the predicates
+#define PARADT__LOOSE   1048576.0              // 2^20: slacks so much larger than what is needed are set anew
+#define PARADT__LEAST_N 2.409919865102884e-181 // 2^-600: far below what N is at least where it is a determinant
 
 // The dimension that the inner functions have copies for, where all coordinates orient and nothing follows them
 enum { PARADT__PLAIN_DIM = PARADT_MAX_DIM < 3 ? PARADT_MAX_DIM : 3 };
@@ -6891,6 +6893,9 @@ typedef struct paradt__pencil {
     int plain;           // the set has PARADT__PLAIN_DIM coordinates, of which all orient, and no grades
     const double *corners[PARADT_MAX_DIM + 2]; // the facet's dim vertices, then the current sphere's point
     int outside;                               // sign of the orientation (facet, x) for x outside
+    int certain;                               // the sign of N is known everywhere
+    int sided;                                 // points matter where N is positive only
+    int limit; // the current sphere stands for one through its point, whose t is at most its own
     double base[PARADT_MAX_DIM];
     double base_slack, normal_slack;
     unsigned changes; // how often the sphere was set for this facet; 0: there is none yet
@@ -6934,6 +6939,20 @@ PARADT__INLINE int paradt__pencil_add_residual(paradt__pencil *p, const double *
     p->base_slack += 2.0 * dual_size * (paradt__abs(r) + p->q.round * r_size + p->q.f_floor);
     p->normal_slack += 2.0 * dual_size * (paradt__abs(n) + p->q.round * n_size);
     return length * dual_size < PARADT__NEEDLE;
+}
+
+// Computes the normal of an edge in the plane, the edge turned by a right angle, and the dual basis d. Returns 0 if the
+// edge has no length.
+PARADT__INLINE int paradt__pencil_of_edge(paradt__pencil *p, double edges[][PARADT_MAX_DIM],
+                                          double d[][PARADT_MAX_DIM]) {
+    const double *e = edges[0];
+    double size = e[0] * e[0] + e[1] * e[1];
+    if (!(size > 0.0)) return 0;
+    d[0][0] = e[0] / size;
+    d[0][1] = e[1] / size;
+    p->q.normal[0] = p->outside < 0 ? e[1] : -e[1];
+    p->q.normal[1] = p->outside < 0 ? -e[0] : e[0];
+    return 1;
 }
 
 #if PARADT_MAX_DIM >= 3
@@ -7019,17 +7038,39 @@ PARADT__NOINLINE int paradt__pencil_of_facet(paradt__pencil *p, double edges[][P
     return 1;
 }
 
-// Makes the normal point away from `inner`. Where the side of `inner` is in doubt, N will rule out nothing.
-static void paradt__pencil_orient_normal(paradt__pencil *p, const double *inner, int dim) {
+// Is the orientation of the edges followed by the normal, a unit vector at right angles to them, positive? By
+// elimination with the largest pivots: the edges are not those of a needle, so no pivot is in doubt.
+static int paradt__pencil_handedness(const paradt__pencil *p, double edges[][PARADT_MAX_DIM], int dim) {
+    double rows[PARADT_MAX_DIM][PARADT_MAX_DIM];
+    int positive = 1, i, j, k;
+    for (i = 0; i < dim; i++) memcpy(rows[i], i < dim - 1 ? edges[i] : p->q.normal, sizeof rows[i]);
+    for (k = 0; k < dim; k++) {
+        int pivot = k;
+        for (j = k; j < dim; j++) pivot = paradt__abs(rows[k][j]) > paradt__abs(rows[k][pivot]) ? j : pivot;
+        positive ^= (rows[k][pivot] < 0.0) ^ (pivot != k);
+        for (i = k + 1; i < dim; i++) {
+            double factor = rows[i][pivot] / rows[k][pivot];
+            rows[i][pivot] = rows[i][k];
+            for (j = k + 1; j < dim; j++) rows[i][j] -= factor * (j == pivot ? rows[k][k] : rows[k][j]);
+        }
+    }
+    return positive;
+}
+
+// Makes the normal point away from `inner`. The side of `inner` is in doubt where the cell is all but flat, as many on
+// the hull are.
+static void paradt__pencil_orient_normal(paradt__pencil *p, double edges[][PARADT_MAX_DIM], const double *inner,
+                                         int dim) {
     double side = 0.0, size = 0.0;
-    int j;
+    int j, turn;
     for (j = 0; j < dim; j++) {
         double u = inner[j] - p->q.origin[j];
         side += p->q.normal[j] * u;
         size += paradt__abs(u) * (p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack);
     }
-    for (j = 0; j < dim && side > size; j++) p->q.normal[j] = -p->q.normal[j];
-    if (side >= -size && side <= size) p->normal_slack = PARADT__NO_BOUND;
+    turn = side > size;
+    if (side >= -size && side <= size) turn = paradt__pencil_handedness(p, edges, dim) != (p->outside > 0);
+    for (j = 0; j < dim && turn; j++) p->q.normal[j] = -p->q.normal[j];
 }
 
 // Nothing is known about the pencil in floating point: leaves everything to the predicates.
@@ -7041,11 +7082,13 @@ static void paradt__pencil_forget(paradt__pencil *p) {
 
 // Sets the least N of a point outside. If the coordinates are multiples of one power of two, as in lattices, and N is a
 // determinant of them (`determinant`), N is such a multiple, too. If, besides, its error is less than half of the
-// smallest such multiple that is not 0, the sign of N is known everywhere.
+// smallest such multiple that is not 0, the sign of N is known everywhere. Else a determinant is at least 2^-516 where
+// it is not 0, as the coordinates of a filtered set are multiples of 2^-172: where N and its bound are 0, as in the
+// plane of a facet at right angles to an axis, nothing is outside.
 PARADT__INLINE void paradt__pencil_set_floor(paradt__pencil *p, int determinant) {
     const paradt__space *space = &p->space;
-    p->q.n_floor =
-        determinant && space->orient_certain < 0.5 * space->orient_quantum ? 0.5 * space->orient_quantum : 0.0;
+    p->certain = determinant && space->orient_certain < 0.5 * space->orient_quantum;
+    p->q.n_floor = p->certain ? 0.5 * space->orient_quantum : determinant ? PARADT__LEAST_N : 0.0;
 }
 
 // Finds the sphere that holds the cap of the reference sphere outside of the facet. Near a reference sphere with centre
@@ -7102,11 +7145,11 @@ PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const d
         lift_sizes[i] = square + paradt__abs(loss); // square and loss may cancel
     }
     p->base_slack = p->normal_slack = 0.0;
+    if (dim == 2) sound = paradt__pencil_of_edge(p, edges, dual);
 #if PARADT_MAX_DIM >= 3
-    sound = dim == 3 ? paradt__pencil_of_triangle(p, edges, dual) : paradt__pencil_of_facet(p, edges, dual, dim);
-#else
-    sound = paradt__pencil_of_facet(p, edges, dual, dim);
+    else if (dim == 3) sound = paradt__pencil_of_triangle(p, edges, dual);
 #endif
+    else sound = paradt__pencil_of_facet(p, edges, dual, dim);
     for (j = 0; j < dim && sound; j++) {
         p->base[j] = 0.0;
         for (i = 0; i < dim - 1; i++) p->base[j] += lifts[i] * dual[i][j];
@@ -7114,9 +7157,9 @@ PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const d
     for (i = 0; i < dim - 1 && sound; i++) {
         sound = paradt__pencil_add_residual(p, edges[i], lifts[i], lift_sizes[i], dual[i], dim);
     }
-    if (sound && dim != 3) paradt__pencil_orient_normal(p, inner, dim);
+    if (sound && dim != 2 && dim != 3) paradt__pencil_orient_normal(p, edges, inner, dim);
     if (!sound) paradt__pencil_forget(p);
-    paradt__pencil_set_floor(p, sound && dim == 3);
+    paradt__pencil_set_floor(p, sound && (dim == 2 || dim == 3));
     p->q.clear = 0.0;
     for (j = 0; j < dim; j++) p->q.clear = paradt__larger(p->q.clear, paradt__abs(p->q.normal[j]));
     if (dim > 1) p->q.clear *= 1e-9 * paradt__largest(edges[0], dim);
@@ -7125,12 +7168,12 @@ PARADT__INLINE void paradt__pencil_set_facet_of_shape(paradt__pencil *p, const d
         p->q.outer[j] = p->q.normal[j] < 0.0 ? 0 : PARADT__LANES;
         p->q.centre[j] = p->base[j];
         p->q.slack[j] = PARADT__NO_BOUND;
-        p->q.reach[j] =
-            j < dim && p->q.n_floor == 0.0 ? p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack : 0.0;
+        p->q.reach[j] = j < dim && !p->certain ? p->q.round * paradt__abs(p->q.normal[j]) + p->normal_slack : 0.0;
     }
     PARADT_ASSERT(p->base_slack >= 0.0 && p->normal_slack >= 0.0); // and are numbers
     p->q.cap_floor = PARADT__NO_BOUND;
     if (grade == PARADT__SAGITTA && sound && sided) paradt__pencil_set_cap(p, edges, dual, dim);
+    p->sided = sided;
     p->changes = 0;
 }
 
@@ -7167,12 +7210,16 @@ static void paradt__pencil_set_curve(paradt__pencil *p, int dim) {
 
 // Makes the sphere through x the current one. n: N(x); n_bound: the bound on its error. The slacks are set to twice
 // what is needed and then kept while that suffices, so bounds on errors in a box mostly hold for the next sphere, too.
+// Only what an all but flat sphere has left is given up: with such slacks nothing would be ruled out any more.
+// Where x is all but in the facet's plane, t = A / N is in doubt. If A is surely negative, t is at most A / N with the
+// largest A and N that they may be. For N > 0 that limit gives a smaller F than t does; so what is outside the sphere
+// of the limit is outside the sphere through x, but what is inside remains to be decided.
 // Inlined with constants for plain sets.
 PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const double *x, double n, double n_bound,
                                                        int dim, int ambient, int grade) {
     int j, grown = !p->changes;
     double a = 0.0, a_bound = p->q.f_floor, t, t_bound, size;
-    if (p->q.n_floor > 0.0) n_bound = p->space.orient_certain;
+    n_bound = p->certain ? p->space.orient_certain : paradt__larger(n_bound, 0.0); // without the floor
     size = paradt__abs(n) - n_bound;
     p->corners[dim] = x;
     p->changes++;
@@ -7187,6 +7234,13 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         a -= gain;
         a_bound += p->q.round * paradt__abs(gain);
     }
+    p->limit = p->sided && a < -a_bound && !(size > 0.5 * paradt__abs(n));
+    if (p->limit) { // t is negative, and at most that of the largest N
+        n = (paradt__abs(n) + n_bound) * (1.0 + p->q.round);
+        a += a_bound;
+        size = n;
+        n_bound = a_bound = 0.0;
+    }
     t = size > 0.0 ? a / n : PARADT__STEEP;
     t_bound = size > 0.0 ? (a_bound + paradt__abs(t) * n_bound) / size + p->q.round * paradt__abs(t) : PARADT__STEEP;
     if (!(paradt__abs(t) < PARADT__STEEP && t_bound < PARADT__STEEP)) {
@@ -7199,7 +7253,7 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         p->q.centre[j] = p->base[j] + t * normal;
         slack = p->q.round * (paradt__abs(p->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
         if (j < dim) slack += p->base_slack + (paradt__abs(t) + t_bound) * p->normal_slack;
-        if (grown || slack > p->q.slack[j]) {
+        if (grown || slack > p->q.slack[j] || slack * PARADT__LOOSE < p->q.slack[j]) {
             p->q.slack[j] = 2.0 * slack;
             grown = 1;
         }
@@ -7225,6 +7279,7 @@ static void paradt__pencil_set_whole_sphere(paradt__pencil *p, const double *x) 
     paradt__pencil_set_sphere(p, x, n, n_bound);
     for (j = 0; j < p->space.ambient; j++) p->q.reach[j] = PARADT__NO_BOUND;
     p->q.n_floor = 0.0;
+    p->certain = 0;
 }
 
 // Is x in conflict with the cell of the facet and the current sphere's point? Decides exactly.
@@ -7256,7 +7311,7 @@ static int paradt__pencil_is_outside(paradt__pencil *p, const double *x) {
 PARADT__NOINLINE unsigned paradt__pencil_boxes_beyond(const paradt__pencil *p, const double *group, unsigned mask) {
     unsigned left, beyond = 0;
     int j;
-    if (p->q.n_floor > 0.0) return mask; // then the kernel has ruled such boxes out
+    if (p->certain) return mask; // then the kernel has ruled such boxes out
     for (left = mask; left; left &= left - 1) {
         int lane = paradt__trailing_zeros(left);
         double most = 0.0;
@@ -7308,9 +7363,10 @@ static int paradt__pencil_is_confined(const paradt__pencil *p, const double *box
 // (see >>pencil and >>search kernels). The order in which points are seen only matters for speed.
 //
 // Nobody else writes the search's fields; its set may be read. Doors: paradt__search_begin, paradt__search_limit,
-// paradt__search_skip_finished, paradt__search_admit, paradt__search_space, paradt__search_counters,
-// paradt__search_effort, paradt__search_add_counts, paradt__search_point, paradt__search_from_top,
-// paradt__search_aim_at_facet, paradt__search_aim_at_cell, paradt__search_apex, paradt__search_conflict.
+// paradt__search_skip_finished, paradt__search_admit, paradt__search_span, paradt__search_space,
+// paradt__search_counters, paradt__search_effort, paradt__search_add_counts, paradt__search_point,
+// paradt__search_from_top, paradt__search_aim_at_facet, paradt__search_aim_at_cell, paradt__search_apex,
+// paradt__search_conflict.
 
 // What the search is aimed at
 enum {
@@ -7333,7 +7389,9 @@ typedef struct paradt__search {
     paradt_index facet[PARADT_MAX_DIM]; // positions of the facet's vertices; others than the set's: they are not in it
     paradt_index apex;                  // the best point so far, or PARADT__OPEN
     int found;                          // aimed at any point: the apex is one
-    paradt__pencil pencil;              // of the facet
+    paradt_index spanning[PARADT_MAX_DIM + 1]; // positions that span the space, once they were looked for
+    int spans;
+    paradt__pencil pencil; // of the facet
 } paradt__search;
 
 // Prepares a search in the set, of which the grid has the points.
@@ -7363,6 +7421,21 @@ PARADT__OPTIONAL void paradt__search_skip_finished(paradt__search *s, uint8_t *c
 // The search will be put to points of another grid, too: its heaviest point may be an answer.
 PARADT__OPTIONAL void paradt__search_admit(paradt__search *s, const paradt__grid *grid) {
     s->heaviest = paradt__larger(s->heaviest, grid->heaviest);
+}
+
+// Completes a simplex, of which one or two vertices are given, so that it spans the space. The set is gone through
+// once; after that, points that span the space are known, and some of them complete any simplex.
+PARADT__OPTIONAL void paradt__search_span(paradt__search *s, paradt_index *simplex, int given) {
+    paradt__counters *counters = &s->pencil.space.counters;
+    paradt__set part = *s->set;
+    if (s->spans) {
+        part.count = (size_t)part.space.dim + 1;
+        paradt__set_basis(&part, s->spanning, given, simplex, NULL, counters, NULL);
+    } else {
+        paradt__set_basis(s->set, NULL, given, simplex, NULL, counters, NULL);
+        memcpy(s->spanning, simplex, ((size_t)part.space.dim + 1) * sizeof *simplex);
+        s->spans = 1;
+    }
 }
 
 // Returns the space of the search's set, in which its predicates are counted.
@@ -7420,7 +7493,7 @@ PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t posi
         if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
     if (s->apex >= 0) {
-        if (f > f_bound || (f >= -f_bound && !paradt__pencil_is_inside(&s->pencil, x))) return;
+        if (f > f_bound || ((f >= -f_bound || s->pencil.limit) && !paradt__pencil_is_inside(&s->pencil, x))) return;
     }
     if (s->aim == PARADT__AIM_APEX) {
         paradt__pencil_set_sphere(&s->pencil, x, n, n_bound);
@@ -7843,8 +7916,7 @@ static int paradt__simplex_guess(paradt__search *s, paradt_index *simplex, int g
 static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int given) {
     paradt_index goal[PARADT_MAX_DIM + 1], q;
     PARADT_ASSERT(given == 1 || (given == 2 && simplex[0] != simplex[1]));
-    if (!paradt__simplex_guess(s, simplex, given))
-        paradt__set_basis(s->set, NULL, given, simplex, NULL, &paradt__search_space(s)->counters, NULL);
+    if (!paradt__simplex_guess(s, simplex, given)) paradt__search_span(s, simplex, given);
     memcpy(goal, simplex, sizeof goal);
     paradt__simplex_orient(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
