@@ -1104,11 +1104,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
-//     pencil                       444   the spheres through a facet
-//     search                       355   the apex of a facet, a point in a sphere
+//     pencil                       499   the spheres through a facet
+//     search                       373   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
-//     first simplex                139   a cell to begin with
+//     first simplex                138   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
@@ -7219,7 +7219,7 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
                                                        int dim, int ambient, int grade) {
     int j, grown = !p->changes;
     double a = 0.0, a_bound = p->q.f_floor, t, t_bound, size;
-    n_bound = p->certain ? p->space.orient_certain : paradt__larger(n_bound, 0.0); // without the floor
+    if (p->certain) n_bound = p->space.orient_certain;
     size = paradt__abs(n) - n_bound;
     p->corners[dim] = x;
     p->changes++;
@@ -7234,9 +7234,9 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         a -= gain;
         a_bound += p->q.round * paradt__abs(gain);
     }
-    p->limit = p->sided && a < -a_bound && !(size > 0.5 * paradt__abs(n));
-    if (p->limit) { // t is negative, and at most that of the largest N
-        n = (paradt__abs(n) + n_bound) * (1.0 + p->q.round);
+    p->limit = !(size > 0.5 * paradt__abs(n)) && p->sided && a < -a_bound;
+    if (p->limit) {                                          // t is negative, and at most that of the largest N
+        n = (paradt__abs(n) + n_bound) * (1.0 + p->q.round); // n_bound lacks LEAST_N, far less than its own roundings
         a += a_bound;
         size = n;
         n_bound = a_bound = 0.0;
@@ -7253,7 +7253,7 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         p->q.centre[j] = p->base[j] + t * normal;
         slack = p->q.round * (paradt__abs(p->base[j]) + paradt__abs(t * normal)) + t_bound * paradt__abs(normal);
         if (j < dim) slack += p->base_slack + (paradt__abs(t) + t_bound) * p->normal_slack;
-        if (grown || slack > p->q.slack[j] || slack * PARADT__LOOSE < p->q.slack[j]) {
+        if (grown || slack > p->q.slack[j] || (j == 0 && slack * PARADT__LOOSE < p->q.slack[0])) {
             p->q.slack[j] = 2.0 * slack;
             grown = 1;
         }

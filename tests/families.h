@@ -160,6 +160,24 @@ static inline void points_lattice_off_by_ulps(sample *s, uint64_t *seed) {
         s->x[i] = (s->x[i] + 1) * (1 + (random_below(seed, 3) - 1) * 0x1p-52);
 }
 
+// A lattice turned in the plane of each two axes: cospherical and coplanar but for rounding errors.
+static inline void points_tilted_lattice(sample *s, uint64_t *seed) {
+    fill_from_lattice(s, seed, keep_all);
+    FOR_EACH_POINT(s, x)
+    for (int k = 0; k + 1 < s->dim; k++) {
+        double a = x[k], b = x[k + 1];
+        x[k] = cos(0.3) * a - sin(0.3) * b;
+        x[k + 1] = sin(0.3) * a + cos(0.3) * b;
+    }
+}
+
+// Points in two hyperplanes at right angles to an axis.
+static inline void points_two_hyperplanes(sample *s, uint64_t *seed) {
+    FOR_EACH_POINT(s, x)
+    for (int k = 0; k < s->dim; k++)
+        x[k] = k == s->dim - 1 ? random_below(seed, 2) : random_unit(seed);
+}
+
 // Integer points x of equal |x|^2, moved by an offset: all exactly on one sphere. The plane has only few of them.
 static inline int count_cospherical(int dim, int rest, int *at, int k, sample *s, int *found) {
     for (int v = 0, r = 0; (r = rest - v * v) >= 0; v++) {
@@ -380,6 +398,8 @@ static const family families[] = {
     {"fcc", points_fcc, 0, 0},                                   // cospherical, more points on a sphere
     {"lattice surface", points_lattice_surface, 0, 0},           // coplanar hull, cospherical
     {"lattice off by ulps", points_lattice_off_by_ulps, 0, 0},   // almost cospherical
+    {"tilted lattice", points_tilted_lattice, 0, 0},             // cospherical and coplanar but for rounding errors
+    {"two hyperplanes", points_two_hyperplanes, 0, 0},           // coplanar hull facets on two sides
     {"cospherical", points_cospherical, 200, 0},                 // every point on one sphere, exactly
     {"cube surface", points_cube_surface, 0, 0},                 // coplanar hull facets
     {"cylinder", points_cylinder, 0, 0},                         // cocircular layers, duplicates

@@ -448,8 +448,37 @@ static void the_hash_is_one_of_a_set(void **state) {
     sample_free(&s);
 }
 
+// What the searches of a front look at, a cell
+static double effort_of(const char *name, paradt_method method, size_t regions, int count) {
+    sample s = family_make(&families[family_named(name)], NULL, 2, count, 5);
+    paradt_points points = points_of(&s);
+    paradt_options options = {0};
+    paradt_triangulation t;
+    options.method = method;
+    options.regions = regions;
+    assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+    double effort = (double)(t.stats.grid_cells_visited + t.stats.orient_calls + t.stats.insphere_calls) / (double)t.cell_count;
+    paradt_free(&t);
+    sample_free(&s);
+    return effort;
+}
+
+// Where many points are on the hull's facets, or off them by rounding errors, a search must not look at all of them.
+static void fronts_take_as_much_a_cell_in_larger_sets(void **state) {
+    static const char *const in[] = {"tilted lattice", "two hyperplanes"};
+    (void)state;
+    for (size_t i = 0; i < 2; i++)
+        for (int m = PARADT_INCODE; m <= PARADT_DEWALL; m++)
+            for (size_t regions = 1; regions <= 2; regions++) {
+                double few = effort_of(in[i], (paradt_method)m, regions, 2500), many = effort_of(in[i], (paradt_method)m, regions, 10000);
+                if (many > 1.5 * few + 10)
+                    fail_msg("%s in %s, %d regions: %.0f steps a cell among 2500 points, %.0f among 10000",
+                             paradt_method_string((paradt_method)m), in[i], (int)regions, few, many);
+            }
+}
+
 int main(void) {
-    static struct CMUnitTest tests[FAMILY_COUNT + 10];
+    static struct CMUnitTest tests[FAMILY_COUNT + 11];
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT && !RACES_ONLY; f++)
         tests[count++] = named_test(methods_and_regions_agree, (void *)(intptr_t)f, "methods_and_regions_agree_on_%s",
@@ -461,6 +490,8 @@ int main(void) {
         tests[count++] = named_test(regions_cut_across_an_axis_that_does_not_orient_agree, NULL,
                                     "regions_cut_across_an_axis_that_does_not_orient_agree");
         tests[count++] = named_test(stars_of_thousands_of_cells_agree, NULL, "stars_of_thousands_of_cells_agree");
+        tests[count++] = named_test(fronts_take_as_much_a_cell_in_larger_sets, NULL,
+                                    "fronts_take_as_much_a_cell_in_larger_sets");
         tests[count++] = named_test(the_hash_is_one_of_a_set, NULL, "the_hash_is_one_of_a_set");
     }
     tests[count++] = named_test(regions_may_run_in_any_order_and_on_threads, NULL,
