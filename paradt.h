@@ -821,10 +821,11 @@ typedef struct paradt_repair_stats {
 // that of paradt_triangulate, in less time where the moves are small. Cells that are still right stay; most others are
 // replaced by flips.
 //   triangulation  with neighbors, from paradt_triangulate or paradt_repair; what was done to its arrays since must
-//                  have left a valid triangulation of the points as they were then. A triangulation that is empty, has
-//                  no neighbors or another dimension than the points is built anew, and so is one with many cells
-//                  turned over or many facets not locally regular (in space a twelfth as many as cells), or where many
-//                  points become or cease to be hidden. Its arrays and stats are replaced.
+//                  have left a valid triangulation of the points as they were then. One that paradt_repair has left
+//                  empty, or that has no neighbors or another dimension than the points, is built anew, and so is one
+//                  with many cells turned over or many facets not locally regular (in space a twelfth as many as
+//                  cells), or where more than a quarter of the points are hidden or duplicates. Its arrays and stats
+//                  are replaced.
 //   points         as many as before, at their new places
 //   options        NULL: the defaults. memory_limit, progress, user and flags are used, PARADT_FACETS for what the
 //                  neighbors hold and are to hold; not with PARADT_NO_NEIGHBORS. All memory comes from the
@@ -19207,17 +19208,22 @@ static void paradt__repair_rejoin(paradt__repair *r, const uint64_t *used) {
     }
 }
 
+// With more points that are no vertices it is better to build anew: each of them takes a walk.
+static size_t paradt__repair_most_others(size_t points) {
+    return points / 4 + 64;
+}
+
 // Deals with all points that are no vertices, in their order.
 static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
     paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt_index *representative = r->t->representative;
-    size_t i, others = 0, most = r->set.count / 4 + 64;
+    size_t i, others = 0;
     uint64_t inserted = r->mend.stats->reinserted;
     paradt_status status = PARADT_OK;
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) others += !(used[i / 64] >> i % 64 & 1);
     if (!others) return PARADT_OK;
-    if (others > most) return PARADT__GAVE_UP;
+    if (others > paradt__repair_most_others(r->set.count)) return PARADT__GAVE_UP;
     scene->hint = 0;
     while (scene->mesh.vertices[scene->hint * scene->mesh.corners] == PARADT__DEAD) scene->hint++;
     for (i = 0; i < r->set.count; i++) representative[i] = (paradt_index)i;
@@ -19284,9 +19290,12 @@ static paradt_status paradt__repair_places(paradt__repair *r) {
 
 // --- the whole
 
-// Returns why the triangulation can't be repaired, but only be built anew, or NULL. Then nothing is wrong with it.
+// Can the triangulation be repaired, and does that pay? Not where many points are no vertices.
 static int paradt__repair_pays(const paradt_triangulation *t, const paradt_points *points) {
-    return t->dim == points->dim && t->cell_count && t->neighbors && t->cells;
+    size_t others = 0, i;
+    if (t->dim != points->dim || !t->cell_count || !t->neighbors || !t->cells) return 0;
+    for (i = 0; i < t->point_count; i++) others += t->representative[i] != (paradt_index)i;
+    return others <= paradt__repair_most_others(t->point_count);
 }
 
 // Prepares mending: the insertion that the flips are done in.
@@ -19419,6 +19428,9 @@ static paradt_status paradt__repair_anew(paradt_triangulation *t, const paradt_p
     if (status) {
         t->error_point = fresh.error_point;
         t->error_text = fresh.error_text;
+        if (status == PARADT_ERROR_NOT_FINITE || status == PARADT_ERROR_TOO_LARGE) return status; // all else stays
+        t->stats.peak_bytes = fresh.stats.peak_bytes;
+        t->stats.needed_bytes = fresh.stats.needed_bytes;
         return status;
     }
     paradt_free(t);
@@ -19449,8 +19461,10 @@ static paradt_status paradt__repair_in_place(paradt_triangulation *t, const para
         paradt__mesh_free(&r.mend.flipper.build.scene.mesh, &r.memory);
     }
     paradt__set_free(&r.set, &r.memory);
-    t->stats.peak_bytes = r.memory.peak;
-    t->stats.needed_bytes = status == PARADT_ERROR_MEMORY ? r.memory.needed : 0;
+    if (!status || r.touched || status == PARADT_ERROR_MEMORY) {
+        t->stats.peak_bytes = r.memory.peak;
+        t->stats.needed_bytes = status == PARADT_ERROR_MEMORY ? r.memory.needed : 0;
+    }
     *touched = r.touched;
     return status;
 }
