@@ -233,10 +233,10 @@
 //
 //     paradt_repair(&t, &points, &options, &stats); // t: of these points where they were a step before
 //
-// Cells that are still right stay. Others are flipped, which is all that is needed in the plane; in more dimensions
-// flips can get stuck, and there points are taken out and inserted again. Where that would take longer than to build
-// anew, it is built anew: stats.rebuilt says so. The result is in each case that of paradt_triangulate. It pays where
-// points move by up to a hundredth of their spacing in space, by some hundredths in the plane.
+// Cells that are still right stay. Others are flipped; where flips get stuck, which is rare in the plane, points are
+// taken out and inserted again. Where that would take longer than to build anew, it is built anew: stats.rebuilt says
+// so. The result is in each case that of paradt_triangulate. It pays where points move by up to a hundredth of their
+// spacing in space, by some hundredths in the plane.
 //
 //
 // MEASURES
@@ -458,8 +458,8 @@
 //                       simplex wall         paradt__wall_raise, begun by paradt__wall_seed where no facet crosses it
 //                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                       recursion            paradt__wall_build, from paradt__dewall
-//     2     local improvement by flips       paradt_repair: >>mending by flips (paradt__mend_look,
-//     paradt__mend_improve) 2.3   incremental flips   search       paradt__history_locate
+//     2     local improvement by flips       paradt_repair: paradt__mend_look, _improve; >>mending by holes
+//     2.3   incremental flips   search       paradt__history_locate
 //                               collect      paradt__flip_collect: the circuit, its star, equal links
 //                               connect      paradt__flips_connect; a point inside: paradt__flips_begin_point
 //                               flip         paradt__flip, in any dimension, for all kinds of flips
@@ -5073,11 +5073,11 @@ enum {
 // Marks of a cell
 enum {
     PARADT__CONFLICT = 1, // in conflict with the point that is being inserted
-    PARADT__WAITING = 2,  // in the list of cells to be asked about
+    PARADT__WAITING = 2,  // in the list of cells to be asked about; in mending: of the circuit that is to be flipped
     PARADT__ASKED = 4,    // known to be one of T(P)
-    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
+    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions; in mending: to be in a hole
     PARADT__DROPPED = 16, // not kept in the end; used by ranks
-    PARADT__WRONG = 32,   // in the list of cells that are not of T(P)
+    PARADT__WRONG = 32,   // in the list of cells that are not of T(P); in mending: turned over
     PARADT__OUTSIDE = 64  // known not to be in conflict with the point that is being inserted
 };
 
@@ -18315,26 +18315,25 @@ static paradt_status paradt__mend_flip_all(paradt__mend *m) {
 // >>mending by holes
 //
 // What flips leave: cells that are turned over, and facets that are not locally regular. Such cells are taken out. Let
-// Q be the vertices of the hole. If the facets of its rim are facets of T(P), T(P) fills the hole with cells on points
-// of Q, which are cells of T(Q), too: ghosts as well as others. T(Q) is made by insertion, and the hole is filled with
-// the cells of T(Q) that can be reached from its rim. A hole is enlarged by the cells beyond those facets of its rim
-// that T(Q) does not have, or that would not be locally regular, and by all beyond its rim if the filling gets out of
+// H be the vertices of the hole. If the facets of its rim are facets of T(P), T(P) fills the hole with cells on points
+// of H, which are cells of T(H), too: ghosts as well as others. T(H) is made by insertion, and the hole is filled with
+// the cells of T(H) that can be reached from its rim. A hole is enlarged by the cells beyond those facets of its rim
+// that T(H) does not have, or that would not be locally regular, and by all beyond its rim if the filling gets out of
 // the hole. So nothing is left to be looked at afterwards. In the end all cells are positively oriented, all facets and
 // the hull's ridges are locally regular, and every place is covered once: that proves that the mesh is T(P).
-// Doors: paradt__mend_fill_all, paradt__mend_end,
-// paradt__vertex_at, paradt__mend_is_done.
+// Doors: paradt__mend_fill_all, paradt__mend_end, paradt__vertex_at, paradt__mend_is_done.
 
 // A hole, and what it is filled with
 typedef struct paradt__hole {
     paradt__list cells;       // places; they have the mark PARADT__CONFLICT
-    paradt__list points;      // Q
+    paradt__list points;      // H
     paradt__list rim;         // facets of the hole's cells
-    paradt__list walls;       // for each the same facet in T(Q), seen from inside
-    paradt__list reached;     // places in T(Q) of the cells that fill the hole
-    paradt__list becomes;     // by place in T(Q): where the cell gets its place; PARADT__OPEN: it is not reached
-    paradt__list outer;       // by handle in T(Q): the facet of a kept cell that is on the other side, or PARADT__OPEN
-    paradt__insertion filler; // T(Q)
-    paradt__facets table;     // of the facets of T(Q)
+    paradt__list walls;       // for each the same facet in T(H), seen from inside
+    paradt__list reached;     // places in T(H) of the cells that fill the hole
+    paradt__list becomes;     // by place in T(H): where the cell gets its place; PARADT__OPEN: it is not reached
+    paradt__list outer;       // by handle in T(H): the facet of a kept cell that is on the other side, or PARADT__OPEN
+    paradt__insertion filler; // T(H)
+    paradt__facets table;     // of the facets of T(H)
     uint32_t *seen;           // [points] by point: the number of the last hole that it was in
     uint32_t number;          // of holes that points were collected for
     size_t worked;            // cells of all holes, as often as these were filled
@@ -18395,7 +18394,7 @@ static paradt_status paradt__hole_survey(paradt__mend *m, paradt__hole *hole) {
     return status;
 }
 
-// Begins T(Q) anew. Returns PARADT_OK with an empty mesh if Q does not span the space.
+// Begins T(H) anew. Returns PARADT_OK with an empty mesh if H does not span the space.
 static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
     paradt__insertion *filler = &hole->filler;
     paradt__mesh *mesh = &filler->scene.mesh;
@@ -18433,7 +18432,7 @@ static paradt_index paradt__vertex_at(const paradt__scene *scene, paradt_index c
     return PARADT__NOWHERE;
 }
 
-// Makes T(Q). Points at the same place are one; with weights it is better to build anew then.
+// Makes T(H). Points at the same place are one; with weights it is better to build anew then.
 static paradt_status paradt__hole_triangulate(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
     paradt__insertion *filler = &hole->filler;
     paradt_status status = paradt__hole_first_cells(m, hole, set);
@@ -18465,7 +18464,7 @@ static int paradt__sees_from_outside(const paradt_index *one, int i, const parad
     return odd;
 }
 
-// Enters the facets of T(Q) into the table.
+// Enters the facets of T(H) into the table.
 static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
@@ -18484,7 +18483,7 @@ static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     return status;
 }
 
-// Finds the facets of the rim in T(Q). The cells beyond those that are not there are added to the hole.
+// Finds the facets of the rim in T(H). The cells beyond those that are not there are added to the hole.
 static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
@@ -18517,7 +18516,7 @@ static paradt_status paradt__list_open(paradt__list *list, size_t count, paradt_
     return PARADT_OK;
 }
 
-// Reaches the cells of T(Q) that fill the hole, from the walls. *tight: none is beyond a wall
+// Reaches the cells of T(H) that fill the hole, from the walls. *tight: none is beyond a wall
 static paradt_status paradt__hole_reach(paradt__mend *m, paradt__hole *hole, int *tight) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
