@@ -1898,7 +1898,7 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare, paradt__rounding.
+// paradt__space_end, paradt__counters_add, paradt__compare, paradt__rounding.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -1907,6 +1907,16 @@ static double paradt__now(void) {
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
+
+// Adds what others have counted.
+PARADT__OPTIONAL void paradt__counters_add(paradt__counters *counters, const paradt__counters *more) {
+    counters->orient_calls += more->orient_calls;
+    counters->insphere_calls += more->insphere_calls;
+    counters->exact_small += more->exact_small;
+    counters->exact_fixed += more->exact_fixed;
+    counters->exact_general += more->exact_general;
+    counters->perturbed += more->perturbed;
+}
 
 // The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
@@ -10696,8 +10706,9 @@ PARADT__OPTIONAL void paradt__insertion_end(paradt__insertion *build) {
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
 
-// Moves dim + 1 points that span the space to the front of the order.
-static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
+// Moves dim + 1 points that span the space to the front of the order. Returns how many; fewer where the points do not
+// span it, which those of a whole set do.
+static int paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
@@ -10706,6 +10717,7 @@ static void paradt__insertion_span_first(const paradt__set *set, paradt_index *o
         order[at] = order[i];
         order[i] = basis[i];
     }
+    return count;
 }
 
 typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
@@ -12114,12 +12126,7 @@ static void paradt__graph_end(paradt__graph *g, paradt__counters *counters) {
         paradt__list_free(&task->spare, g->memory);
         paradt__list_free(&task->settled, g->memory);
         paradt__release(g->memory, task->merged);
-        counters->orient_calls += task->space.counters.orient_calls;
-        counters->insphere_calls += task->space.counters.insphere_calls;
-        counters->exact_small += task->space.counters.exact_small;
-        counters->exact_fixed += task->space.counters.exact_fixed;
-        counters->exact_general += task->space.counters.exact_general;
-        counters->perturbed += task->space.counters.perturbed;
+        paradt__counters_add(counters, &task->space.counters);
     }
     paradt__release(g->memory, g->task);
     paradt__release(g->memory, g->rank);
@@ -17515,12 +17522,7 @@ PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__coun
     memset(faces->counters, 0, sizeof faces->counters);
     paradt__team_run(faces->team, paradt__hull_flat_task, faces);
     if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < faces->team->tasks; task++) {
-        counters->orient_calls += faces->counters[task].orient_calls;
-        counters->exact_small += faces->counters[task].exact_small;
-        counters->exact_fixed += faces->counters[task].exact_fixed;
-        counters->exact_general += faces->counters[task].exact_general;
-    }
+    for (task = 0; task < faces->team->tasks; task++) paradt__counters_add(counters, &faces->counters[task]);
     memset(&stack, 0, sizeof stack);
     for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
     for (facet = 0; facet < mesh->count && !status; facet++) {
@@ -18399,21 +18401,14 @@ static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hol
     paradt__insertion *filler = &hole->filler;
     paradt__mesh *mesh = &filler->scene.mesh;
     paradt__set part = *set;
-    paradt_index basis[PARADT_MAX_DIM + 1], *order = hole->points.items;
-    int count, i;
+    int count;
     part.count = hole->points.count;
     if (mesh->marks) memset(mesh->marks, 0, mesh->count);
     mesh->count = mesh->spare_count = 0;
-    count = paradt__set_basis(&part, order, 0, basis, NULL, &filler->scene.space.counters, NULL);
+    count = paradt__insertion_span_first(&part, hole->points.items, &filler->scene.space.counters);
     if (count < mesh->corners) return PARADT_OK;
-    for (i = 0; i < count; i++) {
-        size_t at = (size_t)i;
-        while (order[at] != basis[i]) at++;
-        order[at] = order[i];
-        order[i] = basis[i];
-    }
     filler->memory = m->flipper.build.memory;
-    filler->order = order;
+    filler->order = hole->points.items;
     filler->count = part.count;
     filler->inserted = (size_t)count;
     filler->scene.hint = 0;
@@ -18739,6 +18734,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
     hole.filler.rim = NULL;
     hole.filler.rim_count = hole.filler.rim_capacity = 0;
     hole.filler.kept = NULL;
+    memset(&hole.filler.scene.space.counters, 0, sizeof hole.filler.scene.space.counters);
     paradt__mesh_begin(&hole.filler.scene.mesh, corners, 1);
     hole.seen = (uint32_t *)paradt__alloc(memory, set->count, sizeof *hole.seen);
     if (!hole.seen) return PARADT_ERROR_MEMORY;
@@ -18750,6 +18746,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
         status = paradt__mend_fill(m, &hole, set, cell);
         if (!status && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
     }
+    paradt__counters_add(&m->flipper.build.scene.space.counters, &hole.filler.scene.space.counters);
     paradt__hole_free(&hole, memory);
     return status;
 }
