@@ -1084,7 +1084,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        235   what the predicates know of a set
+//     space                        245   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
@@ -1119,11 +1119,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
-//     inserting                    211   insertions from begin to end
+//     inserting                    213   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               700   randomized incremental construction in parallel
+//     conflict graph               695   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
@@ -1148,12 +1148,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
-//     hull faces                   341   planes, extreme points, measures
+//     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
 //     mending by flips             263   what has moved, by flips
-//     mending by holes             444   what flips leave, by small triangulations
+//     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       596   the entry of repairing
+//     repair                       612   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
