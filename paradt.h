@@ -2284,8 +2284,9 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
             }
         }
         det *= a[t][t];
+        double inverse = 1 / a[t][t];
         for (int i = t + 1; i < n; i++) {
-            double m = a[i][t] / a[t][t];
+            double m = a[i][t] * inverse;
             for (int j = t + 1; j < n; j++) a[i][j] -= m * a[t][j];
         }
     }
@@ -2296,23 +2297,26 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
 // coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
-    double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    const paradt__bounds *b = n == k ? &s->orient[k] : &s->insphere[k];
+    double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], size[PARADT__MAX_ROWS], det, largest = 1;
     PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
-        double lift = 0, size;
+        double lift = 0;
         for (int j = 0; j < k; j++) {
             a[i][j] = p[i][j] - base[j];
-            largest[j] = paradt__larger(largest[j], paradt__abs(a[i][j]));
             lift += a[i][j] * a[i][j];
         }
-        if (n == k) continue;
-        a[i][k] = paradt__lift_rest(lift, &size, k, d, s->weighted, p[i], base);
-        largest[k] = paradt__larger(largest[k], size);
+        if (n > k) a[i][k] = paradt__lift_rest(lift, &size[i], k, d, s->weighted, p[i], base);
     }
     det = paradt__eliminate(a, n);
-    for (int j = 0; j < n; j++) product *= largest[j];
     if (n > k && k & 1) det = -det;
-    return paradt__decide(s, det, product, n == k ? &s->orient[k] : &s->insphere[k]);
+    if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
+    for (int j = 0; j < k; j++) { // elimination has overwritten the rows
+        double most = 0;
+        for (int i = 0; i < n; i++) most = paradt__larger(most, paradt__abs(p[i][j] - base[j]));
+        largest *= most;
+    }
+    return paradt__decide(s, det, n > k ? largest * paradt__largest(size, n) : largest, b);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3102,6 +3106,7 @@ PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, 
 static int paradt__orient(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
+    if (PARADT__IS(s->dim, 5)) return paradt__orient_any(s, p, 5);
     return paradt__orient_any(s, p, s->dim);
 }
 
@@ -3122,6 +3127,7 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
 static int paradt__insphere(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
+    if (PARADT__IS(s->dim, 5) && s->ambient == 5) return paradt__insphere_any(s, p, 5, 5);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
